@@ -85,6 +85,7 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   if (!options.animations.empty())
     rewrite::replace_keys(document, file.scene, {options.animations, options.channels_to}, draft);
   rewrite::add_animations(file.scene, options.added_animations, draft);
+  rewrite::leave_out_attributes(options.left_out_attributes, draft);
   rewrite::add_attributes(options.added_attributes, draft);
   recode(document, options, draft);
   rewrite::embed_images(document, draft);

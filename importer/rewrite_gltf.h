@@ -30,6 +30,9 @@ struct RewriteOptions {
   /// Animations to write behind the file's: of joints, of all morph weights of mesh instances, and of properties that
   /// the file defines (property_is_defined()), by KHR_animation_pointer. Tracks of some weights are not written.
   std::span<const Animation> added_animations = {};
+  /// Vertex attributes to leave out of every primitive; what only they use goes with them. No attribute that glTF
+  /// defines: others may need it.
+  std::span<const std::string> left_out_attributes = {};
   /// Vertex attributes to write beside those of the file; one of the same name is replaced.
   std::span<const AddedAttribute> added_attributes = {};
   /// Smaller numbers, with a loss that importer/rewrite/quantize_streams.h bounds: normals and tangents in 8 bits

@@ -5,6 +5,7 @@
 
 #include "importer/ambient/bake_ambient_access.h"
 #include "runtime/model/scene.h"
+#include "runtime/model/vertex_access.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
@@ -26,11 +27,6 @@ std::vector<PlacedSurface> surfaces_of(const Scene& scene, const FrameResult& fr
 /// of a room, which would be black.
 /// eq   a quarter of the longest side of the box around all surfaces
 double default_access_distance_m(const Scene& scene, const FrameResult& frame);
-
-/// Ambient access of the vertices of each mesh: [mesh][primitive][V]. A mesh has one value for a vertex, wherever it is
-/// placed, so several instances and copies get the mean of theirs. Primitives that the frame does not show, points and
-/// lines have none.
-using MeshAccess = std::vector<std::vector<std::vector<float>>>;
 
 /// Bakes the ambient access of a scene in the pose of a frame.
 /// err, cost  those of bake_ambient_access()

@@ -2,10 +2,14 @@
 #include "importer/ambient/ambient_attribute.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "importer/ambient/bake_key_poses.h"
+#include "importer/ambient/key_pose_names.h"
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
 #include "importer/rewrite/carried_document.h"
@@ -13,6 +17,8 @@
 
 namespace sinew {
 namespace {
+
+using Attributes = std::map<std::string, int>;
 
 std::uint32_t file_vertex(const Primitive& primitive, std::size_t vertex) {
   return primitive.source_vertex.empty() ? static_cast<std::uint32_t>(vertex) : primitive.source_vertex[vertex];
@@ -51,40 +57,127 @@ std::optional<ImportIssue> fault_of(const gltf::Accessor& accessor, const std::v
   return std::nullopt;
 }
 
+/// Visits each attribute of each primitive: (mesh, primitive, name).
+template <typename Visit>
+void for_each_attribute(const gltf::Document& document, const Visit& visit) {
+  for (std::size_t m = 0; m < document.meshes.size(); ++m)
+    for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p)
+      for (const auto& [name, accessor] : document.meshes[m].primitives[p].attributes) visit(m, p, name);
+}
+
+/// The first clip that has key poses, and how many; their values are still to be read.
+VertexAccess key_poses_in(const ImportedFile& file, std::vector<ImportIssue>& issues) {
+  VertexAccess access;
+  std::uint32_t count = 1;
+  std::set<std::uint32_t> unknown;
+  const std::vector<Animation>& clips = file.scene.animations;
+  for_each_attribute(file.carried->document, [&](std::size_t m, std::size_t p, const std::string& name) {
+    const auto key = key_pose_named(name);
+    if (!key) return;
+    if (key->clip >= clips.size()) {
+      if (unknown.insert(key->clip).second)
+        issues.push_back({Severity::warning, "mesh-attribute-format",
+                          pointer("meshes", m, "primitives", p, "attributes", name),
+                          "ambient access of animation " + std::to_string(key->clip) + ", and there are " +
+                              std::to_string(clips.size()) + "; ignored"});
+      return;
+    }
+    if (key->clip > access.clip) return;
+    count = key->clip < access.clip ? key->pose + 1 : std::max(count, key->pose + 1);
+    access.clip = key->clip;
+  });
+  if (access.clip != kNone) access.times_s = key_pose_times(clips[access.clip].duration_s, count);
+  return access;
+}
+
+/// The attributes that hold the key poses of a primitive, one a pose.
+std::vector<std::string> names_of_poses(const Attributes& attributes, const VertexAccess& access) {
+  std::vector<std::string> keyed, one;
+  bool any = false;
+  for (std::uint32_t k = 0; k < access.times_s.size(); ++k) {
+    one.emplace_back(kAmbientAccessAttribute);
+    keyed.push_back(name_of_key_pose({access.clip, k}));
+    any |= attributes.count(keyed.back()) > 0;
+  }
+  return any ? keyed : one;
+}
+
+/// Reads one attribute in the scene's order of vertices.
+/// out   nothing where it cannot be used, and why in `issues`
+std::vector<float> read_attribute(const gltf::Document& document, const Primitive& primitive, int accessor,
+                                  const std::string& place, std::vector<ImportIssue>& issues) {
+  const std::vector<float> values = read_floats(document, accessor);
+  std::uint32_t last = 0;
+  for (std::size_t v = 0; v < primitive.vertex_count(); ++v) last = std::max(last, file_vertex(primitive, v));
+  if (auto fault = fault_of(document.accessors[accessor], values, last + std::size_t{1}, place)) {
+    issues.push_back(*std::move(fault));
+    return {};
+  }
+  std::vector<float> access;
+  for (std::size_t v = 0; v < primitive.vertex_count(); ++v) access.push_back(values[file_vertex(primitive, v)]);
+  return access;
+}
+
+/// Reads all key poses of a primitive, one after another; nothing where one is missing or cannot be used.
+std::vector<float> read_poses(const ImportedFile& file, std::size_t m, std::size_t p, const VertexAccess& access,
+                              std::vector<ImportIssue>& issues) {
+  const gltf::Document& document = file.carried->document;
+  const Primitive& primitive = file.scene.meshes[m].primitives[p];
+  const Attributes& attributes = document.meshes[m].primitives[p].attributes;
+  std::vector<float> all;
+  for (const std::string& name : names_of_poses(attributes, access)) {
+    const auto found = attributes.find(name);
+    if (found == attributes.end() || primitive.positions.empty()) {
+      if (name != kAmbientAccessAttribute)
+        issues.push_back({Severity::warning, "mesh-attribute-count",
+                          pointer("meshes", m, "primitives", p, "attributes"),
+                          "key poses of ambient access without " + name + "; ignored"});
+      return {};
+    }
+    const std::vector<float> pose = read_attribute(document, primitive, found->second,
+                                                   pointer("meshes", m, "primitives", p, "attributes", name), issues);
+    if (pose.empty()) return {};
+    all.insert(all.end(), pose.begin(), pose.end());
+  }
+  return all;
+}
+
+/// The values of one key pose.
+std::vector<float> pose_of(const std::vector<float>& values, std::size_t poses, std::size_t index) {
+  const auto vertices = static_cast<std::ptrdiff_t>(values.size() / poses);
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(index) * vertices;
+  return {first, first + vertices};
+}
+
 }  // namespace
 
-std::vector<AddedAttribute> ambient_attributes(const Scene& scene, const MeshAccess& access) {
+std::vector<AddedAttribute> ambient_attributes(const Scene& scene, const VertexAccess& access) {
   std::vector<AddedAttribute> attributes;
-  for (std::uint32_t m = 0; m < access.size(); ++m)
-    for (std::uint32_t p = 0; p < access[m].size(); ++p)
-      if (!access[m][p].empty())
-        attributes.push_back(
-            {m, p, kAmbientAccessAttribute, in_order_of_file(scene.meshes[m].primitives[p], access[m][p])});
+  const std::size_t poses = access.times_s.size();
+  for (std::uint32_t m = 0; m < access.values.size(); ++m)
+    for (std::uint32_t p = 0; p < access.values[m].size(); ++p)
+      for (std::uint32_t k = 0; k < poses && !access.values[m][p].empty(); ++k)
+        attributes.push_back({m, p, poses == 1 ? kAmbientAccessAttribute : name_of_key_pose({access.clip, k}),
+                              in_order_of_file(scene.meshes[m].primitives[p], pose_of(access.values[m][p], poses, k))});
   return attributes;
 }
 
-MeshAccess read_ambient_access(const ImportedFile& file, std::vector<ImportIssue>& issues) {
+std::vector<std::string> ambient_attribute_names(const ImportedFile& file) {
   CONTRACT(file.carried != nullptr);
-  const gltf::Document& document = file.carried->document;
-  MeshAccess access(file.scene.meshes.size());
-  for (std::size_t m = 0; m < access.size(); ++m) {
-    access[m].resize(file.scene.meshes[m].primitives.size());
-    for (std::size_t p = 0; p < access[m].size(); ++p) {
-      const Primitive& primitive = file.scene.meshes[m].primitives[p];
-      const auto& attributes = document.meshes[m].primitives[p].attributes;
-      const auto found = attributes.find(kAmbientAccessAttribute);
-      if (found == attributes.end() || primitive.positions.empty()) continue;
-      const std::vector<float> values = read_floats(document, found->second);
-      std::uint32_t last = 0;
-      for (std::size_t v = 0; v < primitive.vertex_count(); ++v) last = std::max(last, file_vertex(primitive, v));
-      if (auto fault = fault_of(document.accessors[found->second], values, last + std::size_t{1},
-                                pointer("meshes", m, "primitives", p, "attributes", kAmbientAccessAttribute))) {
-        issues.push_back(*std::move(fault));
-        continue;
-      }
-      for (std::size_t v = 0; v < primitive.vertex_count(); ++v)
-        access[m][p].push_back(values[file_vertex(primitive, v)]);
-    }
+  std::set<std::string> names;
+  for_each_attribute(file.carried->document, [&](std::size_t, std::size_t, const std::string& name) {
+    if (name == kAmbientAccessAttribute || key_pose_named(name)) names.insert(name);
+  });
+  return {names.begin(), names.end()};
+}
+
+VertexAccess read_ambient_access(const ImportedFile& file, std::vector<ImportIssue>& issues) {
+  CONTRACT(file.carried != nullptr);
+  VertexAccess access = key_poses_in(file, issues);
+  for (std::size_t m = 0; m < file.scene.meshes.size(); ++m) {
+    auto& values = access.values.emplace_back();
+    for (std::size_t p = 0; p < file.scene.meshes[m].primitives.size(); ++p)
+      values.push_back(read_poses(file, m, p, access, issues));
   }
   return access;
 }

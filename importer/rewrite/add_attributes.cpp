@@ -24,19 +24,28 @@ std::size_t add_floats(std::span<const float> values, Draft& draft) {
   return accessors.size() - 1;
 }
 
+/// Removes one attribute, if it is there.
+void leave_out(const std::string& name, Json& attributes, Draft& draft) {
+  const auto found = attributes.find(name);
+  if (found == attributes.end()) return;
+  draft.spare_accessors.insert(index_of(*found));
+  attributes.erase(found);
+}
+
 }  // namespace
+
+void leave_out_attributes(std::span<const std::string> names, Draft& draft) {
+  for (Json& mesh : list_of(draft, "meshes"))
+    for (Json& primitive : mesh["primitives"])
+      for (const std::string& name : names) leave_out(name, primitive["attributes"], draft);
+}
 
 void add_attributes(std::span<const AddedAttribute> added, Draft& draft) {
   for (const AddedAttribute& attribute : added) {
     const std::size_t accessor = add_floats(attribute.values, draft);
     Json& attributes = draft.json["meshes"][attribute.mesh]["primitives"][attribute.primitive]["attributes"];
     CONTRACT(draft.json["accessors"][index_of(attributes.at("POSITION"))]["count"] == attribute.values.size());
-    if (const auto old = attributes.find(attribute.name); old != attributes.end()) {
-      const std::uint32_t spare = index_of(*old);
-      draft.spare_accessors.insert(spare);
-      if (const Json& replaced = draft.json["accessors"][spare]; replaced.contains("bufferView"))
-        draft.spare_views.insert(index_of(replaced["bufferView"]));
-    }
+    leave_out(attribute.name, attributes, draft);
     attributes[attribute.name] = accessor;
   }
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
+#include <string>
 
 #include "importer/rewrite/draft.h"
 #include "importer/rewrite_gltf.h"
 
 namespace sinew::rewrite {
+
+/// Removes attributes of these names from all primitives.
+void leave_out_attributes(std::span<const std::string> names, Draft& draft);
 
 /// Adds vertex attributes to primitives of the document; one of the same name is replaced.
 /// in    attributes   as many values as the primitive has vertices

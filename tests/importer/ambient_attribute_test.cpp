@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/importer/rewritten.h"
 
@@ -19,6 +22,18 @@ TinyGltf bent_square() {
   return gltf;
 }
 
+/// It moves for two seconds in one clip and for three in the other.
+TinyGltf bent_square_with_clips() {
+  TinyGltf gltf = bent_square();
+  Json clips = Json::array();
+  for (const float duration : {2.0f, 3.0f}) {
+    gltf.animate("translation", gltf.times({0, duration}), gltf.vec3({0, 0, 0, 1, 0, 0}));
+    clips.push_back(gltf.root["animations"][0]);
+  }
+  gltf.root["animations"] = clips;
+  return gltf;
+}
+
 const Primitive& primitive_of(const ImportedFile& file) { return file.scene.meshes[0].primitives[0]; }
 
 TEST(ambient_attribute, values_of_vertices_that_were_split_become_their_mean) {
@@ -27,7 +42,9 @@ TEST(ambient_attribute, values_of_vertices_that_were_split_become_their_mean) {
   ASSERT_EQ(primitive_of(*file).vertex_count(), 6u);
   std::vector<float> access;
   for (std::size_t v = 0; v < 6; ++v) access.push_back(0.125f * static_cast<float>(v));
-  const auto attributes = ambient_attributes(file->scene, {{access}});
+  VertexAccess baked;
+  baked.values = {{access}};
+  const auto attributes = ambient_attributes(file->scene, baked);
   ASSERT_EQ(attributes.size(), 1u);
   EXPECT_EQ(attributes[0].name, "_AMBIENT_ACCESS");
   ASSERT_EQ(attributes[0].values.size(), 4u);
@@ -38,7 +55,8 @@ TEST(ambient_attribute, values_of_vertices_that_were_split_become_their_mean) {
   }
   for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(attributes[0].values[v], sums[v] / counts[v]) << v;
   EXPECT_EQ(counts[0], 2.0f);
-  EXPECT_TRUE(ambient_attributes(file->scene, {{{}}}).empty());
+  baked.values = {{{}}};
+  EXPECT_TRUE(ambient_attributes(file->scene, baked).empty());
 }
 
 TEST(ambient_attribute, is_written_beside_the_others_and_read_again) {
@@ -58,11 +76,13 @@ TEST(ambient_attribute, is_written_beside_the_others_and_read_again) {
   const auto again = import_gltf(out->file, "out.glb", carrying());
   ASSERT_TRUE(again);
   std::vector<ImportIssue> issues;
-  const MeshAccess access = read_ambient_access(*again, issues);
+  const VertexAccess access = read_ambient_access(*again, issues);
   EXPECT_TRUE(issues.empty());
+  EXPECT_EQ(access.times_s, std::vector<double>{0.0});
+  EXPECT_EQ(access.clip, kNone);
   const Primitive& primitive = primitive_of(*again);
   for (std::size_t v = 0; v < primitive.vertex_count(); ++v)
-    EXPECT_EQ(access[0][0][v], added[0].values[primitive.source_vertex[v]]) << v;
+    EXPECT_EQ(access.values[0][0][v], added[0].values[primitive.source_vertex[v]]) << v;
 }
 
 TEST(ambient_attribute, an_older_one_is_replaced_and_leaves_nothing_behind) {
@@ -76,7 +96,7 @@ TEST(ambient_attribute, an_older_one_is_replaced_and_leaves_nothing_behind) {
   EXPECT_EQ(twice->file.size(), direct->file.size());
   std::vector<ImportIssue> issues;
   const auto read = read_ambient_access(*import_gltf(twice->file, "twice.glb", carrying()), issues);
-  EXPECT_EQ(read[0][0], std::vector<float>(6, 0.5f));
+  EXPECT_EQ(read.values[0][0], std::vector<float>(6, 0.5f));
 }
 
 TEST(ambient_attribute, what_is_no_fraction_for_each_vertex_is_a_warning_and_taken_as_absent) {
@@ -86,7 +106,7 @@ TEST(ambient_attribute, what_is_no_fraction_for_each_vertex_is_a_warning_and_tak
     attribute = add(gltf);
     const auto file = gltf.import(carrying());
     std::vector<ImportIssue> issues;
-    EXPECT_TRUE(read_ambient_access(*file, issues)[0][0].empty());
+    EXPECT_TRUE(read_ambient_access(*file, issues).values[0][0].empty());
     EXPECT_EQ(issues.size(), 1u);
     EXPECT_EQ(issues.at(0).json_pointer, "/meshes/0/primitives/0/attributes/_AMBIENT_ACCESS");
     EXPECT_EQ(issues.at(0).severity, Severity::warning);
@@ -111,7 +131,128 @@ TEST(ambient_attribute, normalised_integers_of_other_programs_are_read) {
   const auto access = read_ambient_access(*file, issues);
   EXPECT_TRUE(issues.empty());
   const std::vector<float> values = {0.0f, 1.0f, 0.2f, 1.0f};
-  for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(access[0][0][v], values[primitive_of(*file).source_vertex[v]]);
+  for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(access.values[0][0][v], values[primitive_of(*file).source_vertex[v]]);
+}
+
+TEST(ambient_attribute, key_poses_have_an_attribute_each_and_come_back_in_their_order) {
+  const auto file = bent_square_with_clips().import(carrying());
+  ASSERT_TRUE(file);
+  VertexAccess baked;
+  baked.clip = 1;
+  baked.times_s = {0.0, 1.5, 3.0};
+  std::vector<float> values;
+  for (const float pose : {0.0f, 0.25f, 0.5f})
+    for (std::size_t v = 0; v < 6; ++v) values.push_back(pose + 0.05f * float(primitive_of(*file).source_vertex[v]));
+  baked.values = {{values}};
+  const auto attributes = ambient_attributes(file->scene, baked);
+  ASSERT_EQ(attributes.size(), 3u);
+  EXPECT_EQ(attributes[2].name, "_AMBIENT_ACCESS_1_2");
+  const auto out = rewrite_gltf(*file, {.added_attributes = attributes});
+  ASSERT_TRUE(out);
+  std::vector<ImportIssue> issues;
+  const auto again = import_gltf(out->file, "out.glb", carrying());
+  const VertexAccess access = read_ambient_access(*again, issues);
+  EXPECT_TRUE(issues.empty());
+  EXPECT_EQ(access.clip, 1u);
+  EXPECT_EQ(access.times_s, baked.times_s) << "spread over the clip";
+  EXPECT_EQ(access.values, baked.values);
+  EXPECT_EQ(ambient_attribute_names(*again),
+            (std::vector<std::string>{"_AMBIENT_ACCESS_1_0", "_AMBIENT_ACCESS_1_1", "_AMBIENT_ACCESS_1_2"}));
+  const auto without = rewrite_gltf(*again, {.left_out_attributes = ambient_attribute_names(*again)});
+  ASSERT_TRUE(without);
+  EXPECT_EQ(without->file, rewrite_gltf(*file)->file) << "nothing stays behind";
+}
+
+TEST(ambient_attribute, names_of_key_poses_are_read_only_as_they_are_written) {
+  for (const KeyPoseName key : {KeyPoseName{0, 0}, {2, 5}, {12, 63}, {4294967294u, 10}}) {
+    const auto read = key_pose_named(name_of_key_pose(key));
+    ASSERT_TRUE(read) << name_of_key_pose(key);
+    EXPECT_EQ(read->clip, key.clip);
+    EXPECT_EQ(read->pose, key.pose);
+  }
+  for (const char* other :
+       {"_AMBIENT_ACCESS", "_AMBIENT_ACCESS_", "_AMBIENT_ACCESS_1", "_AMBIENT_ACCESS_1_", "_AMBIENT_ACCESS_01_2",
+        "_AMBIENT_ACCESS_1_02", "_AMBIENT_ACCESS_1_64", "_AMBIENT_ACCESS_1_2_3", "_AMBIENT_ACCESS_1x2",
+        "_AMBIENT_ACCESS_-1_2", "_AMBIENT_ACCESS_1_ 2", "_AMBIENT_ACCESS__2", "_AMBIENT_ACCESS_4294967296_0",
+        "_AMBIENT_ACCESX_1_2", "COLOR_1_2"})
+    EXPECT_FALSE(key_pose_named(other)) << other;
+}
+
+/// The bent square with attributes of four vertices each, all of one value.
+VertexAccess access_with(const std::vector<std::pair<std::string, float>>& attributes,
+                         std::vector<ImportIssue>* issues_out = nullptr) {
+  TinyGltf gltf = bent_square_with_clips();
+  for (const auto& [name, value] : attributes)
+    gltf.root["meshes"][0]["primitives"][0]["attributes"][name] = gltf.scalars({value, value, value, value});
+  const auto file = gltf.import(carrying());
+  std::vector<ImportIssue> issues;
+  VertexAccess access = read_ambient_access(file.value(), issues);
+  EXPECT_EQ(issues.empty(), issues_out == nullptr);
+  if (issues_out) *issues_out = std::move(issues);
+  return access;
+}
+
+TEST(ambient_attribute, of_several_clips_the_first_has_its_key_poses) {
+  const VertexAccess access = access_with({{"_AMBIENT_ACCESS", 0.9f},
+                                           {"_AMBIENT_ACCESS_0_0", 0.1f},
+                                           {"_AMBIENT_ACCESS_0_1", 0.2f},
+                                           {"_AMBIENT_ACCESS_1_0", 0.3f},
+                                           {"_AMBIENT_ACCESS_1_1", 0.4f},
+                                           {"_AMBIENT_ACCESS_1_2", 0.5f}});
+  EXPECT_EQ(access.clip, 0u);
+  EXPECT_EQ(access.times_s, (std::vector<double>{0.0, 2.0}));
+  std::vector<float> values(6, 0.1f);
+  values.insert(values.end(), 6, 0.2f);
+  EXPECT_EQ(access.values[0][0], values);
+}
+
+TEST(ambient_attribute, a_primitive_without_key_poses_keeps_its_one_pose_beside_them) {
+  TinyGltf gltf = bent_square_with_clips();
+  Json& primitives = gltf.root["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[0]["attributes"]["_AMBIENT_ACCESS"] = gltf.scalars({0.5f, 0.5f, 0.5f, 0.5f});
+  for (const char* name : {"_AMBIENT_ACCESS_1_0", "_AMBIENT_ACCESS_1_1"})
+    primitives[1]["attributes"][name] = gltf.scalars({0.25f, 0.25f, 0.25f, 0.25f});
+  std::vector<ImportIssue> issues;
+  const auto file = gltf.import(carrying());
+  const VertexAccess access = read_ambient_access(*file, issues);
+  EXPECT_TRUE(issues.empty());
+  EXPECT_EQ(access.values[0][0], std::vector<float>(12, 0.5f));
+  EXPECT_EQ(access.values[0][1], std::vector<float>(12, 0.25f));
+}
+
+TEST(ambient_attribute, key_poses_that_are_missing_or_of_no_clip_are_warnings) {
+  std::vector<ImportIssue> issues;
+  const VertexAccess gap = access_with({{"_AMBIENT_ACCESS_1_0", 0.1f}, {"_AMBIENT_ACCESS_1_2", 0.3f}}, &issues);
+  EXPECT_EQ(gap.times_s.size(), 3u);
+  EXPECT_TRUE(gap.values[0][0].empty());
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].rule, "mesh-attribute-count");
+  EXPECT_EQ(issues[0].json_pointer, "/meshes/0/primitives/0/attributes");
+  EXPECT_EQ(issues[0].detail, "key poses of ambient access without _AMBIENT_ACCESS_1_1; ignored");
+
+  const VertexAccess strange =
+      access_with({{"_AMBIENT_ACCESS", 0.5f}, {"_AMBIENT_ACCESS_2_0", 0.1f}, {"_AMBIENT_ACCESS_2_1", 0.3f}}, &issues);
+  EXPECT_EQ(strange.clip, kNone);
+  EXPECT_EQ(strange.times_s, std::vector<double>{0.0});
+  EXPECT_EQ(strange.values[0][0], std::vector<float>(6, 0.5f));
+  ASSERT_EQ(issues.size(), 1u) << "one for the animation";
+  EXPECT_EQ(issues[0].rule, "mesh-attribute-format");
+  EXPECT_EQ(issues[0].json_pointer, "/meshes/0/primitives/0/attributes/_AMBIENT_ACCESS_2_0");
+  EXPECT_EQ(issues[0].detail, "ambient access of animation 2, and there are 2; ignored");
+}
+
+TEST(ambient_attribute, a_clip_that_lasts_no_time_has_its_first_pose) {
+  TinyGltf gltf = bent_square();
+  gltf.animate("translation", gltf.times({0}), gltf.vec3({1, 0, 0}));
+  for (const char* name : {"_AMBIENT_ACCESS_0_0", "_AMBIENT_ACCESS_0_1"})
+    gltf.root["meshes"][0]["primitives"][0]["attributes"][name] = gltf.scalars({0.5f, 0.5f, 0.5f, 0.5f});
+  const auto file = gltf.import(carrying());
+  ASSERT_TRUE(file);
+  std::vector<ImportIssue> issues;
+  const VertexAccess access = read_ambient_access(*file, issues);
+  EXPECT_EQ(access.times_s, std::vector<double>{0.0});
+  EXPECT_EQ(access.values[0][0], std::vector<float>(6, 0.5f));
 }
 
 }  // namespace

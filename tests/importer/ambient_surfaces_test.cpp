@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "importer/ambient/bake_key_poses.h"
+
 namespace sinew {
 namespace {
 
@@ -122,6 +124,41 @@ TEST(bake_mesh_access, a_mesh_at_several_places_gets_the_mean_of_them) {
   ASSERT_EQ(access[0][0].size(), 4u);
   for (const float share : access[0][0]) EXPECT_NEAR(share, 0.5f, 0.01f);
   EXPECT_TRUE(access[2][0].empty()) << "nobody sees it";
+}
+
+TEST(bake_key_pose, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_has_no_values) {
+  Placed placed;
+  placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
+  placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over it
+  placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
+  placed.instances[2].visible = false;
+  VertexAccess access;
+  const AccessOptions how{.rays = 64};
+  const bool ground_seen[] = {false, true, true, false}, lid_seen[] = {true, true, false, true};
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    placed.instances[0].visible = ground_seen[pose];
+    placed.instances[1].visible = lid_seen[pose];
+    bake_key_pose(placed.scene, placed.frame(), pose, how, access);
+  }
+  ASSERT_EQ(access.values.size(), 3u);
+  const std::vector<float>& ground = access.values[0][0];
+  ASSERT_EQ(ground.size(), 16u);
+  for (std::size_t v = 0; v < 4; ++v) {
+    EXPECT_EQ(ground[v], 1.0f) << "not shown";
+    EXPECT_LT(ground[4 + v], 0.05f) << "under the lid";
+    EXPECT_EQ(ground[8 + v], 1.0f) << "without the lid";
+    EXPECT_EQ(ground[12 + v], 1.0f) << "not shown any more";
+  }
+  EXPECT_EQ(access.values[1][0].size(), 16u);
+  EXPECT_TRUE(access.values[2][0].empty());
+}
+
+TEST(key_pose_times, are_spread_evenly_with_both_ends) {
+  EXPECT_EQ(key_pose_times(3.0, 4), (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
+  EXPECT_EQ(key_pose_times(3.0, 2), (std::vector<double>{0.0, 3.0}));
+  EXPECT_EQ(key_pose_times(3.0, 1), std::vector<double>{0.0});
+  EXPECT_EQ(key_pose_times(0.0, 4), std::vector<double>{0.0}) << "lasts no time";
+  EXPECT_EQ(key_pose_times(-1.0, 4), std::vector<double>{0.0});
 }
 
 TEST(bake_mesh_access, copies_of_an_instance_count_like_instances) {

@@ -25,10 +25,10 @@ std::string content_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-MeshAccess access_in(const std::string& path) {
+VertexAccess access_in(const std::string& path) {
   const auto file = import_gltf(path, carrying());
   std::vector<ImportIssue> issues;
-  MeshAccess access = file ? read_ambient_access(*file, issues) : MeshAccess();
+  VertexAccess access = file ? read_ambient_access(*file, issues) : VertexAccess();
   EXPECT_TRUE(issues.empty());
   return access;
 }
@@ -69,7 +69,7 @@ TEST(bake_ao, writes_the_access_of_the_pose_that_is_asked_for) {
     command.insert(command.end(), more.begin(), more.end());
     const CommandOutcome outcome = run_tool(command);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return access_in(out)[0][0];
+    return access_in(out).values[0][0];
   };
   const std::vector<float> flat = run({"--pose", "fold@0"}), folded = run({"--pose", "fold@1"});
   EXPECT_THAT(flat, testing::Each(1.0f));
@@ -80,6 +80,41 @@ TEST(bake_ao, writes_the_access_of_the_pose_that_is_asked_for) {
   EXPECT_EQ(run({"--pose", "0@1"}), folded) << "by number";
   EXPECT_EQ(run({"--pose", "fold@1"}, "1mm")[0], 1.0f) << "too far to count";
   EXPECT_NE(run({"--pose", "fold@1", "--seed", "9"}), folded);
+}
+
+TEST(bake_ao, key_poses_are_those_of_single_poses_one_attribute_each) {
+  const ToolModelFile folder;
+  const std::string in = write_flap(folder), out = folder.beside("out.glb"), single = folder.beside("single.glb");
+  const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", out, "--key-poses", "3", "--distance", "none"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives in 3 key poses: mean access 0.9"));
+  const VertexAccess access = access_in(out);
+  EXPECT_EQ(access.clip, 0u);
+  EXPECT_EQ(access.times_s, (std::vector<double>{0.0, 0.5, 1.0}));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string pose = "fold@" + std::to_string(access.times_s[k]);
+    ASSERT_EQ(run_tool({"bake-ao", in, "-o", single, "--pose", pose, "--distance", "none"}).status, 0);
+    for (std::size_t m = 0; m < 2; ++m) {
+      const auto first = access.values[m][0].begin() + static_cast<std::ptrdiff_t>(4 * k);
+      EXPECT_EQ(std::vector<float>(first, first + 4), access_in(single).values[m][0]) << pose << ", mesh " << m;
+    }
+  }
+  EXPECT_LT(access.values[0][0][8], access.values[0][0][4]) << "the more it stands upright, the more it hides";
+
+  ASSERT_EQ(run_tool({"bake-ao", in, "-o", single, "--rays", "16"}).status, 0);
+  const std::string again = folder.beside("again.glb");
+  ASSERT_EQ(run_tool({"bake-ao", out, "-o", again, "--rays", "16"}).status, 0);
+  EXPECT_EQ(content_of(again).size(), content_of(single).size()) << "older key poses leave nothing behind";
+  EXPECT_EQ(access_in(again).values, access_in(single).values);
+}
+
+TEST(bake_ao, the_distance_of_key_poses_is_that_of_the_first) {
+  const ToolModelFile folder;
+  const std::string in = write_flap(folder), out = folder.beside("out.glb"), same = folder.beside("same.glb");
+  // Flat it is four metres long, upright two.
+  ASSERT_EQ(run_tool({"bake-ao", in, "-o", out, "--key-poses", "2", "--clip", "fold"}).status, 0);
+  ASSERT_EQ(run_tool({"bake-ao", in, "-o", same, "--key-poses", "2", "--distance", "1m"}).status, 0);
+  EXPECT_EQ(access_in(out).values, access_in(same).values);
 }
 
 TEST(bake_ao, carries_all_else_and_gives_the_same_bytes_twice) {
@@ -113,7 +148,7 @@ TEST(bake_ao, a_mesh_at_several_places_gets_the_mean_and_a_warning) {
       run_tool({"bake-ao", in, "-o", out, "--rays", "1024", "--distance", "none", "--pose", "fold@1"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(in + ": /meshes/0: warning: is at 2 places; its vertices get the mean of them"));
-  EXPECT_NEAR(access_in(out)[0][0][0], 0.5f * (0.625f + 1.0f), 0.01f) << "here and far away";
+  EXPECT_NEAR(access_in(out).values[0][0][0], 0.5f * (0.625f + 1.0f), 0.01f) << "here and far away";
 }
 
 TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
@@ -136,6 +171,13 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   says({"--rays", "0"}, 2, "--rays");
   says({"--rays", "1048577"}, 2, "--rays");
   says({in}, 2, "");
+  says({"--key-poses", "1"}, 2, "--key-poses");
+  says({"--key-poses", "65"}, 2, "--key-poses");
+  says({"--key-poses", "4", "--pose", "fold@0"}, 2, "--pose excludes --key-poses");
+  says({"--clip", "fold"}, 2, "--clip requires --key-poses");
+  says({"--key-poses", "4", "--clip", "bend"}, 2,
+       "--key-poses: there is no clip \"bend\"; the file has 1 clips: 0 \"fold\"");
+  says({"--key-poses", "4", "--clip", "none"}, 2, "--key-poses: there is no clip \"none\"");
   std::ofstream(folder.beside("empty.gltf")) << R"({"asset": {"version": "2.0"}, "nodes": [{}]})";
   const CommandOutcome empty = run_tool({"bake-ao", folder.beside("empty.gltf"), "-o", out});
   EXPECT_EQ(empty.status, 1);
@@ -147,14 +189,16 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
 TEST(bake_ao, an_independent_validator_is_as_silent_as_before) {
   const ToolModelFile folder;
   std::vector<std::string> files;
-  const auto add = [&](const std::string& in) {
+  const auto add = [&](const std::string& in, std::vector<std::string> more = {}) {
     const std::string number = std::to_string(files.size()), plain = folder.beside("plain" + number + ".glb"),
                       out = folder.beside("out" + number + ".glb");
     ASSERT_EQ(run_tool({"convert", in, plain}).status, 0);
-    ASSERT_EQ(run_tool({"bake-ao", in, "-o", out, "--rays", "8"}).status, 0);
+    more.insert(more.begin(), {"bake-ao", in, "-o", out, "--rays", "8"});
+    ASSERT_EQ(run_tool(more).status, 0);
     files.insert(files.end(), {plain, out});
   };
   add(write_flap(folder));
+  add(write_flap(folder), {"--key-poses", "3"});
   for (const auto& sample : showcase::showcase()) {
     const std::string in = folder.beside("in" + std::to_string(files.size()) + ".glb");
     ASSERT_TRUE(export_glb(sample.scene, fs::path(in)));

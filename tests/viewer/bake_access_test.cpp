@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "importer/ambient/ambient_attribute.h"
+#include "importer/ambient/access_surfaces.h"
 #include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
 #include "viewer/app/clip_poses.h"
@@ -52,8 +52,8 @@ TEST(bake_access, key_poses_are_spread_over_the_clip_one_after_another) {
   for (std::size_t m = 0; m < exhibit.scene.meshes.size(); ++m) {
     const std::vector<float>&all = exhibit.access->values[m][0], &own = second[m][0];
     const std::size_t vertices = exhibit.scene.meshes[m].primitives[0].vertex_count();
-    ASSERT_EQ(all.size(), 4 * vertices);
     if (own.empty()) continue;
+    ASSERT_EQ(all.size(), 4 * vertices);
     EXPECT_TRUE(std::equal(own.begin(), own.end(), all.begin() + static_cast<std::ptrdiff_t>(vertices)));
   }
   ASSERT_EQ(said.size(), 1u);

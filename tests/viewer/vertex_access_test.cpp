@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ambient access that comes with the vertices: between key poses, in pictures, and in light.
-#include "viewer/upload/vertex_access.h"
+#include "viewer/upload/access_blend.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "importer/ambient/ambient_attribute.h"
+#include "importer/ambient/bake_key_poses.h"
 #include "viewer/app/clip_poses.h"
 #endif
 
@@ -26,33 +27,14 @@ bool has_values(const MeshAccess& access) {
   });
 }
 
-/// The times of the key poses; one pose has no clip.
-VertexAccess without_values(const Exhibit& exhibit, const AccessBaking& baking) {
-  VertexAccess access;
+/// The key poses, without values yet; one pose is the rest pose.
+VertexAccess key_poses_of(const Exhibit& exhibit, const AccessBaking& baking) {
   const double duration = std::max(baking.clip == kNone ? 0.0 : exhibit.scene.animations[baking.clip].duration_s,
                                    cache_duration_s(exhibit));
-  if (baking.key_poses < 2 || !(duration > 0.0)) return access;
-  access.clip = baking.clip;
-  access.times_s.clear();
-  for (std::uint32_t i = 0; i < baking.key_poses; ++i)
-    access.times_s.push_back(duration * i / (baking.key_poses - 1.0));
+  VertexAccess access;
+  access.times_s = key_pose_times(duration, baking.key_poses);
+  if (access.times_s.size() > 1) access.clip = baking.clip;
   return access;
-}
-
-/// Appends the values of one more pose. A primitive that a pose does not show is open in it.
-void append(const Scene& scene, const MeshAccess& pose, VertexAccess& access) {
-  access.values.resize(scene.meshes.size());
-  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    access.values[m].resize(scene.meshes[m].primitives.size());
-    for (std::size_t p = 0; p < access.values[m].size(); ++p) {
-      std::vector<float>& all = access.values[m][p];
-      const std::vector<float>& more = pose[m][p];
-      if (more.empty())
-        all.resize(all.size() + scene.meshes[m].primitives[p].vertex_count(), 1.0f);
-      else
-        all.insert(all.end(), more.begin(), more.end());
-    }
-  }
 }
 
 void bake_poses(const Exhibit& exhibit, const std::function<void(double)>& progress, AccessOptions how,
@@ -62,7 +44,7 @@ void bake_poses(const Exhibit& exhibit, const std::function<void(double)>& progr
   if (progress) how.progress = [&](double part) { progress((static_cast<double>(done) + part) / count); };
   for_each_pose(exhibit.scene, access.clip, exhibit.cache.get(), access.times_s, [&](const FrameResult& pose) {
     if (done == 0) how.distance_m = default_access_distance_m(exhibit.scene, pose);
-    append(exhibit.scene, bake_mesh_access(exhibit.scene, pose, how), access);
+    bake_key_pose(exhibit.scene, pose, done, how, access);
     ++done;
   });
 }
@@ -72,8 +54,7 @@ void bake_poses(const Exhibit& exhibit, const std::function<void(double)>& progr
 std::shared_ptr<const VertexAccess> access_of_file(const ImportedFile& file,
                                                    const std::function<void(const std::string&)>& say) {
   std::vector<ImportIssue> issues;
-  VertexAccess access;
-  access.values = read_ambient_access(file, issues);
+  VertexAccess access = read_ambient_access(file, issues);
   for (const ImportIssue& issue : issues)
     say(describe(file.facts.files.empty() ? "" : file.facts.files[0].string(), issue));
   if (!has_values(access.values)) return nullptr;
@@ -85,7 +66,7 @@ tl::expected<void, std::string> add_missing_access(Exhibit& exhibit, const Acces
                                                    const std::function<void(double)>& progress) {
   if (exhibit.access) return {};
   const auto start = std::chrono::steady_clock::now();
-  VertexAccess access = without_values(exhibit, baking);
+  VertexAccess access = key_poses_of(exhibit, baking);
   const AccessOptions how;
   try {
     bake_poses(exhibit, progress, how, access);

@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 
 #include "importer/import_gltf.h"
+#include "runtime/model/vertex_access.h"
 #include "viewer/app/exhibit.h"
-#include "viewer/upload/vertex_access.h"
 
 namespace sinew::viewer {
 

@@ -10,12 +10,12 @@
 #include <tl/expected.hpp>
 
 #include "runtime/model/scene.h"
+#include "runtime/model/vertex_access.h"
 #include "runtime/plan/needs.h"
 #include "viewer/app/cache/cache_on_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/light/environment.h"
-#include "viewer/upload/vertex_access.h"
 
 namespace sinew::viewer {
 

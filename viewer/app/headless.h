@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/passes/frame_renderer.h"
+#include "viewer/upload/access_blend.h"
 
 namespace sinew::viewer {
 

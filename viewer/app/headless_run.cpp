@@ -23,6 +23,7 @@
 #include "viewer/app/settings.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/validation_outcome.h"
+#include "viewer/upload/access_blend.h"
 
 namespace sinew::viewer {
 namespace {

@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "runtime/model/vertex_access.h"
 #include "viewer/app/keys.h"
 
 namespace sinew::viewer {
@@ -178,8 +179,9 @@ void add_picture_options(CLI::App& app, Options& options) {
   text_option(app, "--key-poses", "N", "cast rays for N poses of the clip, blended while it plays (the rest pose)",
               [&](const std::string& text) {
                 const auto count = number<std::uint32_t>(text);
-                if (!count || *count < 2 || *count > 64)
-                  throw CLI::ValidationError("--key-poses", "'" + text + "' is not a number from 2 to 64");
+                if (!count || *count < 2 || *count > kMostKeyPoses)
+                  throw CLI::ValidationError(
+                      "--key-poses", "'" + text + "' is not a number from 2 to " + std::to_string(kMostKeyPoses));
                 options.key_poses = *count;
               })
       ->needs(method);

@@ -3,6 +3,7 @@
 
 #include "runtime/base/contract.h"
 #include "viewer/app/file_camera.h"
+#include "viewer/upload/access_blend.h"
 
 namespace sinew::viewer {
 namespace {

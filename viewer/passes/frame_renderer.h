@@ -11,6 +11,7 @@
 #include "viewer/passes/picture_modes.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
+#include "viewer/upload/access_blend.h"
 #include "viewer/upload/frame_upload.h"
 #include "viewer/upload/scene_upload.h"
 

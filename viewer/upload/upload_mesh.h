@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "runtime/model/scene.h"
+#include "runtime/model/vertex_access.h"
 #include "viewer/upload/staging.h"
-#include "viewer/upload/vertex_access.h"
 
 namespace sinew::viewer {
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "importer/ambient/ambient_attribute.h"
+#include "importer/ambient/bake_key_poses.h"
 #include "importer/file/json_pointer.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/commands.h"
@@ -32,30 +33,49 @@ struct BakeAoOptions {
   std::string file, out;
   std::uint32_t rays = AccessOptions{}.rays;
   std::uint64_t seed = AccessOptions{}.seed;
-  std::optional<std::string> distance, pose;
+  std::optional<std::string> distance, pose, clip;
+  std::uint32_t key_poses = 1;
   std::vector<std::string> drop;
 };
 
-/// The pose in which the model is baked.
-struct ChosenPose {
-  std::uint32_t clip = kNone;  ///< kNone = the rest pose
-  double time_s = 0.0;
-};
-
-/// Reads "CLIP@TIME".
+/// Reads "CLIP@TIME", a single pose.
 /// err   a sentence
-tl::expected<ChosenPose, std::string> pose_of(const std::optional<std::string>& text, const Scene& scene) {
-  if (!text) return ChosenPose{};
-  const std::size_t at = text->rfind('@');
-  ChosenPose pose;
-  const char* end = text->data() + text->size();
-  const auto [stop, error] = std::from_chars(at == std::string::npos ? end : text->data() + at + 1, end, pose.time_s);
-  if (error != std::errc() || stop != end || !std::isfinite(pose.time_s) || pose.time_s < 0.0)
-    return tl::unexpected(fmt::format("--pose: \"{}\" is not CLIP@SECONDS, such as Walk@0.5", *text));
-  const auto clips = choose_clips(scene, text->substr(0, at));
-  if (!clips) return tl::unexpected(fmt::format("--pose {}: no such clip; {}", *text, list_of_clips(scene)));
-  pose.clip = clips->front();
-  return pose;
+tl::expected<VertexAccess, std::string> one_pose(const std::string& text, const Scene& scene) {
+  const std::size_t at = text.rfind('@');
+  VertexAccess access;
+  const char* end = text.data() + text.size();
+  double& time_s = access.times_s[0];
+  const auto [stop, error] = std::from_chars(at == std::string::npos ? end : text.data() + at + 1, end, time_s);
+  if (error != std::errc() || stop != end || !std::isfinite(time_s) || time_s < 0.0)
+    return tl::unexpected(fmt::format("--pose: \"{}\" is not CLIP@SECONDS, such as Walk@0.5", text));
+  const auto clips = choose_clips(scene, text.substr(0, at));
+  if (!clips) return tl::unexpected(fmt::format("--pose {}: no such clip; {}", text, list_of_clips(scene)));
+  access.clip = clips->front();
+  return access;
+}
+
+/// The key poses of a clip; without a choice that is the first.
+/// err   a sentence
+tl::expected<VertexAccess, std::string> key_poses(const BakeAoOptions& options, const Scene& scene) {
+  const auto clips = choose_clips(scene, options.clip.value_or("0"));
+  if (!clips || clips->front() == kNone)
+    return tl::unexpected(
+        fmt::format("--key-poses: there is no clip \"{}\"; {}", options.clip.value_or("0"), list_of_clips(scene)));
+  VertexAccess access;
+  access.clip = clips->front();
+  const Animation& clip = scene.animations[access.clip];
+  access.times_s = key_pose_times(clip.duration_s, options.key_poses);
+  if (access.times_s.size() == 1)
+    return tl::unexpected(
+        fmt::format("--key-poses: clip \"{}\" lasts no time, so it has one pose (--pose)", clip.name));
+  return access;
+}
+
+/// The poses in which the model is baked, without values yet.
+/// err   a sentence
+tl::expected<VertexAccess, std::string> poses_of(const BakeAoOptions& options, const Scene& scene) {
+  if (options.key_poses > 1) return key_poses(options, scene);
+  return options.pose ? one_pose(*options.pose, scene) : VertexAccess();
 }
 
 /// Metres; infinite for "none".
@@ -69,30 +89,36 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
   return metres;
 }
 
-/// Casts the rays.
+/// Casts the rays of one pose after another, all within the distance that is asked for or the first pose gives.
 /// err   a sentence
-tl::expected<MeshAccess, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
-  const auto pose = pose_of(options.pose, scene);
-  if (!pose) return tl::unexpected(pose.error());
-  Needs needs;
-  needs.positions = needs.normals = true;
-  const Plan plan = compile_plan(scene, needs);
-  FrameBuffer frame(plan);
-  const ClipLayer layer{pose->clip, pose->time_s};
-  FrameInput input;
-  if (pose->clip != kNone) input.layers = {&layer, 1};
-  if (run_plan(plan, input, frame) != ErrorCode::ok) return tl::unexpected(std::string("the pose cannot be evaluated"));
+tl::expected<VertexAccess, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
+  auto access = poses_of(options, scene);
+  if (!access) return access;
   AccessOptions how{.rays = options.rays, .seed = options.seed};
   if (options.distance) {
     const auto distance = distance_of(*options.distance, scene);
     if (!distance) return tl::unexpected(distance.error());
     how.distance_m = *distance;
-  } else {
-    how.distance_m = default_access_distance_m(scene, frame.result());
   }
+  Needs needs;
+  needs.positions = needs.normals = true;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
   ProgressLine progress;
-  how.progress = [&](double done) { progress.show("casting rays", done); };
-  return bake_mesh_access(scene, frame.result(), how);
+  const std::size_t poses = access->times_s.size();
+  for (std::size_t i = 0; i < poses; ++i) {
+    const ClipLayer layer{access->clip, access->times_s[i]};
+    FrameInput input;
+    if (access->clip != kNone) input.layers = {&layer, 1};
+    if (run_plan(plan, input, frame) != ErrorCode::ok)
+      return tl::unexpected(std::string("the pose cannot be evaluated"));
+    if (i == 0 && !options.distance) how.distance_m = default_access_distance_m(scene, frame.result());
+    how.progress = [&](double done) {
+      progress.show("casting rays", (static_cast<double>(i) + done) / static_cast<double>(poses));
+    };
+    bake_key_pose(scene, frame.result(), i, how, *access);
+  }
+  return access;
 }
 
 /// Warns of meshes that a file shows several times: they have one value for a vertex.
@@ -106,17 +132,19 @@ void say_means(const BakeAoOptions& options, const Scene& scene) {
                             pointer("meshes", m), counted(places[m], "place")));
 }
 
-void print_summary(const std::vector<AddedAttribute>& attributes) {
-  std::size_t vertices = 0;
+void print_summary(const VertexAccess& access, const std::vector<AddedAttribute>& attributes) {
+  std::size_t values = 0;
   double sum = 0.0, darkest = 1.0;
   for (const AddedAttribute& attribute : attributes)
     for (const float value : attribute.values) {
-      ++vertices;
+      ++values;
       sum += static_cast<double>(value);
       darkest = std::min(darkest, static_cast<double>(value));
     }
-  print_result("{} vertices of {}: mean access {:.3f}, darkest {:.3f}\n", vertices,
-               counted(attributes.size(), "primitive"), sum / static_cast<double>(vertices), darkest);
+  const std::size_t poses = access.times_s.size();
+  print_result("{} vertices of {}{}: mean access {:.3f}, darkest {:.3f}\n", values / poses,
+               counted(attributes.size() / poses, "primitive"), poses > 1 ? fmt::format(" in {} key poses", poses) : "",
+               sum / static_cast<double>(values), darkest);
 }
 
 ExitCode bake_ao(const BakeAoOptions& options) {
@@ -135,7 +163,9 @@ ExitCode bake_ao(const BakeAoOptions& options) {
   if (attributes.empty())
     return fail_with(ExitCode::input_at_fault, options.file + ": no node shows triangles, so nothing is baked");
   say_means(options, model->scene);
+  const std::vector<std::string> older = ambient_attribute_names(*model);
   RewriteOptions rewrite;
+  rewrite.left_out_attributes = older;
   rewrite.added_attributes = attributes;
   rewrite.drop.insert(options.drop.begin(), options.drop.end());
   rewrite.buffer_uri = outputs->buffer.filename().string();
@@ -143,7 +173,7 @@ ExitCode bake_ao(const BakeAoOptions& options) {
   if (!written) return refuse_rewrite(options.file, written.error());
   for (const ImportIssue& drop : written->drops) say_issue(options.file, drop);
   if (const ExitCode code = write_files(*outputs, *written); code != ExitCode::done) return code;
-  print_summary(attributes);
+  print_summary(*access, attributes);
   print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
   return ExitCode::done;
 }
@@ -158,7 +188,8 @@ void add_bake_ao(CLI::App& program, ExitCode& outcome) {
       "Ambient access is the fraction of the light from all around that arrives. Each vertex casts rays over the "
       "hemispheres of its faces; those that meet nothing within the distance count. Every primitive that a node shows "
       "gets the attribute _AMBIENT_ACCESS, a float from 0 to 1 a vertex. A mesh at several places gets the mean of "
-      "them. `sinew-viewer OUT --ao rays` shows it.\n"
+      "them. With --key-poses there is one attribute for each pose, _AMBIENT_ACCESS_C_I for pose I of animation C. "
+      "`sinew-viewer OUT --ao rays` shows it, blended between key poses while the clip plays.\n"
       "\n"
       "OUT is FILE with this attribute and everything else that the file says; what cannot be carried is listed, and "
       "nothing is written unless --drop names it. The same file and options give the same bytes on the same kind of "
@@ -178,8 +209,18 @@ void add_bake_ao(CLI::App& program, ExitCode& outcome) {
   command->add_option("--seed", options->seed, "Another number gives other rays")
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--pose", options->pose, "The pose to bake, such as Walk@0.5 (default: the rest pose)")
-      ->type_name("CLIP@SECONDS");
+  CLI::Option* pose =
+      command->add_option("--pose", options->pose, "The pose to bake, such as Walk@0.5 (default: the rest pose)")
+          ->type_name("CLIP@SECONDS");
+  CLI::Option* key_poses = command
+                               ->add_option("--key-poses", options->key_poses,
+                                            "Bake this many poses, spread evenly over a clip, its ends included")
+                               ->check(CLI::Range(2u, kMostKeyPoses))
+                               ->excludes(pose)
+                               ->type_name("N");
+  command->add_option("--clip", options->clip, "The clip of the key poses (default: the first)")
+      ->needs(key_poses)
+      ->type_name("INDEX|NAME");
   command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/upload/vertex_access.h"
+#include "viewer/upload/access_blend.h"
 
 #include <algorithm>
 

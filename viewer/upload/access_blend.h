@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <vector>
 
-#include "runtime/base/index.h"
+#include "runtime/model/vertex_access.h"
 
 namespace sinew::viewer {
-
-/// Ambient access that was baked at vertices, for one pose or for key poses of a clip.
-struct VertexAccess {
-  std::vector<double> times_s = {0.0};  ///< [P] rising, of the key poses
-  std::uint32_t clip = kNone;           ///< the clip of the key poses; with one pose it does not matter
-  /// [mesh][primitive][P * V] pose after pose, in [0, 1]; empty = all light arrives
-  std::vector<std::vector<std::vector<float>>> values;
-};
 
 /// The two key poses that a frame lies between.
 struct AccessBlend {
