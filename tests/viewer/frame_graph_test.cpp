@@ -80,7 +80,7 @@ TEST(frame_graph, P17_has_no_pass_for_ambient_access_that_comes_with_the_vertice
   EXPECT_THAT(passes(needs), ElementsAre(Pass::opaque, Pass::tonemap));
   EXPECT_TRUE(FrameGraph(needs).vertex_access);
   EXPECT_FALSE(FrameGraph(needs).normal_image || FrameGraph(needs).ao_image);
-  for (const PassStage& stage : describe_passes(needs, {.opaque_draws = 1, .extent = {8, 8}, .ao_extent = {4, 4}}))
+  for (const PassStage& stage : describe_passes(needs, {.opaque_draws = 1, .extent = {8, 8}, .ao_texels = 16}))
     if (stage.pass == Pass::normal_depth || stage.pass == Pass::ssao || stage.pass == Pass::blur_vertical) {
       EXPECT_FALSE(stage.runs);
       EXPECT_EQ(stage.count, 0u);

@@ -153,7 +153,7 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
                              .ground = (bits & 128) != 0,
                              .show = show};
       const FrameGraph graph(needs);
-      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 5, 2, {64, 48}, {32, 24}})) {
+      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 5, 2, {64, 48}, 700})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
         EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
         EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;

@@ -67,6 +67,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   weighted_.clear();
+  opaque_area_ = CoveredArea(view, aspect);
   weighted_range_ = {};
   casters_.clear();
   unlit_ = reads_table_ = false;
@@ -146,9 +147,19 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
       add_weighted(draw, moved && !bounds.empty() ? range_of(view_from_world, bounds)
                          : moved                  ? DepthRange{draw.distance, draw.distance}
                                                   : range_of(view_from_mesh, primitive.bounds));
+    else if (sorted)
+      blended_.push_back(draw);
     else
-      (sorted ? blended_ : opaque_).push_back(draw);
+      add_opaque(draw, moved ? frame.view.view_from_world : view_from_mesh_d, moved ? bounds : primitive.bounds);
   }
+}
+
+void DrawList::add_opaque(const Draw& draw, const Affined& view_from_bounds, const Aabb& bounds) {
+  if (draw.topology == Topology::points)
+    opaque_area_.add_everything();  // they are larger than their bounds
+  else
+    opaque_area_.add_box(view_from_bounds, bounds);
+  opaque_.push_back(draw);
 }
 
 void DrawList::add_weighted(const Draw& draw, const DepthRange& range) {

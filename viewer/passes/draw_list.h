@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "viewer/passes/covered_area.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
@@ -71,6 +72,8 @@ class DrawList {
                float point_size, bool casters = false, Transparency transparency = Transparency::sorted);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
+  /// What opaque() may cover.
+  const CoveredArea& opaque_area() const noexcept { return opaque_area_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
   std::span<const Draw> weighted() const noexcept { return weighted_; }
   /// Of the bounds of weighted().
@@ -97,9 +100,11 @@ class DrawList {
   };
   void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh,
            bool mirrored);
+  void add_opaque(const Draw& draw, const Affined& view_from_bounds, const Aabb& bounds);
   void add_weighted(const Draw& draw, const DepthRange& range);
 
   std::vector<Draw> opaque_, blended_, weighted_, casters_;
+  CoveredArea opaque_area_;
   DepthRange weighted_range_;
   bool unlit_ = false, reads_table_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;

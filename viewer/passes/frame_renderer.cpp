@@ -94,8 +94,8 @@ void FrameRenderer::State::collect_lights(const FrameInputs& inputs) {
 
 namespace {
 
-FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs,
-                      const FrameTargets& targets, double collect_us) {
+FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, VkExtent2D extent,
+                      const VkRect2D& occluded, double collect_us) {
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
              blended = static_cast<std::uint32_t>(draws.blended().size()),
              weighted = static_cast<std::uint32_t>(draws.weighted().size());
@@ -104,8 +104,8 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
                       .blended_draws = blended,
                       .weighted_draws = weighted,
                       .lines = static_cast<std::uint32_t>(inputs.lines.size() / 2),
-                      .extent = targets.extent(),
-                      .ao_extent = targets.ao_extent()};
+                      .extent = extent,
+                      .ao_texels = std::uint64_t{occluded.extent.width} * occluded.extent.height};
   const TextureFilter filter = inputs.scenes.empty() ? TextureFilter{} : inputs.scenes.front().scene->filter();
   return {describe_passes(needs, work),
           describe_modes(needs, inputs.options, filter),
@@ -141,6 +141,16 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .quaternion_normals = inputs.options.normals == NormalInterpolation::quaternion,
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
+}
+
+/// What the prepass may cover.
+CoveredArea occluded_area(CoveredArea area, bool ground, const FrameUniforms& uniforms) {
+  if (!ground) return area;
+  const glm::vec4& reach = uniforms.ground_reach;
+  for (const float x : {reach.x, reach.z})
+    for (const float z : {reach.y, reach.w})
+      area.add_point(glm::dvec3(uniforms.ground_middle + uniforms.ground_x * x + uniforms.ground_z * z));
+  return area;
 }
 
 /// Of surfaces at one distance all weigh the same.
@@ -193,13 +203,15 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const FrameNeeds needs = needs_of(state.draws, inputs, shadows);
   const FrameGraph graph(needs);
   state.targets.fit(graph, target.extent);
-  slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.ao_image;
   if (reads_environment(inputs)) state.environment.show(inputs.options.lighting.environment);
   if (state.draws.reads_table() && !is_gooch(inputs)) state.environment.show_table();
   FrameUniforms uniforms =
       make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadows, state.kernel);
   uniforms.weighted_range = weighted_range(state.draws.weighted_range());
+  const VkRect2D occluded = occluded_area(state.draws.opaque_area(), graph.ground_occluded, uniforms)
+                                .texels(target.extent, state.targets.ao_step());
+  slot.report = report_of(state.draws, needs, inputs, target.extent, occluded, collect_us);
   slot.set.write(uniforms, state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
 
@@ -213,6 +225,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             inputs,
                             target,
                             features_of(inputs, graph, state.lights, shadows),
+                            occluded,
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
   // The submit waits for the target's semaphore at colour output; this barrier continues from there.

@@ -87,6 +87,8 @@ class FrameTargets {
   }
   VkImageView nothing() const noexcept { return nothing_.view(); }
   VkExtent2D extent() const noexcept { return extent_; }
+  /// Pixels of the picture for a texel of Target::ao and half_blurred_ao, along each axis.
+  std::uint32_t ao_step() const noexcept { return step_; }
   /// Of Target::ao and half_blurred_ao: the extent of the picture divided by the step, rounded up.
   VkExtent2D ao_extent() const noexcept {
     return {(extent_.width + step_ - 1) / step_, (extent_.height + step_ - 1) / step_};

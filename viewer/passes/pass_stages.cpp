@@ -100,7 +100,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::overlay: return work.lines;
     case Pass::ssao:
     case Pass::blur_horizontal:
-    case Pass::blur_vertical: return std::uint64_t{work.ao_extent.width} * work.ao_extent.height;
+    case Pass::blur_vertical: return work.ao_texels;
     case Pass::outline:
     case Pass::behind:
     case Pass::exposure:

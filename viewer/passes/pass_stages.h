@@ -20,7 +20,8 @@ struct PassStage {
 /// Amount of work in a frame.
 struct PassWork {
   std::uint32_t caster_draws = 0, opaque_draws = 0, blended_draws = 0, weighted_draws = 0, lines = 0;
-  VkExtent2D extent{}, ao_extent{};  ///< of the picture and of the ambient access image
+  VkExtent2D extent{};          ///< of the picture
+  std::uint64_t ao_texels = 0;  ///< of ambient occlusion: those that may have a surface
 };
 
 /// All passes in the order in which they run. The frame graph of the same needs contains those that run.

@@ -126,31 +126,32 @@ void record_normal_depth(const PassContext& context) {
   if (normals) context.targets.next_use(context.commands, Target::normals, kReadInShader);
 }
 
-void record_ssao(const PassContext& context) {
-  context.targets.next_use(context.commands, Target::ao, kWriteColor, false);
+/// Draws into an image of ambient occlusion, where there may be surfaces. Elsewhere its zeros are the distance of no
+/// surface, which every reader leaves out.
+void draw_occlusion(const PassContext& context, Target to, VkPipeline pipeline, VkDescriptorSet set) {
+  context.targets.next_use(context.commands, to, kWriteColor, false);
   {
-    const Rendering rendering(context.commands,
-                              {.color = context.targets.view(Target::ao), .extent = context.targets.ao_extent()});
-    draw_screen(context,
-                context.pipelines.screen(
-                    {.pass = Pass::ssao, .occlusion = context.inputs.options.ao.method, .frame = context.features}),
-                context.set.set());
+    const Rendering rendering(context.commands, {.color = context.targets.view(to),
+                                                 .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 .extent = context.targets.ao_extent()});
+    vkCmdSetScissor(context.commands, 0, 1, &context.occluded);
+    draw_screen(context, pipeline, set);
   }
-  context.targets.next_use(context.commands, Target::ao, kReadInShader);
+  context.targets.next_use(context.commands, to, kReadInShader);
+}
+
+void record_ssao(const PassContext& context) {
+  const OcclusionMethod method = context.inputs.options.ao.method;
+  draw_occlusion(context, Target::ao,
+                 context.pipelines.screen({.pass = Pass::ssao, .occlusion = method, .frame = context.features}),
+                 context.set.set());
 }
 
 void record_ssao_blur(const PassContext& context, bool vertical) {
-  const Target to = vertical ? Target::ao : Target::half_blurred_ao;
-  context.targets.next_use(context.commands, to, kWriteColor, false);
-  {
-    const Rendering rendering(context.commands,
-                              {.color = context.targets.view(to), .extent = context.targets.ao_extent()});
-    draw_screen(context,
-                context.pipelines.screen(
-                    {.pass = vertical ? Pass::blur_vertical : Pass::blur_horizontal, .frame = context.features}),
-                vertical ? context.set.between_blurs() : context.set.set());
-  }
-  context.targets.next_use(context.commands, to, kReadInShader);
+  const Pass pass = vertical ? Pass::blur_vertical : Pass::blur_horizontal;
+  draw_occlusion(context, vertical ? Target::ao : Target::half_blurred_ao,
+                 context.pipelines.screen({.pass = pass, .frame = context.features}),
+                 vertical ? context.set.between_blurs() : context.set.set());
 }
 
 /// The images that the scene is shaded into. With 4 samples a pixel, the last pass over the scene averages them.

@@ -18,7 +18,8 @@ struct PassContext {
   const FrameInputs& inputs;
   const ColorTarget& target;
   FrameFeatures features;
-  VkBuffer lines;  ///< vertices in view space, 16 bytes each
+  VkRect2D occluded;  ///< texels of ambient occlusion with a surface
+  VkBuffer lines;     ///< vertices in view space, 16 bytes each
   std::uint32_t line_vertices;
 };
 
