@@ -10,22 +10,33 @@ std::vector<double> key_pose_times(double duration_s, std::uint32_t count) {
   return times;
 }
 
-void bake_key_pose(const Scene& scene, const FrameResult& pose, std::size_t index, const AccessOptions& options,
-                   VertexAccess& access) {
-  const MeshAccess baked = bake_mesh_access(scene, pose, options);
-  access.values.resize(scene.meshes.size());
-  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    access.values[m].resize(scene.meshes[m].primitives.size());
-    for (std::size_t p = 0; p < access.values[m].size(); ++p) {
-      std::vector<float>& all = access.values[m][p];
+KeyPoseBaker::KeyPoseBaker(const Scene& scene, const AccessOptions& options, std::optional<double> distance_m,
+                           VertexAccess& access)
+    : scene_(scene), options_(options), distance_m_(distance_m), access_(access) {
+  if (!options.progress) return;
+  options_.progress = [this, tell = options.progress](double part) {
+    tell((static_cast<double>(baked_) + part) / static_cast<double>(access_.times_s.size()));
+  };
+}
+
+void KeyPoseBaker::add(const FrameResult& pose) {
+  if (!distance_m_) distance_m_ = default_access_distance_m(scene_, pose);
+  options_.distance_m = *distance_m_;
+  const MeshAccess baked = bake_mesh_access(scene_, pose, options_);
+  access_.values.resize(scene_.meshes.size());
+  for (std::size_t m = 0; m < scene_.meshes.size(); ++m) {
+    access_.values[m].resize(scene_.meshes[m].primitives.size());
+    for (std::size_t p = 0; p < access_.values[m].size(); ++p) {
+      std::vector<float>& all = access_.values[m][p];
       const std::vector<float>& more = baked[m][p];
       if (all.empty() && more.empty()) continue;
-      const std::size_t vertices = scene.meshes[m].primitives[p].vertex_count();
-      all.resize(index * vertices, 1.0f);
+      const std::size_t vertices = scene_.meshes[m].primitives[p].vertex_count();
+      all.resize(baked_ * vertices, 1.0f);
       all.insert(all.end(), more.begin(), more.end());
-      all.resize((index + 1) * vertices, 1.0f);
+      all.resize((baked_ + 1) * vertices, 1.0f);
     }
   }
+  ++baked_;
 }
 
 }  // namespace sinew

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "importer/ambient/access_surfaces.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -126,19 +130,23 @@ TEST(bake_mesh_access, a_mesh_at_several_places_gets_the_mean_of_them) {
   EXPECT_TRUE(access[2][0].empty()) << "nobody sees it";
 }
 
-TEST(bake_key_pose, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_has_no_values) {
+TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_has_no_values) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over it
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.instances[2].visible = false;
   VertexAccess access;
-  const AccessOptions how{.rays = 64};
+  access.times_s = {0.0, 1.0, 2.0, 3.0};
+  std::vector<double> told;
+  const AccessOptions how{.rays = 64, .progress = [&](double part) { told.push_back(part); }};
+  KeyPoseBaker baker(placed.scene, how, 100.0, access);
   const bool ground_seen[] = {false, true, true, false}, lid_seen[] = {true, true, false, true};
   for (std::size_t pose = 0; pose < 4; ++pose) {
     placed.instances[0].visible = ground_seen[pose];
     placed.instances[1].visible = lid_seen[pose];
-    bake_key_pose(placed.scene, placed.frame(), pose, how, access);
+    baker.add(placed.frame());
+    EXPECT_DOUBLE_EQ(told.back(), 0.25 * static_cast<double>(pose + 1));
   }
   ASSERT_EQ(access.values.size(), 3u);
   const std::vector<float>& ground = access.values[0][0];
@@ -151,6 +159,29 @@ TEST(bake_key_pose, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_
   }
   EXPECT_EQ(access.values[1][0].size(), 16u);
   EXPECT_TRUE(access.values[2][0].empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+}
+
+TEST(key_pose_baker, poses_have_the_distance_that_is_given_else_that_of_the_first_pose) {
+  const auto baked = [](std::optional<double> distance_m, std::initializer_list<float> heights) {
+    Placed placed;
+    placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
+    placed.add(placed.add_mesh(square(50.0f)), {}, true);
+    VertexAccess access;
+    access.times_s.assign(heights.size(), 0.0);
+    KeyPoseBaker baker(placed.scene, {.rays = 64, .distance_m = 0.001}, distance_m, access);
+    for (const float height : heights) {
+      placed.instances[1].world_from_mesh = at_height(height, -1.0f);
+      baker.add(placed.frame());
+    }
+    return access.values[0][0];
+  };
+  EXPECT_THAT(baked(1.0, {2.0f}), testing::Each(1.0f));
+  EXPECT_THAT(baked(10.0, {2.0f}), testing::Each(testing::Lt(0.1f)));
+  EXPECT_THAT(baked(std::nullopt, {20.0f}), testing::Each(testing::Lt(0.7f))) << "a quarter of 100 m";
+  EXPECT_THAT(baked(std::nullopt, {200.0f}), testing::Each(1.0f)) << "a quarter of 200 m";
+  EXPECT_GT(baked(std::nullopt, {1.0f, 24.0f}).back(), baked(std::nullopt, {140.0f, 24.0f}).back())
+      << "the first says it for all";
 }
 
 TEST(key_pose_times, are_spread_evenly_with_both_ends) {

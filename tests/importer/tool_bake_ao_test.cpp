@@ -186,6 +186,26 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   EXPECT_EQ(run_tool({"bake-ao", folder.beside("none.glb"), "-o", out}).status, 1);
 }
 
+TEST(bake_ao, images_are_not_looked_at_and_what_may_be_lost_has_to_be_named) {
+  const ToolModelFile folder;
+  const std::string in = folder.beside("images.gltf"), out = folder.beside("out.glb");
+  const auto with_image = [&](const char* image) {
+    Json gltf = Json::parse(std::ifstream(write_flap(folder)));
+    gltf["images"] = Json::array({Json::parse(image)});
+    std::ofstream(in) << gltf.dump();
+  };
+  with_image(R"({"uri": "data:image/png;base64,AAAA"})");
+  const CommandOutcome damaged = run_tool({"bake-ao", in, "-o", out, "--rays", "1"});
+  EXPECT_EQ(damaged.status, 0) << "one ray is enough";
+  EXPECT_EQ(damaged.err, "") << "the image is carried as it is";
+  fs::remove(out);
+  with_image(R"({"uri": "nowhere.png"})");
+  EXPECT_EQ(run_tool({"bake-ao", in, "-o", out}).status, 1);
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_EQ(run_tool({"bake-ao", in, "-o", out, "--drop", "image-missing"}).status, 0);
+  EXPECT_TRUE(fs::exists(out));
+}
+
 TEST(bake_ao, an_independent_validator_is_as_silent_as_before) {
   const ToolModelFile folder;
   std::vector<std::string> files;

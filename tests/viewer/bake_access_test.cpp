@@ -111,6 +111,18 @@ TEST(bake_access, of_a_file_is_what_its_vertices_have) {
   ASSERT_TRUE(access);
   EXPECT_THAT(access->values[0][0], testing::ElementsAre(0.0f, 0.0f, 0.0f)) << "the numbers of its first vertex";
   EXPECT_THAT(said, testing::IsEmpty());
+  const auto strange = triangle_with(R"(,"_AMBIENT_ACCESS":0)");
+  EXPECT_EQ(access_of_file(*strange, say), nullptr);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_THAT(said[0], testing::HasSubstr("/meshes/0/primitives/0/attributes/_AMBIENT_ACCESS: warning: "));
+}
+
+TEST(bake_access, what_is_wrong_with_attributes_names_the_file) {
+  auto file = triangle_with(R"(,"_AMBIENT_ACCESS":0)").value();
+  file.facts.files = {"some/triangle.gltf"};
+  std::vector<std::string> said;
+  EXPECT_EQ(access_of_file(file, [&](const std::string& line) { said.push_back(line); }), nullptr);
+  EXPECT_THAT(said, testing::ElementsAre(testing::StartsWith("some/triangle.gltf: /meshes/0")));
 }
 
 }  // namespace

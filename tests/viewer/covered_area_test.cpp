@@ -51,8 +51,10 @@ TEST(covered_area, is_the_rectangle_of_the_corners_and_a_texel_around_it) {
 TEST(covered_area, ends_at_the_edges_of_the_picture) {
   expect_rect(texels_of(view_ahead(), box_around({10, 5, -10}, {1, 1, 0}), {200, 100}, 1), 189, 0, 11, 11);
   expect_rect(texels_of(view_ahead(), box_around({-10, -5, -10}, {1, 1, 0}), {200, 100}, 1), 0, 89, 11, 11);
-  const VkRect2D beside = texels_of(view_ahead(), box_around({30, 0, -10}, {1, 1, 0}), {200, 100}, 1);
-  EXPECT_EQ(beside.extent.width, 0u);
+  for (const float side : {-30.0f, 30.0f}) {
+    EXPECT_EQ(texels_of(view_ahead(), box_around({side, 0, -10}, {1, 1, 0}), {200, 100}, 1).extent.width, 0u);
+    EXPECT_EQ(texels_of(view_ahead(), box_around({0, side, -10}, {1, 1, 0}), {200, 100}, 1).extent.height, 0u);
+  }
   expect_rect(texels_of(view_ahead(), box_around({0, 0, -10}, {40, 40, 0}), {13, 7}, 2), 0, 0, 7, 4);
   expect_rect(texels_of(view_ahead(), box_around({0, 0, -10}, {40, 40, 0}), {1, 1}, 2), 0, 0, 1, 1);
 }

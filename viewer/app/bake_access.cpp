@@ -37,18 +37,6 @@ VertexAccess key_poses_of(const Exhibit& exhibit, const AccessBaking& baking) {
   return access;
 }
 
-void bake_poses(const Exhibit& exhibit, const std::function<void(double)>& progress, AccessOptions how,
-                VertexAccess& access) {
-  std::size_t done = 0;
-  const auto count = static_cast<double>(access.times_s.size());
-  if (progress) how.progress = [&](double part) { progress((static_cast<double>(done) + part) / count); };
-  for_each_pose(exhibit.scene, access.clip, exhibit.cache.get(), access.times_s, [&](const FrameResult& pose) {
-    if (done == 0) how.distance_m = default_access_distance_m(exhibit.scene, pose);
-    bake_key_pose(exhibit.scene, pose, done, how, access);
-    ++done;
-  });
-}
-
 }  // namespace
 
 std::shared_ptr<const VertexAccess> access_of_file(const ImportedFile& file,
@@ -67,9 +55,11 @@ tl::expected<void, std::string> add_missing_access(Exhibit& exhibit, const Acces
   if (exhibit.access) return {};
   const auto start = std::chrono::steady_clock::now();
   VertexAccess access = key_poses_of(exhibit, baking);
-  const AccessOptions how;
+  const AccessOptions how{.progress = progress};
   try {
-    bake_poses(exhibit, progress, how, access);
+    KeyPoseBaker baker(exhibit.scene, how, std::nullopt, access);
+    for_each_pose(exhibit.scene, access.clip, exhibit.cache.get(), access.times_s,
+                  [&](const FrameResult& pose) { baker.add(pose); });
   } catch (const std::runtime_error& error) {
     return tl::unexpected(std::string(error.what()));
   }

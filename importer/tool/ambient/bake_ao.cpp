@@ -94,29 +94,26 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
 tl::expected<VertexAccess, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
   auto access = poses_of(options, scene);
   if (!access) return access;
-  AccessOptions how{.rays = options.rays, .seed = options.seed};
+  std::optional<double> distance_m;
   if (options.distance) {
     const auto distance = distance_of(*options.distance, scene);
     if (!distance) return tl::unexpected(distance.error());
-    how.distance_m = *distance;
+    distance_m = *distance;
   }
   Needs needs;
   needs.positions = needs.normals = true;
   const Plan plan = compile_plan(scene, needs);
   FrameBuffer frame(plan);
   ProgressLine progress;
-  const std::size_t poses = access->times_s.size();
-  for (std::size_t i = 0; i < poses; ++i) {
-    const ClipLayer layer{access->clip, access->times_s[i]};
+  const auto show = [&](double done) { progress.show("casting rays", done); };
+  KeyPoseBaker baker(scene, {.rays = options.rays, .seed = options.seed, .progress = show}, distance_m, *access);
+  for (const double time_s : access->times_s) {
+    const ClipLayer layer{access->clip, time_s};
     FrameInput input;
     if (access->clip != kNone) input.layers = {&layer, 1};
     if (run_plan(plan, input, frame) != ErrorCode::ok)
       return tl::unexpected(std::string("the pose cannot be evaluated"));
-    if (i == 0 && !options.distance) how.distance_m = default_access_distance_m(scene, frame.result());
-    how.progress = [&](double done) {
-      progress.show("casting rays", (static_cast<double>(i) + done) / static_cast<double>(poses));
-    };
-    bake_key_pose(scene, frame.result(), i, how, *access);
+    baker.add(frame.result());
   }
   return access;
 }
