@@ -59,12 +59,9 @@ std::uint32_t normal_map_texcoord(const gltf::Document& document, const Primitiv
 }
 
 void make_missing(const gltf::Document& document, const ImportOptions& options, Primitive& primitive) {
-  if (primitive.topology != Topology::triangles || primitive.indices.empty()) return;
   if (options.make_normals && primitive.normals.empty()) make_flat_normals(primitive);
-  const std::uint32_t set = normal_map_texcoord(document, primitive);
-  if (options.make_tangents && primitive.tangents.empty() && !primitive.normals.empty() &&
-      set < primitive.texcoords.size())
-    make_tangents(primitive, set);
+  if (options.make_tangents && primitive.tangents.empty())
+    make_tangents(primitive, normal_map_texcoord(document, primitive));
 }
 
 Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t targets,

@@ -229,6 +229,19 @@ TEST(build_meshes, P13_tangents_are_made_only_for_a_normal_map_that_has_its_coor
   EXPECT_EQ(tangents(R"({"normalTexture":{"index":0}})", false), 0u);
 }
 
+TEST(build_meshes, tangents_of_the_file_stay_where_there_is_a_normal_map) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  primitive["attributes"]["TANGENT"] = file.vec4({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1});
+  primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>{0, 0, 1, 0, 0, 1}, "VEC2", 5126, 2);
+  primitive["material"] = 0;
+  file.root["images"] = Json::parse(R"([{"uri":"data:image/png;base64,AAAA"}])");
+  file.root["textures"] = Json::parse(R"([{"source":0}])");
+  file.root["materials"] = Json::parse(R"([{"normalTexture":{"index":0}}])");
+  EXPECT_THAT(only(file.import()).tangents, testing::Each(glm::vec4(0, 1, 0, 1))) << "those of the map point along x";
+}
+
 TEST(build_meshes, attribute_formats_and_counts_are_checked) {
   const auto rule = [](const char* name, auto add) {
     TinyGltf file;
