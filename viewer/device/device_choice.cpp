@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/device/device_choice.h"
 
-#include <cstring>
+#include <algorithm>
 #include <optional>
+#include <string_view>
 #include <vector>
+
+#include "viewer/device/listed.h"
 
 namespace sinew::viewer {
 
@@ -20,31 +23,28 @@ int rank(VkPhysicalDeviceType type) {
 }
 
 std::vector<VkPhysicalDevice> all_devices(VkInstance instance) {
-  std::uint32_t count = 0;
-  must(vkEnumeratePhysicalDevices(instance, &count, nullptr), "vkEnumeratePhysicalDevices");
-  std::vector<VkPhysicalDevice> devices(count);
-  must(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "vkEnumeratePhysicalDevices");
-  devices.resize(count);
-  return devices;
+  return listed<VkPhysicalDevice>("vkEnumeratePhysicalDevices", [&](std::uint32_t* count, VkPhysicalDevice* devices) {
+    return vkEnumeratePhysicalDevices(instance, count, devices);
+  });
 }
 
 bool has_swapchains(VkPhysicalDevice device) {
-  std::uint32_t count = 0;
-  must(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr), "vkEnumerateDeviceExtensionProperties");
-  std::vector<VkExtensionProperties> extensions(count);
-  must(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
-       "vkEnumerateDeviceExtensionProperties");
-  for (const VkExtensionProperties& extension : extensions)
-    if (std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0) return true;
-  return false;
+  const auto extensions = listed<VkExtensionProperties>(
+      "vkEnumerateDeviceExtensionProperties", [&](std::uint32_t* count, VkExtensionProperties* entries) {
+        return vkEnumerateDeviceExtensionProperties(device, nullptr, count, entries);
+      });
+  return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& extension) {
+    return std::string_view(extension.extensionName) == VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+  });
 }
 
 std::optional<DeviceChoice> with_queue(VkPhysicalDevice device, VkSurfaceKHR surface) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  for (std::uint32_t family = 0; family < count; ++family) {
+  const auto families =
+      listed<VkQueueFamilyProperties>("queue families", [&](std::uint32_t* count, VkQueueFamilyProperties* entries) {
+        vkGetPhysicalDeviceQueueFamilyProperties(device, count, entries);
+        return VK_SUCCESS;
+      });
+  for (std::uint32_t family = 0; family < families.size(); ++family) {
     if (!(families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT)) continue;
     VkBool32 presents = VK_TRUE;
     if (surface) must(vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &presents), "surface support");

@@ -49,8 +49,7 @@ Memory::Memory(VkPhysicalDevice physical, VkDevice device) : device_(device) {
 }
 
 Memory::~Memory() {
-  for (const Block& block : blocks_)
-    if (block.memory) vkFreeMemory(device_, block.memory, nullptr);
+  for (const Block& block : blocks_) vkFreeMemory(device_, block.memory, nullptr);  // null where it was freed
 }
 
 VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image, Block& block) const {

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 
+#include "viewer/device/listed.h"
+
 namespace sinew::viewer {
 namespace {
 
 constexpr std::uint64_t kAcquireTimeout_ns = 100'000'000;  // the images of a hidden window may never become free
 
 VkSurfaceFormatKHR choose_format(const Device& device) {
-  std::uint32_t count = 0;
-  must(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr),
-       "listing surface formats");
-  std::vector<VkSurfaceFormatKHR> formats(count);
-  must(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, formats.data()),
-       "listing surface formats");
+  const auto formats =
+      listed<VkSurfaceFormatKHR>("listing surface formats", [&](std::uint32_t* count, VkSurfaceFormatKHR* entries) {
+        return vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), count, entries);
+      });
   for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_A8B8G8R8_UNORM_PACK32})
     for (const auto& format : formats)
       if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
@@ -75,10 +75,9 @@ void Swapchain::make(VkExtent2D size, VkSwapchainKHR old) {
   info.oldSwapchain = old;
   must(vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &swapchain_), "making the swapchain");
 
-  std::uint32_t count = 0;
-  must(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, nullptr), "listing swapchain images");
-  images_.resize(count);
-  must(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, images_.data()), "listing swapchain images");
+  images_ = listed<VkImage>("listing swapchain images", [&](std::uint32_t* count, VkImage* images) {
+    return vkGetSwapchainImagesKHR(device_.handle(), swapchain_, count, images);
+  });
   for (const VkImage image : images_) {
     VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     view.image = image;

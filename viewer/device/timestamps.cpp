@@ -13,9 +13,7 @@ Timestamps::Timestamps(const Device& device, std::uint32_t max_marks) : device_(
   must(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_), "vkCreateQueryPool");
 }
 
-Timestamps::~Timestamps() {
-  if (pool_) vkDestroyQueryPool(device_.handle(), pool_, nullptr);
-}
+Timestamps::~Timestamps() { vkDestroyQueryPool(device_.handle(), pool_, nullptr); }
 
 void Timestamps::begin(VkCommandBuffer commands) {
   marks_ = 0;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/device/validation.h"
 
-#include <cstdint>
-#include <cstring>
+#include <algorithm>
+#include <string_view>
+
+#include "viewer/device/listed.h"
 
 namespace sinew::viewer {
 
@@ -14,13 +16,10 @@ constexpr VkValidationFeatureEnableEXT kSynchronisation = VK_VALIDATION_FEATURE_
 }  // namespace
 
 bool validation_installed() {
-  std::uint32_t count = 0;
-  must(vkEnumerateInstanceLayerProperties(&count, nullptr), "vkEnumerateInstanceLayerProperties");
-  std::vector<VkLayerProperties> layers(count);
-  must(vkEnumerateInstanceLayerProperties(&count, layers.data()), "vkEnumerateInstanceLayerProperties");
-  for (const VkLayerProperties& layer : layers)
-    if (std::strcmp(layer.layerName, kLayer) == 0) return true;
-  return false;
+  const auto layers =
+      listed<VkLayerProperties>("vkEnumerateInstanceLayerProperties", vkEnumerateInstanceLayerProperties);
+  return std::any_of(layers.begin(), layers.end(),
+                     [](const VkLayerProperties& layer) { return std::string_view(layer.layerName) == kLayer; });
 }
 
 ValidationRequest::ValidationRequest(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "viewer/device/device_error.h"
+
+namespace sinew::viewer {
+
+/// What a function of Vulkan lists: it is called for the length first, then for the entries, which may have become
+/// fewer.
+/// in   call  (std::uint32_t* count, T* entries) -> VkResult
+/// err  DeviceError with `what`
+template <typename T, typename Call>
+std::vector<T> listed(const char* what, const Call& call) {
+  std::uint32_t count = 0;
+  must(call(&count, nullptr), what);
+  std::vector<T> entries(count);
+  must(call(&count, entries.data()), what);
+  entries.resize(count);
+  return entries;
+}
+
+}  // namespace sinew::viewer
