@@ -135,5 +135,17 @@ TEST(stored_environment, is_of_the_version_that_these_values_belong_to) {
   EXPECT_NEAR(split_sum_table()[2000].x, 0.757358f, 1e-5f);
 }
 
+TEST(disk_cache, is_stored_by_a_program_without_standard_input) {
+  const Folder folder;
+  const int input = ::dup(0);
+  ::close(0);  // the next file that is opened has its number
+  DiskCache(folder.path()).store("kept", 1, {});
+  if (input >= 0) {
+    ::dup2(input, 0);
+    ::close(input);
+  }
+  EXPECT_EQ(folder.count(), 1u);
+}
+
 }  // namespace
 }  // namespace sinew::viewer

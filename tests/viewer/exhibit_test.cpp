@@ -6,8 +6,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
+
+#include "tests/geometry_cache/takes.h"
+#include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
 namespace {
@@ -124,6 +129,117 @@ TEST_F(exhibit, is_read_again_in_the_same_light) {
   const auto broken = reload_exhibit(options, nullptr, say);
   ASSERT_FALSE(broken);
   EXPECT_THAT(broken.error().message, HasSubstr("thing.gltf"));
+}
+
+/// A triangle that is called "mesh".
+constexpr const char* kTriangle =
+    R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+        "meshes": [{"name": "mesh", "primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+
+class exhibit_of_a_cache : public exhibit {
+ protected:
+  /// A cache of a second with a mesh of three vertices; returns its path.
+  std::string cache(const std::string& mesh) const {
+    GeometryTake take =
+        test::take_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, {0, 1, 2});
+    take.meshes[0].name = mesh;
+    take.frame_s = 1.0;
+    const auto bytes = encode_geometry_cache(take, {});
+    std::string path = (folder_ / (mesh + ".sgeo")).string();
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+    return path;
+  }
+  static std::string refusal(const Options& options, int code) {
+    const auto none = load_exhibits(options, [](const std::string&) {}, {});
+    if (none) return "none";
+    EXPECT_EQ(none.error().exit_code, code);
+    return none.error().message;
+  }
+};
+
+TEST_F(exhibit_of_a_cache, shows_it_alone) {
+  Options options;
+  options.file = cache("mesh");
+  const auto shown = load_exhibits(options, [](const std::string&) {}, {});
+  ASSERT_TRUE(shown) << shown.error().message;
+  const Exhibit& alone = shown->at(0);
+  EXPECT_EQ(alone.name, "mesh.sgeo");
+  EXPECT_EQ(alone.scene.meshes.size(), 1u);
+  EXPECT_THAT(alone.files, ElementsAre(options.file));
+  EXPECT_EQ(cache_duration_s(alone), 1.0);
+  const Needs needs = needs_of(alone, {});
+  EXPECT_THAT(needs.cached_instances, ElementsAre(0));
+  EXPECT_TRUE(needs.stage_times) << "decoding is a stage";
+}
+
+TEST_F(exhibit_of_a_cache, plays_it_over_a_file) {
+  Options options;
+  options.cache = cache("mesh");
+  const auto shown = load(kTriangle, options);
+  ASSERT_TRUE(shown) << shown.error().message;
+  EXPECT_EQ(shown->at(0).name, "thing.gltf");
+  EXPECT_EQ(cache_duration_s(shown->at(0)), 1.0);
+  EXPECT_THAT(shown->at(0).files, testing::Contains(fs::path(options.cache))) << "which --watch watches";
+}
+
+TEST_F(exhibit_of_a_cache, says_what_is_wrong) {
+  Options options;
+  options.file = cache("mesh");
+  options.scene = 0;
+  EXPECT_EQ(refusal(options, 2), "--scene: " + options.file + " is a geometry cache, which has no scenes");
+  options.scene.reset();
+  options.cache = options.file;
+  EXPECT_EQ(refusal(options, 2), "--cache: " + options.file + " is a geometry cache itself");
+  options.file = (folder_ / "gone.sgeo").string();
+  options.cache.clear();
+  EXPECT_THAT(refusal(options, 1), HasSubstr("gone.sgeo"));
+  std::ofstream(folder_ / "thing.gltf") << kTriangle;
+  options.file = (folder_ / "thing.gltf").string();
+  options.cache = (folder_ / "gone.sgeo").string();
+  EXPECT_THAT(refusal(options, 1), HasSubstr("gone.sgeo"));
+  options.cache = cache("other");
+  EXPECT_EQ(refusal(options, 1), "other.sgeo: no mesh of the scene fits one of the cache");
+}
+
+TEST_F(exhibit, says_what_the_viewer_leaves_out) {
+  const auto lights = [](int count) {
+    std::string nodes, all;
+    for (int i = 0; i < count; ++i) {
+      nodes += std::string(i > 0 ? "," : "") + R"({"extensions": {"KHR_lights_punctual": {"light": )" +
+               std::to_string(i) + "}}}";
+      all += std::string(i > 0 ? "," : "") + R"({"type": "point"})";
+    }
+    return R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"], "nodes": [)" + nodes +
+           R"(], "extensions": {"KHR_lights_punctual": {"lights": [)" + all + "]}}}";
+  };
+  ASSERT_TRUE(load(lights(kMaxLights)));
+  EXPECT_THAT(said_, IsEmpty());
+  ASSERT_TRUE(load(lights(kMaxLights + 1)));
+  EXPECT_THAT(said_, ElementsAre(HasSubstr(std::to_string(kMaxLights + 1) + " lights; the viewer uses the first " +
+                                           std::to_string(kMaxLights))));
+  const auto extended = [&](const std::string& names) {
+    EXPECT_TRUE(load(R"({"asset": {"version": "2.0"}, "extensionsUsed": [)" + names + "]}"));
+    const auto found = std::find_if(said_.begin(), said_.end(),
+                                    [](const std::string& line) { return line.find("not shown") != line.npos; });
+    return found == said_.end() ? "" : found->substr(found->find("not shown"));
+  };
+  EXPECT_EQ(extended(R"("ACME_materials_glow", "ACME_texture_moss", "ACME_wind")"),
+            "not shown: ACME_materials_glow, ACME_texture_moss");
+  EXPECT_EQ(extended(R"("ACME_wind", "KHR_materials_unlit", "KHR_texture_transform")"), "");
+  const auto set = [](int texcoord) {
+    return R"({"asset": {"version": "2.0"}, "images": [{"uri": "data:image/png;base64,AAAA"}], "textures": [{"source": 0}],
+               "materials": [{"name": "wall", "occlusionTexture": {"index": 0, "texCoord": )" +
+           std::to_string(texcoord) + "}}]}";
+  };
+  const auto about_sets = HasSubstr("material \"wall\" uses TEXCOORD_2; the viewer takes TEXCOORD_0 instead");
+  EXPECT_TRUE(load(set(1)));
+  EXPECT_THAT(said_, testing::Not(testing::Contains(HasSubstr("TEXCOORD"))));
+  EXPECT_TRUE(load(set(2)));
+  EXPECT_THAT(said_, testing::Contains(about_sets));
 }
 
 TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {

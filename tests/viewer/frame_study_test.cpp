@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/study/frame_study.h"
 
+#include <gmock/gmock.h>
+
 #include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
 namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
 
 class frame_study : public DeviceTest {};
 
@@ -16,6 +23,8 @@ TEST_F(frame_study, draws_as_often_as_it_says_both_ways) {
     EXPECT_EQ(trial.draws, draws) << "all are in view";
     EXPECT_EQ(trial.without.opaque_ms.size(), 2u) << "the first picture does not count";
     EXPECT_EQ(trial.with.opaque_ms.size(), 2u);
+    EXPECT_THAT(trial.with.ran, Contains(name_of(Pass::ssao)));
+    EXPECT_THAT(trial.without.ran, Not(Contains(name_of(Pass::ssao))));
   }
 }
 
@@ -26,11 +35,26 @@ TEST_F(frame_study, takes_whole_frames_of_a_doll_and_of_a_hundred_thousand_trian
   EXPECT_EQ(trials[0].triangles, 43776u);
   EXPECT_EQ(trials[1].draws, 1u);
   EXPECT_EQ(trials[1].triangles, 100352u);
-  for (const FrameTrial& trial : trials)
+  for (const FrameTrial& trial : trials) {
+    EXPECT_THAT(trial.base.ran, AllOf(Contains(name_of(Pass::ssao)), Not(Contains(name_of(Pass::shadow)))));
+    EXPECT_THAT(trial.full.ran, AllOf(Contains(name_of(Pass::ssao)), Contains(name_of(Pass::shadow))));
     for (const PictureTimes* times : {&trial.base, &trial.full}) {
       ASSERT_EQ(times->all_ms.size(), 2u);
       for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(times->all_ms[i], times->opaque_ms[i]) << "of all passes";
     }
+  }
+}
+
+TEST(picture_times, are_those_of_all_passes_and_of_the_opaque_one) {
+  PictureTimes times;
+  times.add({});
+  EXPECT_TRUE(times.all_ms.empty()) << "without timestamps there are none";
+  const std::vector<PassTime> first = {{name_of(Pass::shadow), 1.0}, {name_of(Pass::opaque), 2.0}, {"other", 4.0}};
+  times.add(first);
+  times.add(std::span(first).first(2));
+  EXPECT_THAT(times.all_ms, ElementsAre(7.0, 3.0));
+  EXPECT_THAT(times.opaque_ms, ElementsAre(2.0, 2.0));
+  EXPECT_THAT(times.ran, ElementsAre(name_of(Pass::shadow), name_of(Pass::opaque)));
 }
 
 }  // namespace

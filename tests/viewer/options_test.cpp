@@ -280,6 +280,75 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
   }
 }
 
+struct Limits {
+  std::vector<const char*> before;  ///< what the option needs
+  const char* option;
+  std::vector<const char*> within, beyond;
+};
+
+TEST(options, numbers_are_taken_up_to_their_limits_and_no_further) {
+  const std::vector<const char*> range = {"a", "--headless", "d/", "--frames", "0:3"};
+  for (const auto& [before, option, within, beyond] :
+       {Limits{{}, "--fov", {"1", "170"}, {"0.999", "170.001"}},
+        {{}, "--exposure", {"-32", "32"}, {"-32.001", "32.001"}},
+        {{}, "--environment-turn", {"-360", "360"}, {"-360.1", "360.1"}},
+        {{}, "--environment-intensity", {"0", "1e6"}, {"-0.001", "1000001"}},
+        {{}, "--cache-weight", {"0", "1"}, {"-0.001", "1.001"}},
+        {{"--ao", "rays"}, "--key-poses", {"2", "64"}, {"1", "65", "2.5"}},
+        {range, "--fps", {"0.001", "1e6"}, {"0", "-1", "1000001"}},
+        {{}, "--exit-after", {"0", "1e9"}, {"-0.001"}},
+        {{}, "--time", {"-1e9", "0", "1e9"}, {"-1000000001"}},
+        {{}, "--filter", {"anisotropic=2", "anisotropic=16"}, {"anisotropic=1", "anisotropic=17"}},
+        {{"a", "--headless", "d/"},
+         "--frames",
+         {"0:0", "3:3", "0:4294967295"},
+         {"1:0", "0:4294967296", "0:1:2", ":1", "1:"}}}) {
+    const auto with = [&, before_ = before, option_ = option](const char* value) {
+      std::vector<const char*> arguments = before_;
+      arguments.insert(arguments.end(), {option_, value});
+      return std::holds_alternative<Options>(parse(arguments));
+    };
+    for (const char* value : within) EXPECT_TRUE(with(value)) << option << ' ' << value;
+    for (const char* value : beyond) EXPECT_FALSE(with(value)) << option << ' ' << value;
+  }
+}
+
+TEST(options, that_need_or_exclude_each_other_say_so) {
+  const auto is_refused = [](const std::vector<const char*>& arguments) {
+    const auto parsed = parse(arguments);
+    const auto* leave = std::get_if<Leave>(&parsed);
+    return leave != nullptr && leave->code == 2;
+  };
+  for (const std::vector<const char*>& wrong :
+       std::vector<std::vector<const char*>>{{"--eye", "1,2,3"},
+                                             {"--target", "1,2,3"},
+                                             {"--frame", "pose", "--eye", "1,2,3", "--target", "0,0,0"},
+                                             {"a", "--camera", "0", "--eye", "1,2,3", "--target", "0,0,0"},
+                                             {"a", "--camera", "0", "--frame", "pose"},
+                                             {"a", "--camera", "0", "--fov", "30"},
+                                             {"--no-ao", "--ao", "gtao"},
+                                             {"--key-poses", "4"},
+                                             {"--ao", "gtao", "--key-poses", "4"},
+                                             {"--cache", "b.sgeo"},
+                                             {"--watch"},
+                                             {"a", "--watch", "--headless", "d.png"},
+                                             {"a", "--frames", "0:3"},
+                                             {"a", "--headless", "d/", "--frames", "0:3", "--time", "1"},
+                                             {"a", "--headless", "d.png", "--fps", "3"},
+                                             {"--transparent"},
+                                             {"--plan"},
+                                             {"--exit-after", "3", "--headless", "d.png"}})
+    EXPECT_TRUE(is_refused(wrong)) << testing::PrintToString(wrong);
+  for (const std::vector<const char*>& right : std::vector<std::vector<const char*>>{
+           {"--eye", "1,2,3", "--target", "0,0,0", "--fov", "30"},
+           {"a", "--camera", "0", "--variant", "1"},
+           {"--frame", "pose", "--fov", "30"},
+           {"--ao", "rays", "--key-poses", "4"},
+           {"a", "--headless", "d/", "--frames", "0:3", "--fps", "3", "--transparent", "--plan"},
+           {"a", "--watch", "--exit-after", "3"}})
+    EXPECT_FALSE(is_refused(right)) << testing::PrintToString(right);
+}
+
 TEST(options, help_and_version_leave_with_code_0) {
   const auto help = std::get<Leave>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/study/frame_study.h"
 
-#include <cmath>
-#include <stdexcept>
-
-#include "runtime/plan/run_plan.h"
-#include "samples/showcase/scene_builder.h"
-#include "samples/showcase/shapes.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/orbit_camera.h"
+#include "viewer/study/study_scenes.h"
 
 namespace sinew::viewer {
 namespace {
@@ -26,12 +21,7 @@ class Drawing {
 
   void draw(PictureTimes& times) {
     headless_.render(frame_, view_, options_);
-    double all = 0.0;
-    for (const PassTime& time : headless_.pass_times()) {
-      all += time.milliseconds;
-      if (time.pass == name_of(Pass::opaque)) times.opaque_ms.push_back(time.milliseconds);
-    }
-    if (all > 0.0) times.all_ms.push_back(all);
+    times.add(headless_.pass_times());
   }
 
   std::uint32_t draws() const { return headless_.report().drawn; }
@@ -69,66 +59,6 @@ RenderOptions full_options(const ClipExtent& bounds) {
   return options;
 }
 
-/// A scene that stands still, its frame and its extent.
-struct Still {
-  explicit Still(Scene made) : scene(std::move(made)), plan(compile_plan(scene, {})), buffer(plan) {
-    if (run_plan(plan, {}, buffer) != ErrorCode::ok) throw std::runtime_error("the frame cannot be evaluated");
-    bounds = clip_extent(scene, kNone);
-  }
-  Still(const Still&) = delete;
-  Still& operator=(const Still&) = delete;
-
-  Scene scene;
-  Plan plan;
-  FrameBuffer buffer;
-  ClipExtent bounds;
-};
-
-/// Balls of `columns` x `rows` quads, a draw and a material each.
-class Balls {
- public:
-  Balls(std::uint32_t columns, std::uint32_t rows) : columns_(columns), rows_(rows) {}
-
-  void add(const glm::vec3& centre, float radius) {
-    const float hue = static_cast<float>(count_++);
-    const glm::vec3 color = 0.5f + 0.3f * glm::vec3(std::sin(hue), std::sin(hue + 2.0f), std::sin(hue + 4.0f));
-    const std::string name = "ball " + std::to_string(count_);
-    builder_.add_prop(name, showcase::sphere(centre, radius, columns_, rows_),
-                      builder_.add_material(name, color, 0.6f));
-  }
-  Scene finish() { return builder_.finish(); }
-
- private:
-  showcase::SceneBuilder builder_;
-  std::uint32_t columns_, rows_, count_ = 0;
-};
-
-Scene sheet(std::uint32_t draws) {
-  Balls balls(16, 8);
-  const auto wide = static_cast<std::uint32_t>(std::ceil(std::sqrt(16.0 / 9.0 * draws)));
-  for (std::uint32_t i = 0; i < draws; ++i)
-    balls.add({static_cast<float>(i % wide), static_cast<float>(i / wide), 0.0f}, 0.48f);
-  return balls.finish();
-}
-
-Scene doll() {
-  Balls balls(48, 24);
-  balls.add({0.0f, 1.62f, 0.0f}, 0.13f);
-  balls.add({0.0f, 1.46f, 0.0f}, 0.06f);
-  for (const float y : {1.28f, 1.12f, 0.96f}) balls.add({0.0f, y, 0.0f}, 0.16f);
-  for (const float side : {-1.0f, 1.0f}) {
-    for (const float y : {0.78f, 0.60f, 0.40f, 0.18f}) balls.add({0.1f * side, y, 0.0f}, 0.11f);
-    for (const float x : {0.24f, 0.42f, 0.60f}) balls.add({x * side, 1.34f, 0.0f}, 0.09f);
-  }
-  return balls.finish();
-}
-
-Scene one_ball() {
-  Balls balls(256, 196);
-  balls.add({0.0f, 0.0f, 0.0f}, 1.0f);
-  return balls.finish();
-}
-
 std::uint64_t triangles_of(const Scene& scene) {
   std::uint64_t count = 0;
   for (const MeshInstance& instance : scene.instances)
@@ -139,8 +69,19 @@ std::uint64_t triangles_of(const Scene& scene) {
 
 }  // namespace
 
+void PictureTimes::add(std::span<const PassTime> passes) {
+  if (passes.empty()) return;
+  ran.clear();
+  double& all = all_ms.emplace_back(0.0);
+  for (const PassTime& time : passes) {
+    ran.emplace_back(time.pass);
+    all += time.milliseconds;
+    if (time.pass == name_of(Pass::opaque)) opaque_ms.push_back(time.milliseconds);
+  }
+}
+
 DrawTrial study_draws(Device& device, std::uint32_t draws, const FrameEffort& effort) {
-  const Still still(sheet(draws));
+  const Still still(sheet_of_balls(draws));
   RenderOptions options = base_options(still.bounds);
   Drawing with(device, still.scene, still.buffer.result(), still.bounds, options, effort);
   options.ao.on = false;
@@ -162,7 +103,7 @@ FrameTrial study_frame(Device& device, const std::string& name, const Scene& sce
 }
 
 std::vector<FrameTrial> study_built_in_frames(Device& device, const FrameEffort& effort) {
-  const Still parts(doll()), ball(one_ball());
+  const Still parts(doll_of_balls()), ball(fine_ball());
   return {study_frame(device, "doll of 19 parts", parts.scene, parts.buffer.result(), parts.bounds, effort),
           study_frame(device, "ball", ball.scene, ball.buffer.result(), ball.bounds, effort)};
 }

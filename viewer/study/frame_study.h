@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "runtime/plan/frame_result.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/device/device.h"
+#include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
 
@@ -19,6 +21,9 @@ struct FrameEffort {
 /// GPU times of the same picture, drawn repeatedly; none without timestamps.
 struct PictureTimes {
   std::vector<double> opaque_ms, all_ms;  ///< of the opaque pass, and of all passes
+  std::vector<std::string> ran;           ///< the passes of the last picture
+
+  void add(std::span<const PassTime> passes);  ///< those of another picture
 };
 
 /// Many draws of small meshes with materials of their own, without and with ambient occlusion.
