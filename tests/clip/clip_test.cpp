@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "runtime/clip/clip_layout.h"
 #include "tests/support/tiny_assets.h"
 
@@ -97,6 +99,31 @@ TEST(clip, bytes_are_close_to_those_of_the_keys) {
   }
   const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(50));
   EXPECT_LE(clip.byte_size(), source * 5 / 4);
+}
+
+TEST(clip, bytes_count_every_array) {
+  const Vec3Track moved{Interpolation::linear, {0, 1}, {{0, 0, 0}, {1, 0, 0}}};
+  const ClipLayout layout = test::clip_of(animation_of({bone_of(0, {}, moved)}), test::chain_skeleton(2)).layout();
+  const TrackBlock& first = layout.groups[0].blocks[0];
+  const auto more = [&](const std::function<void(ClipLayout&)>& change) {
+    ClipLayout changed = layout;
+    change(changed);
+    return clip_of(changed).byte_size() - clip_of(layout).byte_size();
+  };
+  const auto block = [](ClipLayout& l) -> TrackBlock& { return l.groups[0].blocks[0]; };
+  EXPECT_EQ(more([&](ClipLayout& l) { block(l).targets.push_back(1); }), 4u);
+  EXPECT_EQ(more([&](ClipLayout& l) { block(l).places.lane_of.push_back(1); }), 4u);
+  EXPECT_EQ(more([&](ClipLayout& l) { block(l).places.lanes_before.push_back(1); }), 4u);
+  EXPECT_EQ(more([&](ClipLayout& l) { block(l).rows.assign(block(l).rows.size() + 3, 0.0f); }), 12u);
+  EXPECT_EQ(more([&](ClipLayout& l) { l.groups[0].blocks.push_back(block(l)); }),
+            first.rows.size() * 4 + 4 + first.places.byte_size());
+  SharedArray<float> times;
+  times.assign(3, 0.0f);
+  times.own()[2] = 1.0f;
+  const KeyTimes longer(times);
+  EXPECT_EQ(more([&](ClipLayout& l) { l.groups[0].times = longer; }),
+            longer.byte_size() - layout.groups[0].times.byte_size());
+  EXPECT_EQ(more([&](ClipLayout& l) { l.groups.push_back({longer, {}}); }), longer.byte_size());
 }
 
 TEST(clip, G20_of_two_tracks_for_one_property_the_last_counts) {

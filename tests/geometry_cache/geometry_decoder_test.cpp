@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
@@ -57,6 +58,20 @@ TEST_F(geometry_decoder, a_seek_from_anywhere_to_anywhere_has_the_bits_of_forwar
       ASSERT_LE(decoder_.frames_decoded() - before, cache_.segment_frames());
       expect_frame(to);
     }
+}
+
+TEST_F(geometry_decoder, of_a_file_that_is_cut_off_has_the_frames_before_the_cut) {
+  for (std::uint32_t cut_in = 0; cut_in < cache_.frame_count(); ++cut_in) {
+    const GeometryFrame& last = cache_.frames()[cut_in];
+    for (const std::uint64_t bytes : {last.offset - 1, last.offset + last.size - 1}) {
+      MappedFrames rest{cache_, std::span(file_).first(bytes)};
+      const FrameSource source = rest;
+      for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {
+        const GeometryFrame& frame = cache_.frames()[f];
+        EXPECT_EQ(source.bytes(source.context, f).size(), frame.offset + frame.size <= bytes ? frame.size : 0u);
+      }
+    }
+  }
 }
 
 TEST_F(geometry_decoder, backwards_has_the_bits_of_forward) {

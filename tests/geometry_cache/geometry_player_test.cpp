@@ -261,6 +261,22 @@ TEST(geometry_player_streams, each_mesh_shows_its_own_streams_and_box) {
   const auto made = scene_of(*cache, mapped);
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(made->scene.meshes[2].primitives[0].normals[7], glm::vec3(0, 1, 0));
+  const Skeleton& skeleton = made->scene.skeleton;
+  EXPECT_EQ(skeleton.parents, std::vector<std::uint32_t>(3, kNone)) << "a root joint of its own";
+  EXPECT_EQ(skeleton.fixed_matrix_of, std::vector<std::uint32_t>(3, kNone));
+  EXPECT_EQ(skeleton.node_of_joint, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(skeleton.joint_of_node, (std::vector<std::uint32_t>{0, 1, 2}));
+  for (std::uint32_t m = 0; m < 3; ++m) {
+    const std::string name = "mesh" + std::to_string(m);
+    EXPECT_EQ(skeleton.names[m], name);
+    EXPECT_EQ(made->scene.meshes[m].name, name);
+    const Material& material = made->scene.materials.at(made->scene.meshes[m].primitives[0].material);
+    EXPECT_EQ(material.name, name);
+    EXPECT_EQ(material.metallic, 0.0f);
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_EQ(made->scene.instances[m].joint, m);
+    EXPECT_EQ(made->scene.instances[m].mesh, m);
+  }
   GeometryPlayer player(*cache, mapped, made->scene, made->bindings);
   EXPECT_EQ(player.instances(), (std::vector<std::uint32_t>{0, 1, 2}));
   VertexSource source = player.source();

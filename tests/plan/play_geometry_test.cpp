@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/frame_equality.h"
 #include "tests/plan/plan_dump.h"
@@ -257,6 +258,21 @@ TEST_F(play_geometry, instances_with_copies_play_in_their_own_space_only) {
       EXPECT_LE(found.lower[axis], box.lower[axis] + 1e-4f);
       EXPECT_GE(found.upper[axis], box.upper[axis] - 1e-4f);
     }
+  }
+}
+
+TEST_F(play_geometry, in_the_space_of_meshes_turns_over_where_the_joint_mirrors_and_nowhere_else) {
+  waves_.space = VertexSpace::mesh;
+  for (const float height : {1.0f, -1.0f, 0.0f}) {
+    root_.row[1].y = height;  // of the whole scene: 0 is flat, which mirrors nothing
+    const FrameResult& shown = play(0.5, 1.0f);
+    bool any = false;
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      const bool mirrors = determinant_sign(shown.model[scene_.instances[i].joint]) < 0;
+      EXPECT_EQ(shown.instances[i].mirrored, mirrors) << i << ' ' << height;
+      any |= mirrors;
+    }
+    EXPECT_TRUE(height != 0.0f || !any);
   }
 }
 

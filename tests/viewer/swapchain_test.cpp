@@ -122,6 +122,8 @@ TEST_F(swapchain, of_a_minimised_window_has_no_images_until_it_is_made_again) {
     EXPECT_EQ(chain.image_count(), 3u);
     EXPECT_TRUE(chain.fits({320, 200}));
   }
+  own_driver().surface.currentExtent = {1, 1};
+  EXPECT_EQ(Swapchain(*device_, {1, 1}).image_count(), 3u) << "a pixel is an area";
   own_driver().surface.currentExtent = {320, 0};
   EXPECT_EQ(Swapchain(*device_, {320, 200}).image_count(), 0u) << "the surface says so";
 }
