@@ -45,6 +45,24 @@ TEST_F(frame_study, takes_whole_frames_of_a_doll_and_of_a_hundred_thousand_trian
   }
 }
 
+TEST(frame_looks, are_those_that_the_study_says) {
+  ClipExtent bounds;
+  bounds.reached = {{-3, -1, -1}, {3, 1, 1}};
+  bounds.largest = {{-1, -1, -1}, {1, 1, 1}};
+  const RenderOptions base = base_look(bounds), full = full_look(bounds);
+  for (const RenderOptions& look : {base, full}) {
+    EXPECT_TRUE(look.ao.on);
+    EXPECT_EQ(look.ao.radius_m, ambient_occlusion_for(bounds.largest).radius_m);
+    EXPECT_EQ(look.ground.look, GroundLook::none);
+  }
+  EXPECT_FALSE(base.shadows.on || base.smooth_edges);
+  EXPECT_EQ(base.lighting.environment, RenderOptions{}.lighting.environment) << "the gradient";
+  EXPECT_TRUE(full.shadows.on && full.smooth_edges);
+  EXPECT_EQ(full.shadows.bounds.upper, bounds.reached.upper);
+  EXPECT_EQ(full.lighting.environment, studio_environment());
+  EXPECT_EQ(full.backdrop, Backdrop::blurred);
+}
+
 TEST(picture_times, are_those_of_all_passes_and_of_the_opaque_one) {
   PictureTimes times;
   times.add({});

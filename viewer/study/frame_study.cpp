@@ -44,21 +44,6 @@ void take_turns(Drawing& one, PictureTimes& of_one, Drawing& other, PictureTimes
   }
 }
 
-RenderOptions base_options(const ClipExtent& bounds) {
-  RenderOptions options;
-  options.ao = ambient_occlusion_for(bounds.largest);
-  return options;
-}
-
-RenderOptions full_options(const ClipExtent& bounds) {
-  RenderOptions options = base_options(bounds);
-  options.lighting.environment = studio_environment();
-  options.backdrop = Backdrop::blurred;
-  options.shadows = {true, bounds.reached};
-  options.smooth_edges = true;
-  return options;
-}
-
 std::uint64_t triangles_of(const Scene& scene) {
   std::uint64_t count = 0;
   for (const MeshInstance& instance : scene.instances)
@@ -68,6 +53,21 @@ std::uint64_t triangles_of(const Scene& scene) {
 }
 
 }  // namespace
+
+RenderOptions base_look(const ClipExtent& bounds) {
+  RenderOptions options;
+  options.ao = ambient_occlusion_for(bounds.largest);
+  return options;
+}
+
+RenderOptions full_look(const ClipExtent& bounds) {
+  RenderOptions options = base_look(bounds);
+  options.lighting.environment = studio_environment();
+  options.backdrop = Backdrop::blurred;
+  options.shadows = {true, bounds.reached};
+  options.smooth_edges = true;
+  return options;
+}
 
 void PictureTimes::add(std::span<const PassTime> passes) {
   if (passes.empty()) return;
@@ -82,7 +82,7 @@ void PictureTimes::add(std::span<const PassTime> passes) {
 
 DrawTrial study_draws(Device& device, std::uint32_t draws, const FrameEffort& effort) {
   const Still still(sheet_of_balls(draws));
-  RenderOptions options = base_options(still.bounds);
+  RenderOptions options = base_look(still.bounds);
   Drawing with(device, still.scene, still.buffer.result(), still.bounds, options, effort);
   options.ao.on = false;
   Drawing without(device, still.scene, still.buffer.result(), still.bounds, options, effort);
@@ -94,8 +94,8 @@ DrawTrial study_draws(Device& device, std::uint32_t draws, const FrameEffort& ef
 
 FrameTrial study_frame(Device& device, const std::string& name, const Scene& scene, const FrameResult& frame,
                        const ClipExtent& bounds, const FrameEffort& effort) {
-  Drawing base(device, scene, frame, bounds, base_options(bounds), effort);
-  Drawing full(device, scene, frame, bounds, full_options(bounds), effort);
+  Drawing base(device, scene, frame, bounds, base_look(bounds), effort);
+  Drawing full(device, scene, frame, bounds, full_look(bounds), effort);
   FrameTrial trial{.name = name, .triangles = triangles_of(scene)};
   take_turns(base, trial.base, full, trial.full, effort.repetitions);
   trial.draws = base.draws();

@@ -32,8 +32,13 @@ struct DrawTrial {
   PictureTimes without, with;
 };
 
-/// A picture with base features: ambient occlusion, the key light, a gradient of ambient light, one sample a pixel; and
-/// a full one: an environment, shadows, and 4 samples a pixel. Neither has a ground.
+/// Base features: ambient occlusion, the key light, a gradient of ambient light, one sample a pixel, no ground.
+RenderOptions base_look(const ClipExtent& bounds);
+
+/// The same with an environment, which is seen behind the scene, shadows, and 4 samples a pixel.
+RenderOptions full_look(const ClipExtent& bounds);
+
+/// A picture with base features, and a full one.
 struct FrameTrial {
   std::string name;
   std::uint32_t draws = 0;
