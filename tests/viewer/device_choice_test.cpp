@@ -122,6 +122,12 @@ TEST_F(own_device, knows_its_name_its_kind_and_its_queue) {
   EXPECT_EQ(own_driver().device_info.enabledExtensionCount, 1u);
 }
 
+TEST_F(own_device, that_cannot_draw_leaves_nothing_behind) {
+  own_driver().devices[0].dynamic_rendering = false;
+  EXPECT_THROW(Device({.make_surface = [](VkInstance) { return own_surface(); }}), DeviceError);
+  EXPECT_EQ(own_driver().alive, 0) << "neither instance nor surface";
+}
+
 TEST_F(own_device, of_an_older_loader_is_an_error) {
   own_driver().loader_version = VK_API_VERSION_1_2;
   EXPECT_THROW(Device{}, DeviceError);

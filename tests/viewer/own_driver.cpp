@@ -120,6 +120,7 @@ VKAPI_ATTR void VKAPI_CALL vkGetPhysicalDeviceMemoryProperties(VkPhysicalDevice,
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateDevice(VkPhysicalDevice, const VkDeviceCreateInfo* info,
                                               const VkAllocationCallbacks*, VkDevice* device) {
   EXPECT_EQ(info->pQueueCreateInfos->queueCount, 1u);
+  EXPECT_LE(*info->pQueueCreateInfos->pQueuePriorities, 1.0f);
   if (info->enabledExtensionCount > 0) {
     EXPECT_STREQ(*info->ppEnabledExtensionNames, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   }
