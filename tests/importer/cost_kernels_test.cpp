@@ -156,6 +156,22 @@ TEST(cost_skin_probe, looks_around_the_joints_of_a_scene_without_vertices) {
   EXPECT_EQ(probe.point_count(), 3 * bones.skeleton.joint_count());
 }
 
+TEST(cost_skin_probe, looks_a_twentieth_of_the_skeletons_size_away_wherever_it_stands) {
+  for (const float height : {2.0f, 0.0f}) {  // joints at one place have no size
+    Scene bones;
+    bones.skeleton.parents = {kNone, 0};
+    bones.skeleton.rest.resize(2);
+    bones.skeleton.fixed_matrix_of = {kNone, kNone};
+    bones.skeleton.rest[0].translation = {10.0f, -7.0f, 3.0f};
+    bones.skeleton.rest[1].translation = {0.0f, height, 0.0f};
+    const auto pose = cost::model_pose(bones.skeleton, cost::rest_pose(bones.skeleton));
+    auto turned = pose;  // joint 1 by half a turn about x: points on y and z come to the other side of it
+    for (const int row : {1, 2})
+      for (const int column : {1, 2}) turned[1].row[row][column] *= -1.0;
+    EXPECT_NEAR(cost::SkinProbe(bones, 1000).distance_m(pose, turned), height > 0.0f ? 0.2 : 0.06, 1e-12);
+  }
+}
+
 TEST(cost_plain_skinning, is_the_reference_in_double) {
   const cost::Limb limb;
   cost::PlainVertices<double> found(limb.primitive.vertex_count());

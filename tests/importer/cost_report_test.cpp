@@ -318,6 +318,26 @@ TEST(cost_report, csv_quotes_what_has_commas) {
   EXPECT_THAT(cost::report_csv(small_report()), HasSubstr("rotation,\"slow, but \"\"exact\"\"\",inf,mm,2.5,ns/joint,"));
 }
 
+TEST(cost_report, csv_has_each_number_in_the_column_of_its_name) {
+  cost::Report report = small_report();
+  cost::Group& group = report.groups[0];
+  group.size_unit = "bytes";
+  group.points.assign(
+      4,
+      {"slow", 0.5, 2.5, 0.25, false, false, false, true, 64.0, {{"angle", 0.5, "rad"}, {"joints", 3, ""}}, "a note"});
+  for (const std::size_t i : {1u, 2u, 3u}) group.points[i].pareto = false;
+  group.points[1].noisy = group.points[2].is_default = group.points[3].other_aim = true;
+  group.points[3].size.reset();
+  const std::string values = "angle=0.5 rad; joints=3,a note\n";
+  EXPECT_EQ(
+      cost::report_csv(report),
+      "group,name,error,error_unit,time,time_unit,spread,noisy,pareto,default,other_aim,size,size_unit,values,note\n"
+      "rotation,slow,0.5,mm,2.5,ns/joint,0.25,false,true,false,false,64,bytes," +
+          values + "rotation,slow,0.5,mm,2.5,ns/joint,0.25,true,false,false,false,64,bytes," + values +
+          "rotation,slow,0.5,mm,2.5,ns/joint,0.25,false,false,true,false,64,bytes," + values +
+          "rotation,slow,0.5,mm,2.5,ns/joint,0.25,false,false,false,true,,bytes," + values);
+}
+
 /// Runs the command once; all tests look at its outcome.
 class CostCommand : public testing::Test {
  protected:
