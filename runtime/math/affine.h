@@ -70,14 +70,6 @@ Mat4<T> mat4_from_affine(const AffineT<T>& m) noexcept {
   return out;
 }
 
-/// The upper three rows of a 4x4 matrix. The caller checks that the fourth is 0 0 0 1 where the source is not trusted.
-template <class T>
-AffineT<T> affine_from_mat4(const Mat4<T>& m) noexcept {
-  AffineT<T> out;
-  for (int r = 0; r < 3; ++r) out.row[r] = {m[0][r], m[1][r], m[2][r], m[3][r]};
-  return out;
-}
-
 template <class To, class From>
 AffineT<To> affine_cast(const AffineT<From>& m) noexcept {
   return {{Vec4<To>(m.row[0]), Vec4<To>(m.row[1]), Vec4<To>(m.row[2])}};

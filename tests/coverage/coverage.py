@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Lines and branches that the tests have run, by folder: coverage.py BUILD [--lines] (after the tests of a build with
---coverage have run). Kernels and inline functions are compiled more than once: a line counts as run when one of its copies was."""
+"""Lines and branches that the tests have run, by folder. tests/coverage/README.md explains."""
+import argparse
 import collections
 import concurrent.futures
 import json
@@ -9,64 +9,115 @@ import os
 import subprocess
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
 PRODUCT = ('runtime/', 'importer/', 'viewer/')
 
 
-def counts_of(build, data):
-    """[(file, line, count, [counts of branches])] of one object."""
-    done = subprocess.run(['gcov', '--json-format', '--stdout', '--branch-probabilities', data], cwd=build, capture_output=True, check=True, text=True)
+def arguments():
+    parser = argparse.ArgumentParser(prog='./run coverage', description=__doc__)
+    parser.add_argument('build', help='a build with --coverage whose tests have run')
+    parser.add_argument('--lines', action='store_true', help='name each line that no test runs, and that unreached.txt does not list')
+    parser.add_argument('--check', action='store_true', help='fail when there is such a line, or when one is listed that tests run')
+    return parser.parse_args()
+
+
+def decisions(branches):
+    """Counts of the branches that the source decides. A call that may throw has two as well: going on, and the exception."""
+    kept = []
+    for branch in branches:
+        if branch['throw']:
+            kept.pop()
+        else:
+            kept.append(branch['count'])
+    return tuple(kept)
+
+
+def counts_of(build, notes, root):
+    """[(file, line, count, function's place, counts of branches)] of one object, all 0 where no program has run that holds it."""
+    done = subprocess.run(['gcov', '--json-format', '--stdout', '--branch-probabilities', notes], cwd=build, capture_output=True, check=True, text=True)
     found = []
     for text in done.stdout.splitlines():
         for file in json.loads(text)['files']:
-            path = os.path.relpath(os.path.join(build, file['file']), ROOT)
+            path = os.path.relpath(os.path.join(build, file['file']), root)
             if path.startswith(PRODUCT):
-                # Branches that only an exception takes are the compiler's own.
-                found += [(path, line['line_number'], line['count'], [b['count'] for b in line['branches'] if not b['throw']]) for line in file['lines']]
+                places = {f['name']: (f['start_line'], f['start_column']) for f in file['functions']}
+                found += [(path, line['line_number'], line['count'], places.get(line.get('function_name')), decisions(line['branches']))
+                          for line in file['lines']]
     return found
 
 
-def collect(build):
-    data = [os.path.join(folder, name) for folder, _, names in os.walk(build) for name in names if name.endswith('.gcda')]
-    lines, branches = collections.defaultdict(int), {}
+def collect(build, root=ROOT):
+    """{(file, line): count} and {(file, line): [count of each branch]} over all copies: templates, inline functions and kernels are
+    compiled more than once. Copies of a function have its place; where their branches differ in number, those that have most count."""
+    notes = [os.path.join(folder, name) for folder, _, names in os.walk(build) for name in names if name.endswith('.gcno')]
+    lines, copies = collections.Counter(), {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for found in pool.map(lambda d: counts_of(build, d), data):
-            for path, number, count, taken in found:
+        for found in pool.map(lambda n: counts_of(build, n, root), notes):
+            for path, number, count, place, taken in found:
                 lines[path, number] += count
-                before = branches.setdefault((path, number), taken)
-                if before is not taken and len(before) == len(taken):
-                    branches[path, number] = [a + b for a, b in zip(before, taken)]
-                elif len(taken) > len(before):
-                    branches[path, number] = taken
-    return lines, branches
+                known = copies.setdefault((path, number), {}).get(place, ())
+                copies[path, number][place] = tuple(map(sum, zip(known, taken))) if len(known) == len(taken) else max(known, taken, key=len)
+    return lines, {key: [count for taken in of_line.values() for count in taken] for key, of_line in copies.items()}
 
 
-def table(lines, branches):
-    rows = collections.defaultdict(lambda: [0, 0, 0, 0])
+def read_list(path):
+    """{(file, text of a line): reason} of `FILE: TEXT # REASON`."""
+    with open(path, encoding='utf-8') as file:
+        entries = (line.strip().rsplit(' # ', 1) for line in file if line.strip() and not line.startswith('#'))
+        return {tuple(entry.split(': ', 1)): reason for entry, reason in entries}
+
+
+def missed(lines, listed, root=ROOT):
+    """Lines that no test runs, as [(file, line, text, entry of the list or None)]. An entry stands for the lines that follow it, too,
+    up to the next one that ran."""
+    found, entry, texts = [], None, {}
+    for path, number in sorted(lines):
+        if path not in texts:
+            with open(f'{root}/{path}', encoding='utf-8') as file:
+                texts[path], entry = file.read().splitlines(), None
+        if lines[path, number]:
+            entry = None
+            continue
+        text = texts[path][number - 1].strip()
+        if (path, text) in listed:
+            entry = path, text
+        found.append((path, number, text, entry))
+    return found
+
+
+def table(lines, branches, unlisted):
+    rows = collections.defaultdict(collections.Counter)
     for (path, number), count in lines.items():
-        for name in ('/'.join(os.path.dirname(path).split('/')[:2]), path.split('/')[0] + ' (all)', 'all'):
-            row = rows[name]
-            row[0] += 1
-            row[1] += count > 0
-            row[2] += len(branches[path, number])
-            row[3] += sum(taken > 0 for taken in branches[path, number])
-    text = ['| folder | lines | run | branches | taken |', '|---|---|---|---|---|']
-    for name, row in sorted(rows.items(), key=lambda item: (item[0] == 'all', item[0])):
-        part = lambda some, whole: f'{100 * some / whole:.1f} %' if whole else ''
-        text.append(f'| {name} | {row[0]} | {part(row[1], row[0])} | {row[2]} | {part(row[3], row[2])} |')
+        folder = '/'.join(os.path.dirname(path).split('/')[:2])
+        for name in {folder if '/' in folder else f'{folder} (top)', f'**{path.split("/")[0]}**', '**all**'}:
+            rows[name] += collections.Counter(lines=1, run=count > 0, unlisted=(path, number) in unlisted, branches=len(branches[path, number]),
+                                              taken=sum(taken > 0 for taken in branches[path, number]))
+    percent = lambda some, whole: f'{100 * some / whole:.1f} %' if whole else ''
+    text = ['| folder | lines | run | neither run nor listed | branches | taken |', '|---|---|---|---|---|---|']
+    for name, row in sorted(rows.items(), key=lambda item: (item[0] == '**all**', item[0].strip('*'))):
+        text.append(f'| {name} | {row["lines"]} | {percent(row["run"], row["lines"])} | {row["unlisted"]} | {row["branches"]} '
+                    f'| {percent(row["taken"], row["branches"])} |')
     return '\n'.join(text)
 
 
 def main():
-    build = os.path.abspath(sys.argv[1])
-    lines, branches = collect(build)
-    if not lines:
-        sys.exit(f'{build} holds no coverage data: build it with --coverage and run its tests')
-    if '--lines' in sys.argv:
-        for path, number in sorted(key for key, count in lines.items() if count == 0):
-            print(f'{path}:{number}')
-    print(table(lines, branches))
+    options = arguments()
+    lines, branches = collect(os.path.abspath(options.build))
+    if not any(lines.values()):
+        sys.exit(f'{options.build} holds no counts: build it with --coverage and run its tests')
+    listed = read_list(f'{HERE}/unreached.txt')
+    found = missed(lines, listed)
+    unlisted = {(path, number): text for path, number, text, entry in found if entry is None}
+    needless = listed.keys() - {entry for *_, entry in found}
+    if options.lines:
+        for (path, number), text in unlisted.items():
+            print(f'{path}:{number}: {text}')
+    for path, text in sorted(needless):
+        print(f'unreached.txt lists what tests run, or what is gone: {path}: {text}')
+    print(table(lines, branches, unlisted))
+    return options.check and bool(unlisted or needless)
 
 
 if __name__ == '__main__':
-    main()
+    sys.exit(main())

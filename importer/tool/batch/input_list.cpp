@@ -80,11 +80,6 @@ bool is_named_as(FileKind kind, const std::string& file) {
   return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
 }
 
-std::size_t InputList::file_count() const {
-  return static_cast<std::size_t>(
-      std::count_if(inputs.begin(), inputs.end(), [](const Input& input) { return input.remark.empty(); }));
-}
-
 InputList list_inputs(const std::vector<std::string>& arguments, bool recursive, FileKind kind) {
   InputList list;
   list.many = arguments.size() > 1;

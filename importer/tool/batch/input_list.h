@@ -20,8 +20,6 @@ struct Input {
 struct InputList {
   std::vector<Input> inputs;
   bool many = false;  ///< several arguments, or a folder: one line a file, and a summary
-
-  std::size_t file_count() const;
 };
 
 /// What a folder stands for: the .glb, .gltf and .vrm files in it, those and the .sinew files, or the .sgeo files.
