@@ -4,6 +4,7 @@
 import argparse
 import collections
 import concurrent.futures
+import functools
 import json
 import os
 import subprocess
@@ -22,6 +23,12 @@ def arguments():
     return parser.parse_args()
 
 
+@functools.cache
+def text_of(path):
+    with open(path, encoding='utf-8') as file:
+        return [line.strip() for line in file]
+
+
 def decisions(branches):
     """Counts of the branches that the source decides. A call that may throw has two as well: going on, and the exception."""
     kept = []
@@ -34,30 +41,35 @@ def decisions(branches):
 
 
 def counts_of(build, notes, root):
-    """[(file, line, count, function's place, counts of branches)] of one object, all 0 where no program has run that holds it."""
+    """[(file, line, count, function's place, counts of branches)] of one object, all 0 where no program has run that holds it. Lines
+    without a word are left out: at a closing brace stands what the compiler does when an exception leaves the block."""
     done = subprocess.run(['gcov', '--json-format', '--stdout', '--branch-probabilities', notes], cwd=build, capture_output=True, check=True, text=True)
     found = []
-    for text in done.stdout.splitlines():
-        for file in json.loads(text)['files']:
+    for document in done.stdout.splitlines():
+        for file in json.loads(document)['files']:
             path = os.path.relpath(os.path.join(build, file['file']), root)
             if path.startswith(PRODUCT):
+                text = text_of(os.path.join(root, path))
                 places = {f['name']: (f['start_line'], f['start_column']) for f in file['functions']}
                 found += [(path, line['line_number'], line['count'], places.get(line.get('function_name')), decisions(line['branches']))
-                          for line in file['lines']]
+                          for line in file['lines'] if any(c.isalnum() for c in text[line['line_number'] - 1])]
     return found
 
 
 def collect(build, root=ROOT):
     """{(file, line): count} and {(file, line): [count of each branch]} over all copies: templates, inline functions and kernels are
-    compiled more than once. Copies of a function have its place; where their branches differ in number, those that have most count."""
-    notes = [os.path.join(folder, name) for folder, _, names in os.walk(build) for name in names if name.endswith('.gcno')]
+    compiled more than once. Copies of a function have its place; where their branches differ in number, those of the copy that has run
+    and has most count."""
+    notes = [f'{folder}/{name}' for folder, _, names in os.walk(build) for name in names
+             if name.endswith('.gcno') and name.replace('.gcno', '.o') in names]  # a build that was stopped leaves some without
     lines, copies = collections.Counter(), {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for found in pool.map(lambda n: counts_of(build, n, root), notes):
             for path, number, count, place, taken in found:
                 lines[path, number] += count
                 known = copies.setdefault((path, number), {}).get(place, ())
-                copies[path, number][place] = tuple(map(sum, zip(known, taken))) if len(known) == len(taken) else max(known, taken, key=len)
+                same = len(known) == len(taken)
+                copies[path, number][place] = tuple(map(sum, zip(known, taken))) if same else max(known, taken, key=lambda t: (any(t), len(t)))
     return lines, {key: [count for taken in of_line.values() for count in taken] for key, of_line in copies.items()}
 
 
@@ -71,17 +83,16 @@ def read_list(path):
 def missed(lines, listed, root=ROOT):
     """Lines that no test runs, as [(file, line, text, entry of the list or None)]. An entry stands for the lines that follow it, too,
     up to the next one that ran."""
-    found, entry, texts = [], None, {}
+    found, entry = [], None
     for path, number in sorted(lines):
-        if path not in texts:
-            with open(f'{root}/{path}', encoding='utf-8') as file:
-                texts[path], entry = file.read().splitlines(), None
         if lines[path, number]:
             entry = None
             continue
-        text = texts[path][number - 1].strip()
+        text = text_of(os.path.join(root, path))[number - 1]
         if (path, text) in listed:
             entry = path, text
+        elif entry is not None and entry[0] != path:
+            entry = None
         found.append((path, number, text, entry))
     return found
 
