@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "halves.h"
 
-int half_of_int(int x) {
-  return half(x);
-}
+int half_of_int(int x) { return half(x); }
 
 bool is_small(double x) {
-  if (x < 1.0)
-    return true;
+  if (x < 1.0) return true;
   return false;
 }

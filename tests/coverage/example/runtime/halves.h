@@ -5,7 +5,6 @@
 
 template <class Number>
 Number half(Number x) {
-  if (x < Number(0))
-    throw std::range_error("negative");
+  if (x < Number(0)) throw std::range_error("negative");
   return x / Number(2);
 }
