@@ -9,9 +9,9 @@ std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
     case Interpolation::step: return 4;
     case Interpolation::linear: return 5;
     case Interpolation::cubic_spline: return 12;
-    case Interpolation::squad: return 13;
+    case Interpolation::squad: break;
   }
-  return 0;
+  return 13;
 }
 
 }  // namespace

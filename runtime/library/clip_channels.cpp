@@ -54,9 +54,9 @@ std::string_view name_of(PropertyKind kind) noexcept {
     case PropertyKind::alpha_cutoff: return "alpha_cutoff";
     case PropertyKind::texture_offset: return "offset";
     case PropertyKind::texture_rotation: return "rotation";
-    case PropertyKind::texture_scale: return "scale";
+    case PropertyKind::texture_scale: break;
   }
-  return {};
+  return "scale";
 }
 
 std::string_view name_of(TextureSlot slot) noexcept {
@@ -65,9 +65,9 @@ std::string_view name_of(TextureSlot slot) noexcept {
     case TextureSlot::metallic_roughness: return "metallic_roughness_texture/";
     case TextureSlot::normal: return "normal_texture/";
     case TextureSlot::occlusion: return "occlusion_texture/";
-    case TextureSlot::emissive: return "emissive_texture/";
+    case TextureSlot::emissive: break;
   }
-  return {};
+  return "emissive_texture/";
 }
 
 /// Of the joint, camera, light or material; empty where that has none.

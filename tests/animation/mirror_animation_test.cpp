@@ -122,5 +122,31 @@ TEST(mirror_animation, joints_without_a_track_get_a_constant_where_their_rest_is
   }
 }
 
+TEST(mirror_animation, tracks_come_before_constants_part_by_part) {
+  const TwoSided body = scenes::two_sided(RightSide::mirrored_axes);
+  Skeleton striding = body.skeleton;
+  striding.rest[2].rotation = normalised(quat_xyzw(0.3f, 0.1f, 0.0f, 1.0f) * striding.rest[2].rotation);
+  striding.rest[2].translation.y += 0.25f;
+  MirrorOptions options;
+  options.reference = body.skeleton.rest;
+  const MirrorMap map = make_mirror_map(striding, options);
+  ASSERT_EQ(map.joints[2].source, 3u);
+  const glm::quat turned = striding.rest[2].rotation;
+  Animation animation{"turn", 1.0, {}, {}};
+  animation.bones.push_back({.joint = 2, .rotation = {Interpolation::linear, {0.0f, 1.0f}, {turned, turned}}});
+  const Animation mirrored = mirror_animation(animation, map, striding);
+  ASSERT_EQ(mirrored.bones.size(), 3u) << "the track, and what rests on either side";
+  const auto rotations = [&](std::size_t b) { return mirrored.bones[b].rotation.values.size(); };
+  EXPECT_EQ(mirrored.bones[0].joint, 3u);
+  EXPECT_EQ(rotations(0), 2u);
+  for (const std::size_t b : {1u, 2u}) {
+    const std::uint32_t joint = mirrored.bones[b].joint;
+    const Transform expected = mirrored_transform(map, joint, striding.rest[map.joints[joint].source]);
+    EXPECT_EQ(mirrored.bones[b].translation.values, (std::vector<glm::vec3>{expected.translation})) << joint;
+    EXPECT_EQ(rotations(b), joint == 2 ? 1u : 0u) << "the other one has a track";
+    EXPECT_TRUE(mirrored.bones[b].scale.empty());
+  }
+}
+
 }  // namespace
 }  // namespace sinew

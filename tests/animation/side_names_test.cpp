@@ -30,6 +30,8 @@ TEST(side_names, the_names_of_known_rigs_are_partners) {
                         {"Hand Left", "Hand Right"},
                         {"LEFT_FOOT", "RIGHT_FOOT"},
                         {"lefthand", "righthand"},
+                        {"legleft", "legright"},
+                        {"kneeleft_2", "kneeright_2"},
                         {"eyeBlinkLeft", "eyeBlinkRight"},
                         {"foot_left_down", "foot_right_down"}};
   std::vector<std::string> names = {"hips", "Spine", "root.001"};
@@ -51,8 +53,8 @@ TEST(side_names, a_number_at_the_end_may_differ_where_the_rest_is_unique) {
 }
 
 TEST(side_names, words_that_only_contain_a_letter_say_nothing) {
-  for (const char* name :
-       {"", "Root", "spine", "tail_3", "Roll", "3", "clavicle", "_", "Spine1", "toe.001", "bolt0l", "bolt9r"})
+  for (const char* name : {"cleftlip", "brightness", "", "Root", "spine", "tail_3", "Roll", "3", "clavicle", "_",
+                           "Spine1", "toe.001", "bolt0l", "bolt9r"})
     EXPECT_EQ(side_of(name), Side::none) << name;
 }
 

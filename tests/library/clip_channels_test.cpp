@@ -60,6 +60,37 @@ TEST(clip_channels, properties_have_the_names_of_their_thing_and_component) {
                           "material skin/normal_texture/offset/1"));
 }
 
+TEST(clip_channels, every_property_and_every_texture_has_its_name) {
+  Scene scene;
+  scene.cameras.push_back({.name = "eye"});
+  scene.lights.push_back({.name = "sun"});
+  scene.materials.push_back({.name = "skin"});
+  const auto name = [&](PropertyKind kind, TextureSlot slot = TextureSlot::base_color) {
+    return property_name(scene, {kind, 0, slot});
+  };
+  std::vector<std::string> names;
+  for (auto kind = PropertyKind::camera_fov_y; kind <= PropertyKind::alpha_cutoff;
+       kind = static_cast<PropertyKind>(static_cast<int>(kind) + 1))
+    names.push_back(name(kind));
+  EXPECT_THAT(
+      names,
+      ElementsAre("camera eye/fov_y", "camera eye/aspect", "camera eye/half_width", "camera eye/half_height",
+                  "camera eye/near", "camera eye/far", "light sun/color", "light sun/intensity", "light sun/range",
+                  "light sun/inner_cone", "light sun/outer_cone", "material skin/base_color", "material skin/metallic",
+                  "material skin/roughness", "material skin/normal_scale", "material skin/occlusion_strength",
+                  "material skin/emissive", "material skin/emissive_strength", "material skin/alpha_cutoff"));
+  const std::pair<TextureSlot, std::string> slots[] = {{TextureSlot::base_color, "base_color"},
+                                                       {TextureSlot::metallic_roughness, "metallic_roughness"},
+                                                       {TextureSlot::normal, "normal"},
+                                                       {TextureSlot::occlusion, "occlusion"},
+                                                       {TextureSlot::emissive, "emissive"}};
+  for (const auto& [slot, texture] : slots) {
+    EXPECT_EQ(name(PropertyKind::texture_offset, slot), "material skin/" + texture + "_texture/offset");
+    EXPECT_EQ(name(PropertyKind::texture_rotation, slot), "material skin/" + texture + "_texture/rotation");
+    EXPECT_EQ(name(PropertyKind::texture_scale, slot), "material skin/" + texture + "_texture/scale");
+  }
+}
+
 TEST(clip_channels, joints_have_their_own_names_and_the_signature_of_their_skeleton) {
   Scene scene = arm_scene();
   const ClipChannels channels = clip_channels(scene);
