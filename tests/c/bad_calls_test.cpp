@@ -308,6 +308,8 @@ TEST_F(c_bad_calls_of_a_plan, levels_that_do_not_exist_are_refused) {
   EXPECT_EQ(sinew_held_input_next(held, nullptr, 3, 0, 0, &input), SINEW_UNSUPPORTED);
   input.struct_size = 3;
   EXPECT_EQ(sinew_held_input_next(held, nullptr, 0, 0, 0, &input), SINEW_WRONG_STRUCT_SIZE);
+  sinew_frame_input next = sinew_default_input();
+  EXPECT_EQ(sinew_held_input_next(held, &input, 0, 0, 0, &next), SINEW_WRONG_STRUCT_SIZE) << "of the input itself";
   sinew_held_input_destroy(held);
   EXPECT_EQ(sinew_frames_to_update(3, 0, 0), 0u);
   std::uint32_t level = 0;

@@ -300,6 +300,32 @@ TEST(c_interface, jobs_run_on_the_engines_executor_and_memory_with_the_same_bits
   sinew_plan_destroy(plan);
 }
 
+TEST(c_interface, a_character_without_memory_is_not_added_and_the_next_one_takes_its_place) {
+  const sinew_scene scene = random_handle(9);
+  sinew_plan* plan = nullptr;
+  ASSERT_EQ(sinew_plan_create(&scene, nullptr, &plan), SINEW_OK);
+  engine_memory memory{.allocations = 0, .bytes_in_use = 0, .most_bytes = 0, .refuse_after = 100};
+  sinew_jobs_options options = sinew_default_jobs_options();
+  options.allocator = engine_allocator(&memory);
+  sinew_jobs* jobs = nullptr;
+  ASSERT_EQ(sinew_jobs_create(&options, &jobs), SINEW_OK);
+  memory.refuse_after = memory.allocations;
+  std::uint32_t character = 99;
+  EXPECT_EQ(sinew_jobs_add_character(jobs, plan, &character), SINEW_OUT_OF_MEMORY);
+  EXPECT_EQ(character, 99u);
+  memory.refuse_after = 100;
+  ASSERT_EQ(sinew_jobs_add_character(jobs, plan, &character), SINEW_OK);
+  EXPECT_EQ(character, 0u);
+  const sinew_frame_input input = sinew_default_input();
+  std::uint64_t ticket = 0;
+  ASSERT_EQ(sinew_jobs_submit(jobs, &input, 1, &ticket), SINEW_OK);
+  ASSERT_EQ(sinew_jobs_wait(jobs, ticket), SINEW_OK);
+  EXPECT_NE(sinew_jobs_latest(jobs, 0), nullptr);
+  sinew_jobs_destroy(jobs);
+  EXPECT_EQ(memory.bytes_in_use, 0u);
+  sinew_plan_destroy(plan);
+}
+
 TEST(c_interface, clocks_and_events_are_those_of_the_cpp_interface) {
   const double times_s[] = {0.0, 0.3, 0.31, 1.0};
   for (std::uint32_t mode = SINEW_PLAY_LOOP; mode <= SINEW_PLAY_ONCE; ++mode) {

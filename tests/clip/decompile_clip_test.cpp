@@ -146,5 +146,23 @@ TEST(decompile_clip, a_clip_of_other_instances_or_properties_is_refused) {
   EXPECT_EQ(decompile_clip(clip, of_two, std::vector<std::uint32_t>{0, 2, 4}, {}).error(), ErrorCode::unsupported);
 }
 
+TEST(decompile_clip, a_clip_that_moves_a_part_of_a_property_is_refused) {
+  Rest rest;
+  FixedRandom random(6);
+  rest.properties.entries = {{{PropertyKind::light_color, 0}, 0, 3}, {{PropertyKind::light_color, 1}, 3, 3}};
+  rest.properties.rest.assign(6, 1.0f);
+  Animation animation;
+  animation.properties.push_back(
+      {{PropertyKind::light_color, 1}, random_weights(random, Interpolation::linear, {0.0f, 1.0f}, 3)});
+  const Clip clip = compile_clip(animation, rest.skeleton, rest.weights, rest.first, rest.properties);
+  const ClipRest same = clip_rest(rest.skeleton, rest.weights, rest.properties);
+  ASSERT_TRUE(decompile_clip(clip, same, rest.first, rest.properties));
+  PropertyTable shifted = rest.properties;  // as many numbers, of other lengths
+  shifted.entries[1] = {{PropertyKind::light_intensity, 1}, 4, 1};
+  EXPECT_EQ(decompile_clip(clip, same, rest.first, shifted).error(), ErrorCode::unsupported);
+  shifted.entries[1] = {{PropertyKind::texture_scale, 0}, 3, 2};
+  EXPECT_EQ(decompile_clip(clip, same, rest.first, shifted).error(), ErrorCode::unsupported);
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -108,6 +108,17 @@ TEST(decompose, N16_polar_of_not_finite_input_is_the_identity_with_a_status) {
       }
 }
 
+TEST(decompose, N16_trs_of_not_finite_input_is_unturned_with_a_status) {
+  for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    Affine m;
+    m.row[1][2] = wrong;
+    const auto found = decompose_trs(m);
+    EXPECT_EQ(found.status, DecomposeStatus::not_finite) << wrong;
+    EXPECT_EQ(found.transform.rotation, quat_identity<float>());
+    EXPECT_EQ(found.transform.scale, glm::vec3(1.0f));
+  }
+}
+
 TEST(decompose, N15_trs_holds_at_every_size_of_scale) {
   FixedRandom random(3);
   for (const double size : {1e-30, 1e-10, 1e-3, 1.0, 1e10, 1e30}) {

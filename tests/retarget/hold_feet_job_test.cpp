@@ -44,6 +44,17 @@ TEST(hold_feet_job, is_the_truth_within_rounding_and_allocates_nothing) {
   }
 }
 
+TEST(hold_feet_job, joints_with_a_fixed_matrix_are_at_rest_as_in_the_truth) {
+  const Bodies b;
+  Skeleton target = b.target;
+  target.fixed_matrices.emplace_back();
+  target.fixed_matrix_of[hips] = 0;
+  const FeetMap feet = make_feet_map(b.map, b.source, target);
+  LiftedFoot foot(b, 0.02);
+  foot.held[hips].translation += Vec3d(0.5, 0.25, 0.125);
+  expect_job_is_the_truth(feet, target, 0.01f, foot.pose, foot.held);
+}
+
 TEST(hold_feet_job, more_legs_than_a_body_has_are_held_alike) {
   const Bodies b;
   FeetMap more = b.feet;

@@ -287,6 +287,27 @@ TEST(hold_feet, hips_with_a_fixed_matrix_do_not_come_down) {
   EXPECT_EQ(feet.hips, kNone);
 }
 
+TEST(hold_feet, joints_with_a_fixed_matrix_stay_at_rest_whatever_tracks_they_have) {
+  Bodies b;
+  Skeleton target = b.target;
+  target.fixed_matrices.emplace_back();
+  target.fixed_matrix_of[hips] = 0;
+  const FeetMap feet = make_feet_map(b.map, b.source, target);
+  const Animation animation = squat(b.source, {});
+  Animation held = retarget_animation(animation, b.map, b.source, target);
+  std::erase_if(held.bones, [](const BoneAnimation& bone) { return bone.joint == hips; });
+  Animation with_track = held;
+  with_track.bones.push_back({.joint = hips, .translation = {Interpolation::step, {0.0f}, {glm::vec3(3, 4, 5)}}});
+  hold_feet(feet, animation, b.source, target, held);
+  hold_feet(feet, animation, b.source, target, with_track);
+  ASSERT_EQ(with_track.bones.size(), held.bones.size() + 1);
+  for (const BoneAnimation& bone : held.bones) {
+    const auto same = std::find_if(with_track.bones.begin(), with_track.bones.end(),
+                                   [&](const BoneAnimation& other) { return other.joint == bone.joint; });
+    EXPECT_EQ(same->rotation.values, bone.rotation.values) << bone.joint;
+  }
+}
+
 TEST(hold_feet, joints_below_another_of_the_map_are_not_the_hips) {
   const Bodies b;
   const Skeleton source = below_a_root(b.source);

@@ -102,6 +102,26 @@ TEST(retarget_animation, joints_that_add_up_are_sampled_and_the_error_is_measure
   EXPECT_EQ(error.joint, 11u);
 }
 
+TEST(retarget_animation, one_joint_that_moves_among_others_that_rest_keeps_its_keys) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+  Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
+  to.names[9] = "something";  // the hand takes over what the forearm does, too
+  const SkeletonMap map = make_skeleton_map(from, to);
+  for (const std::uint32_t j : {9u, 11u}) {
+    Animation animation{"bend", 1.0, {}, {}};
+    const glm::quat rest = from.rest[j].rotation;
+    animation.bones.push_back(
+        {.joint = j,
+         .rotation = {
+             Interpolation::linear, {0.0f, 0.5f, 1.0f}, {rest, rest * test::FixedRandom(j).rotation_by(0.4), rest}}});
+    const Animation found = retarget_animation(animation, map, from, to);
+    ASSERT_EQ(found.bones.size(), 1u);
+    EXPECT_EQ(found.bones[0].joint, 11u);
+    EXPECT_EQ(found.bones[0].rotation.times_s, animation.bones[0].rotation.times_s);
+    EXPECT_LT(measure_retarget(found, animation, map, from, to).angle_rad, 2e-6) << j;
+  }
+}
+
 TEST(retarget_animation, nothing_shifts_in_time) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
                  to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
