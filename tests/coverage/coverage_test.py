@@ -13,7 +13,7 @@ import coverage
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 COMPILER = sys.argv.pop()
-SOURCE, HEADER, UNUSED = 'runtime/halves.cpp', 'runtime/halves.h', 'runtime/linked_nowhere.cpp'
+SOURCE, HEADER, UNUSED = 'runtime/small.cpp', 'runtime/halves.h', 'runtime/unlinked.cpp'
 
 
 def flags_of_preset():
@@ -27,11 +27,11 @@ class CoverageTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.root = f'{HERE}/example'
-        for source in ('main.cpp', SOURCE, UNUSED):
+        for source in ('tests/main.cpp', SOURCE, UNUSED):
             object_ = f'{cls.folder.name}/{os.path.basename(source)}.o'
-            subprocess.run([COMPILER, *flags_of_preset(), '-std=c++20', '-c', f'{cls.root}/{source}', '-o', object_], check=True, cwd=cls.folder.name)
+            subprocess.run([COMPILER, *flags_of_preset(), '-std=c++20', f'-I{cls.root}', '-c', f'{cls.root}/{source}', '-o', object_], check=True, cwd=cls.folder.name)
         program = f'{cls.folder.name}/program'
-        subprocess.run([COMPILER, '--coverage', f'{cls.folder.name}/main.cpp.o', f'{cls.folder.name}/halves.cpp.o', '-o', program], check=True)
+        subprocess.run([COMPILER, '--coverage', f'{cls.folder.name}/main.cpp.o', f'{cls.folder.name}/small.cpp.o', '-o', program], check=True)
         subprocess.run([program], check=True)
         cls.lines, cls.branches = coverage.collect(cls.folder.name, cls.root)
 
@@ -47,7 +47,7 @@ class CoverageTest(unittest.TestCase):
 
     def test_lines_that_end_in_the_same_way_are_told_apart_and_objects_that_no_program_holds_count(self):
         self.assertEqual([(path, text) for path, text, _ in self.missed_texts()],
-                         [(SOURCE, 'return false;'), (UNUSED, 'int linked_nowhere(int x) {'), (UNUSED, 'x += 1;'), (UNUSED, 'return x;')])
+                         [(SOURCE, 'return false;'), (UNUSED, 'int unlinked(int x) {'), (UNUSED, 'x += 1;'), (UNUSED, 'return x;')])
 
     def test_branches_are_those_of_conditions_and_not_of_calls_that_may_throw(self):
         of = lambda path: sorted(taken for (p, _), of_line in self.branches.items() if p == path for taken in of_line)
@@ -55,7 +55,7 @@ class CoverageTest(unittest.TestCase):
         self.assertEqual(of(HEADER), [1, 1])  # each copy took one
 
     def test_an_entry_of_the_list_stands_for_what_follows_it_in_vain(self):
-        entry = (UNUSED, 'int linked_nowhere(int x) {')
+        entry = (UNUSED, 'int unlinked(int x) {')
         self.assertEqual([e for *_, e in self.missed_texts({entry: 'a reason'})], [None, entry, entry, entry])
 
     def test_the_table_adds_up_folders(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-int linked_nowhere(int x) {
+int unlinked(int x) {
   x += 1;
   return x;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "halves.h"
+#include "runtime/halves.h"
 
 int half_of_int(int x) { return half(x); }
 
