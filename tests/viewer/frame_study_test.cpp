@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 #include "tests/viewer/device_fixture.h"
+#include "viewer/study/study_scenes.h"
 
 namespace sinew::viewer {
 namespace {
@@ -43,6 +46,17 @@ TEST_F(frame_study, takes_whole_frames_of_a_doll_and_of_a_hundred_thousand_trian
       for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(times->all_ms[i], times->opaque_ms[i]) << "of all passes";
     }
   }
+}
+
+TEST_F(frame_study, counts_triangles_and_no_lines) {
+  Scene scene = sheet_of_balls(2);
+  scene.meshes[scene.instances[1].mesh].primitives[0].topology = Topology::lines;
+  const Still still(std::move(scene));
+  const FrameTrial trial =
+      study_frame(*test_device(), "a ball and lines", still.scene, still.buffer.result(), still.bounds, kSmall);
+  EXPECT_EQ(trial.triangles, 256u);
+  EXPECT_EQ(trial.draws, 2u);
+  EXPECT_EQ(trial.name, "a ball and lines");
 }
 
 TEST(frame_looks, are_those_that_the_study_says) {
