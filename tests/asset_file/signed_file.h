@@ -47,7 +47,8 @@ inline void sign_assets(std::span<std::byte> file) {
     const auto offset = number_at<std::uint64_t>(table, at + kEntryOffset),
                size = number_at<std::uint64_t>(table, at + kEntryStored);
     if (offset < kAssetHead + table.size() || offset > file.size() || size > file.size() - offset) continue;
-    sign_clips(file.subspan(offset, size));
+    if (number_at<std::uint32_t>(table, at + kEntryKind) == static_cast<std::uint32_t>(AssetKind::clips))
+      sign_clips(file.subspan(offset, size));  // a block of pages holds many, each with its own size and checksum
     put_number(table, at + kEntrySum, checksum(file.subspan(offset, size)));
   }
   put_number(file, 24, checksum(table));
