@@ -427,33 +427,6 @@ TEST(cost_command, takes_a_geometry_cache_and_compares_the_ways_to_keep_its_fram
   EXPECT_EQ(run_tool({"cost", cache, "--quick", "--clip", "0", "-o", out.string()}).status, 2);
 }
 
-TEST(cost_command, refuses_a_folder_that_holds_other_things) {
-  const ToolModelFile model;
-  const fs::path other = model.beside("photos");
-  fs::create_directory(other);
-  std::ofstream(other / "cat.jpg") << "meow";
-  const CommandOutcome refused = run_tool({"cost", model.path(), "--quick", "-o", other.string()});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("cat.jpg"));
-  EXPECT_EQ(text_of(other / "cat.jpg"), "meow");
-}
-
-TEST(cost_command, leaves_no_folder_behind_for_a_broken_file) {
-  const ToolModelFile model;
-  const fs::path broken = model.beside("broken.gltf"), out = model.beside("none");
-  std::ofstream(broken) << "{\"asset\": {";
-  EXPECT_EQ(run_tool({"cost", broken.string(), "-o", out.string()}).status, 1);
-  EXPECT_FALSE(fs::exists(out));
-}
-
-TEST(cost_command, refuses_wrong_usage_before_any_work) {
-  const ToolModelFile model;
-  EXPECT_EQ(run_tool({"cost", model.path()}).status, 2);
-  EXPECT_EQ(run_tool({"cost", model.path(), "-o", model.beside("no/such/folder")}).status, 2);
-  EXPECT_EQ(run_tool({"cost", model.path(), "--clip", "nobody", "-o", model.beside("x")}).status, 2);
-  EXPECT_EQ(run_tool({"cost", "--clip", "0", "-o", model.beside("x")}).status, 2);
-}
-
 TEST(cost_command, replaces_an_older_report_whole) {
   const ToolModelFile model;
   const fs::path out = model.beside("again/");
