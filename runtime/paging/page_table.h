@@ -46,9 +46,10 @@ inline std::size_t page_at(double time_s, double page_s, std::size_t page_count)
   return page;
 }
 
-/// Pages of a clip of this length, at least one.      in   page_s > 0
+/// Pages of a clip of this length, at least one. Pages too short to be counted are 2^53.
+/// in   duration_s  finite, not negative;   page_s  finite, above 0
 inline std::size_t page_count_of(double duration_s, double page_s) noexcept {
-  return std::max<std::size_t>(static_cast<std::size_t>(std::ceil(duration_s / page_s)), 1);
+  return static_cast<std::size_t>(std::clamp(std::ceil(duration_s / page_s), 1.0, 0x1p53));
 }
 
 /// The name that a page bears, so that one is not taken for another: "walk [3]".

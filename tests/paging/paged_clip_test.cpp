@@ -188,6 +188,8 @@ TEST(page_table, times_fall_on_the_page_that_has_their_keys) {
   EXPECT_EQ(page_count_of(4.0, 0.5), 8u);
   EXPECT_EQ(page_count_of(4.1, 0.5), 9u);
   EXPECT_EQ(page_count_of(0.0, 0.5), 1u);
+  EXPECT_EQ(page_count_of(1.0, 1e-300), std::size_t{1} << 53) << "as the table of a damaged file may say";
+  EXPECT_EQ(page_count_of(1e300, 5e-324), std::size_t{1} << 53) << "infinitely many";
   EXPECT_EQ(page_at(-1.0, 0.5, 8), 0u);
   EXPECT_EQ(page_at(0.49, 0.5, 8), 0u);
   EXPECT_EQ(page_at(0.5, 0.5, 8), 1u) << "of two pages the later one";
