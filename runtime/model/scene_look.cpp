@@ -22,7 +22,8 @@ std::span<float> components_of(Camera& camera, PropertyKind kind) noexcept {
     case PropertyKind::camera_half_width: return numbers(camera.half_width);
     case PropertyKind::camera_half_height: return numbers(camera.half_height);
     case PropertyKind::camera_near: return numbers(camera.near_m);
-    default: return numbers(camera.far_m);  // the last of a camera's
+    case PropertyKind::camera_far: return numbers(camera.far_m);
+    default: return {};
   }
 }
 
@@ -32,7 +33,8 @@ std::span<float> components_of(Light& light, PropertyKind kind) noexcept {
     case PropertyKind::light_intensity: return numbers(light.intensity);
     case PropertyKind::light_range: return numbers(light.range_m);
     case PropertyKind::light_inner_cone: return numbers(light.inner_cone_rad);
-    default: return numbers(light.outer_cone_rad);  // the last of a light's
+    case PropertyKind::light_outer_cone: return numbers(light.outer_cone_rad);
+    default: return {};
   }
 }
 
@@ -48,7 +50,8 @@ std::span<float> components_of(Material& material, const PropertyTarget& target)
     case PropertyKind::alpha_cutoff: return numbers(material.alpha_cutoff);
     case PropertyKind::texture_offset: return numbers(texture_of(material, target.slot).offset);
     case PropertyKind::texture_rotation: return numbers(texture_of(material, target.slot).rotation_rad);
-    default: return numbers(texture_of(material, target.slot).scale);  // the last of a material's
+    case PropertyKind::texture_scale: return numbers(texture_of(material, target.slot).scale);
+    default: return {};
   }
 }
 
