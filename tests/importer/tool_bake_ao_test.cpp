@@ -186,6 +186,20 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   EXPECT_EQ(run_tool({"bake-ao", folder.beside("none.glb"), "-o", out}).status, 1);
 }
 
+TEST(bake_ao, a_clip_that_lasts_no_time_has_no_key_poses) {
+  const ToolModelFile folder;
+  const std::string in = folder.beside("still.gltf");
+  Json gltf = Json::parse(std::ifstream(write_flap(folder)));
+  const Json sampler = gltf["animations"][0]["samplers"][0];
+  for (const char* side : {"input", "output"}) gltf["accessors"][sampler[side].get<std::size_t>()]["count"] = 1;
+  gltf["accessors"][sampler["input"].get<std::size_t>()]["max"] = {0};
+  std::ofstream(in) << gltf.dump();
+  const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", folder.beside("out.glb"), "--key-poses", "4"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--key-poses: clip \"fold\" lasts no time: --pose bakes its one pose, --clip "
+                                     "names another"));
+}
+
 TEST(bake_ao, images_are_not_looked_at_and_what_may_be_lost_has_to_be_named) {
   const ToolModelFile folder;
   const std::string in = folder.beside("images.gltf"), out = folder.beside("out.glb");

@@ -66,8 +66,8 @@ tl::expected<VertexAccess, std::string> key_poses(const BakeAoOptions& options, 
   const Animation& clip = scene.animations[access.clip];
   access.times_s = key_pose_times(clip.duration_s, options.key_poses);
   if (access.times_s.size() == 1)
-    return tl::unexpected(
-        fmt::format("--key-poses: clip \"{}\" lasts no time, so it has one pose (--pose)", clip.name));
+    return tl::unexpected(fmt::format(
+        "--key-poses: clip \"{}\" lasts no time: --pose bakes its one pose, --clip names another", clip.name));
   return access;
 }
 
