@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/c/handles.h"
+#include "tests/c/c_frame.h"
 #include "tests/c/engine.h"
 #include "tests/scenes/hand_scenes.h"
 
@@ -227,19 +228,8 @@ TEST(c_bad_calls, root_tracks_refuse_what_does_not_exist) {
   sinew_library_destroy(library);
 }
 
-class c_bad_calls_of_a_plan : public testing::Test {
- protected:
-  c_bad_calls_of_a_plan() : scene{arm_scene()} {
-    EXPECT_EQ(sinew_plan_create(&scene, nullptr, &plan), SINEW_OK);
-    EXPECT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
-  }
-  ~c_bad_calls_of_a_plan() override {
-    sinew_frame_destroy(frame);
-    sinew_plan_destroy(plan);
-  }
-  sinew_scene scene;
-  sinew_plan* plan = nullptr;
-  sinew_frame* frame = nullptr;
+struct c_bad_calls_of_a_plan : CPlan {
+  c_bad_calls_of_a_plan() : CPlan(arm_scene()) {}
 };
 
 TEST_F(c_bad_calls_of_a_plan, interpolation_needs_a_plan_that_has_it) {
@@ -247,18 +237,18 @@ TEST_F(c_bad_calls_of_a_plan, interpolation_needs_a_plan_that_has_it) {
   sinew_frame_input input = sinew_default_input();
   input.next_layers = &layer;
   input.next_layer_count = 1;
-  EXPECT_EQ(sinew_run(frame, &input), SINEW_OK) << "not looked at while the factor is 0";
+  EXPECT_EQ(sinew_run(frame_, &input), SINEW_OK) << "not looked at while the factor is 0";
   input.interpolation_factor = 0.5f;
-  EXPECT_EQ(sinew_run(frame, &input), SINEW_UNSUPPORTED);
+  EXPECT_EQ(sinew_run(frame_, &input), SINEW_UNSUPPORTED);
   sinew_interpolated_input* interpolated = nullptr;
-  EXPECT_EQ(sinew_interpolated_input_create(plan, &interpolated), SINEW_UNSUPPORTED);
+  EXPECT_EQ(sinew_interpolated_input_create(plan_, &interpolated), SINEW_UNSUPPORTED);
   EXPECT_EQ(interpolated, nullptr);
 
   sinew_needs needs = sinew_default_needs();
   needs.flags |= SINEW_NEED_BETWEEN_UPDATES;
   sinew_plan* between = nullptr;
   sinew_frame* between_frame = nullptr;
-  ASSERT_EQ(sinew_plan_create(&scene, &needs, &between), SINEW_OK);
+  ASSERT_EQ(sinew_plan_create(&scene_, &needs, &between), SINEW_OK);
   ASSERT_EQ(sinew_frame_create(between, nullptr, &between_frame), SINEW_OK);
   EXPECT_EQ(sinew_run(between_frame, &input), SINEW_OK);
   for (const float bad : {-0.1f, 1.1f, std::nanf("")}) {
@@ -276,12 +266,12 @@ TEST_F(c_bad_calls_of_a_plan, interpolation_needs_a_plan_that_has_it) {
 
 TEST_F(c_bad_calls_of_a_plan, sockets_need_joints) {
   sinew_affine out;
-  const sinew_result* result = sinew_frame_result(frame);
-  EXPECT_EQ(sinew_world_of(plan, result, 0, nullptr, &out), SINEW_UNSUPPORTED) << "nothing was run";
-  ASSERT_EQ(sinew_run(frame, nullptr), SINEW_OK);
-  EXPECT_EQ(sinew_world_of(plan, result, 0, nullptr, &out), SINEW_OK);
-  EXPECT_EQ(sinew_world_of(plan, result, 3, nullptr, &out), SINEW_INDEX_OUT_OF_RANGE);
-  EXPECT_EQ(sinew_world_of(plan, result, 0, nullptr, nullptr), SINEW_NULL_ARGUMENT);
+  const sinew_result* result = sinew_frame_result(frame_);
+  EXPECT_EQ(sinew_world_of(plan_, result, 0, nullptr, &out), SINEW_UNSUPPORTED) << "nothing was run";
+  ASSERT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
+  EXPECT_EQ(sinew_world_of(plan_, result, 0, nullptr, &out), SINEW_OK);
+  EXPECT_EQ(sinew_world_of(plan_, result, 3, nullptr, &out), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(sinew_world_of(plan_, result, 0, nullptr, nullptr), SINEW_NULL_ARGUMENT);
   const sinew_scene prop{prop_scene()};
   sinew_plan* other = nullptr;
   ASSERT_EQ(sinew_plan_create(&prop, nullptr, &other), SINEW_OK);
@@ -291,7 +281,7 @@ TEST_F(c_bad_calls_of_a_plan, sockets_need_joints) {
 
 TEST_F(c_bad_calls_of_a_plan, held_inputs_that_are_asleep_stay_so) {
   sinew_held_input* held = nullptr;
-  ASSERT_EQ(sinew_held_input_create(plan, &held), SINEW_OK);
+  ASSERT_EQ(sinew_held_input_create(plan_, &held), SINEW_OK);
   sinew_frame_input now = sinew_default_input(), next = sinew_default_input();
   for (const std::uint32_t asleep : {1u, 0u, 1u}) {
     now.asleep = asleep;
@@ -303,7 +293,7 @@ TEST_F(c_bad_calls_of_a_plan, held_inputs_that_are_asleep_stay_so) {
 
 TEST_F(c_bad_calls_of_a_plan, levels_that_do_not_exist_are_refused) {
   sinew_held_input* held = nullptr;
-  ASSERT_EQ(sinew_held_input_create(plan, &held), SINEW_OK);
+  ASSERT_EQ(sinew_held_input_create(plan_, &held), SINEW_OK);
   sinew_frame_input input{.struct_size = sizeof(input)};
   EXPECT_EQ(sinew_held_input_next(held, nullptr, 3, 0, 0, &input), SINEW_UNSUPPORTED);
   input.struct_size = 3;
@@ -320,11 +310,11 @@ TEST_F(c_bad_calls_of_a_plan, levels_that_do_not_exist_are_refused) {
 TEST_F(c_bad_calls_of_a_plan, skeleton_lods_refuse_bad_numbers_and_other_scenes) {
   sinew_skeleton_lod* lod = nullptr;
   for (const double bad : {std::nan(""), kInfinite, -0.1})
-    EXPECT_EQ(sinew_skeleton_lod_create(&scene, bad, nullptr, 0, nullptr, &lod), SINEW_NOT_FINITE);
+    EXPECT_EQ(sinew_skeleton_lod_create(&scene_, bad, nullptr, 0, nullptr, &lod), SINEW_NOT_FINITE);
   const std::uint32_t clip = 7;
-  EXPECT_EQ(sinew_skeleton_lod_create(&scene, 0.1, &clip, 1, nullptr, &lod), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(sinew_skeleton_lod_create(&scene_, 0.1, &clip, 1, nullptr, &lod), SINEW_INDEX_OUT_OF_RANGE);
   EXPECT_EQ(lod, nullptr);
-  ASSERT_EQ(sinew_skeleton_lod_create(&scene, 100.0, nullptr, 0, nullptr, &lod), SINEW_OK);
+  ASSERT_EQ(sinew_skeleton_lod_create(&scene_, 100.0, nullptr, 0, nullptr, &lod), SINEW_OK);
   const sinew_scene prop{prop_scene()};
   sinew_needs needs = sinew_default_needs();
   needs.skeleton_lod = lod;
@@ -342,7 +332,7 @@ TEST_F(c_bad_calls_of_a_plan, jobs_refuse_numbers_that_make_no_sense) {
   }
   ASSERT_EQ(sinew_jobs_create(nullptr, &jobs), SINEW_OK);
   std::uint32_t character = 0;
-  ASSERT_EQ(sinew_jobs_add_character(jobs, plan, &character), SINEW_OK);
+  ASSERT_EQ(sinew_jobs_add_character(jobs, plan_, &character), SINEW_OK);
   EXPECT_EQ(sinew_jobs_latest(jobs, 1), nullptr);
   EXPECT_EQ(sinew_jobs_wait(jobs, 9), SINEW_INDEX_OUT_OF_RANGE);
   const std::vector<float> weights(100, 0.0f);

@@ -9,16 +9,14 @@
 
 namespace sinew::test {
 
-/// A scene, its plan, and a first frame of it, through the C interface.
-class CFrame : public testing::Test {
+/// A scene, its plan and a frame that nothing was run for, through the C interface.
+class CPlan : public testing::Test {
  protected:
-  explicit CFrame(Scene scene, const sinew_needs* needs = nullptr) : scene_{std::move(scene)} {
+  explicit CPlan(Scene scene, const sinew_needs* needs = nullptr) : scene_{std::move(scene)} {
     EXPECT_EQ(sinew_plan_create(&scene_, needs, &plan_), SINEW_OK);
     EXPECT_EQ(sinew_frame_create(plan_, nullptr, &frame_), SINEW_OK);
-    EXPECT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
-    result_ = sinew_frame_result(frame_);
   }
-  ~CFrame() override {
+  ~CPlan() override {
     sinew_frame_destroy(frame_);
     sinew_plan_destroy(plan_);
   }
@@ -26,6 +24,16 @@ class CFrame : public testing::Test {
   sinew_scene scene_;
   sinew_plan* plan_ = nullptr;
   sinew_frame* frame_ = nullptr;
+};
+
+/// With its first frame.
+class CFrame : public CPlan {
+ protected:
+  explicit CFrame(Scene scene, const sinew_needs* needs = nullptr) : CPlan(std::move(scene), needs) {
+    EXPECT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
+    result_ = sinew_frame_result(frame_);
+  }
+
   const sinew_result* result_ = nullptr;
 };
 
