@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which standard header brings in which other differs between compilers: what a file uses, it includes, or one of our
-// headers that it includes does.
+// Which standard header brings in which other differs between compilers, and precompiled headers bring more: what a
+// file uses, it includes, or one of our headers that it includes does.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -51,6 +51,10 @@ const std::map<std::string, std::string> kDeclares = {
     {"vector", "vector<"},
 };
 
+/// Names of the libraries whose headers are precompiled, and how the paths of those begin.
+const std::map<std::string, std::string> kLibraries = {
+    {"CLI::", "CLI/"}, {"fmt::", "fmt/"}, {"glm::", "glm/"}, {"nlohmann::", "nlohmann/"}, {"Vk[A-Z]", "vulkan/"}};
+
 /// Names that follow "std::" in a text, each with the sign after it, once.
 std::set<std::string> standard_names(const std::string& text) {
   static const std::regex name("std::([a-z_0-9]+.?)");
@@ -96,18 +100,33 @@ std::vector<std::string> missing_of(const std::string& text, const std::set<std:
   return missing;
 }
 
+std::vector<std::string> missing_libraries(const std::string& text, const std::set<std::string>& included) {
+  const std::string code = without_comments(text);
+  std::vector<std::string> missing;
+  for (const auto& [name, folder] : kLibraries) {
+    const auto header = included.lower_bound(folder);
+    const bool is_there = header != included.end() && header->starts_with(folder);
+    if (!is_there && std::regex_search(code, std::regex("\\b" + name))) missing.push_back(name + " without " + folder);
+  }
+  return missing;
+}
+
 TEST(standard_includes, what_a_file_uses_it_includes) {
   const std::vector<SourceFile> files = source_tree();
   Includes includes(files);
   for (const SourceFile& file : files)
-    for (const std::string& what : missing_of(file.text, includes.of(file.path)))
-      ADD_FAILURE() << file.path << ": " << what;
+    for (const auto& missing :
+         {missing_of(file.text, includes.of(file.path)), missing_libraries(file.text, includes.of(file.path))})
+      for (const std::string& what : missing) ADD_FAILURE() << file.path << ": " << what;
 }
 
 TEST(standard_includes, a_use_without_its_header_is_seen) {
   EXPECT_EQ(missing_of("std::uint32_t n = 0; std::sort(a, b);", {"algorithm"}),
             std::vector<std::string>{"std::uint32_t  without <cstdint>"});
   EXPECT_TRUE(missing_of("// std::map<int, int>\nstd::size_t n;", {}).empty());
+  EXPECT_EQ(missing_libraries("glm::vec3 v; // fmt::format", {"algorithm", "gl.h", "gmock/gmock.h"}),
+            std::vector<std::string>{"glm:: without glm/"});
+  EXPECT_TRUE(missing_libraries("glm::vec3 v; VkImage image;", {"glm/vec3.hpp", "vulkan/vulkan.h"}).empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "tests/reference/ambient.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -26,6 +27,8 @@ Share share_at(int i, int count) {
   return {u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) / count};
 }
 
+double fifth_power(double x) { return x * x * (x * x) * x; }
+
 struct Layer {
   glm::dvec3 once, again;
 };
@@ -41,6 +44,11 @@ Layer layer(const glm::dvec3& f0, double f90, const glm::dvec2& sums) {
 
 glm::dvec2 reflected_once(double n_v, double roughness) {
   constexpr int angles = 96, turns = 16;
+  static const auto turned = [] {  // each sum has the same turns, and a picture has a sum for each sample
+    std::array<double, turns> cosines;
+    for (int j = 0; j < turns; ++j) cosines[j] = std::cos(std::numbers::pi * (j + 0.5) / turns);
+    return cosines;
+  }();
   const double alpha = roughness * roughness, z = std::max(n_v, 1e-6), x = std::sqrt(1.0 - z * z);
   const double a2 = alpha * alpha;
   glm::dvec2 sum(0.0);
@@ -48,12 +56,12 @@ glm::dvec2 reflected_once(double n_v, double roughness) {
     const Share share = share_at(i, angles);
     const double n_h = half_vector_cosine(share.s, alpha), sine = std::sqrt(1.0 - n_h * n_h);
     for (int j = 0; j < turns; ++j) {
-      const double v_h = x * sine * std::cos(std::numbers::pi * (j + 0.5) / turns) + z * n_h;
+      const double v_h = x * sine * turned[j] + z * n_h;
       const double n_l = 2.0 * v_h * n_h - z;
       if (v_h <= 0.0 || n_l <= 0.0) continue;
       const double visibility =
           0.5 / (n_l * std::sqrt(z * z * (1.0 - a2) + a2) + z * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
-      const double part = 4.0 * visibility * v_h * n_l / n_h * share.weight / turns, edge = std::pow(1.0 - v_h, 5.0);
+      const double part = 4.0 * visibility * v_h * n_l / n_h * share.weight / turns, edge = fifth_power(1.0 - v_h);
       sum += part * glm::dvec2(1.0 - edge, edge);
     }
   }

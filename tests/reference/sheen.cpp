@@ -2,12 +2,14 @@
 #include "tests/reference/sheen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace sinew::reference {
 namespace {
@@ -41,14 +43,21 @@ double sheen_lobe(double n_v, double n_l, double n_h, double roughness) {
 
 double sheen_albedo(double n_v, double roughness) {
   constexpr int heights = 60, turns = 24;
+  static const auto turned = [] {
+    std::array<glm::dvec2, turns> directions;
+    for (int j = 0; j < turns; ++j) {
+      const double turn = std::numbers::pi * (j + 0.5) / turns;
+      directions[j] = {std::cos(turn), std::sin(turn)};
+    }
+    return directions;
+  }();
   const double z = std::max(n_v, 1e-4);
   const glm::dvec3 v(std::sqrt(1.0 - z * z), 0.0, z);
   double sum = 0.0;
   for (int i = 0; i < heights; ++i)
     for (int j = 0; j < turns; ++j) {
-      const double u = (i + 0.5) / heights, n_l = u * u, turn = std::numbers::pi * (j + 0.5) / turns;
-      const double across = std::sqrt(1.0 - n_l * n_l);
-      const glm::dvec3 l(across * std::cos(turn), across * std::sin(turn), n_l);
+      const double u = (i + 0.5) / heights, n_l = u * u;
+      const glm::dvec3 l(turned[j] * std::sqrt(1.0 - n_l * n_l), n_l);
       sum += sheen_lobe(z, n_l, glm::normalize(v + l).z, roughness) * n_l * 2.0 * u * 2.0 * std::numbers::pi;
     }
   return sum / (heights * turns);

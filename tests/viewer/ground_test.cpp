@@ -38,7 +38,7 @@ RenderOptions options_for(GroundLook look) {
   options.ao.on = false;
   options.lighting.key = {1.2f, 1.0f, 0.9f};
   options.lighting.to_key = {-0.7f, 0.8f, -0.35f};
-  options.lighting.environment = gradient_environment({});
+  options.lighting.environment = plain_environment();
   options.shadows = {true, bounds()};
   options.transparent_background = true;
   options.ground.look = look;
