@@ -40,5 +40,5 @@ function(sinew_headers_alone folder)
   target_compile_options(sinew-headers-alone-${name} PRIVATE -O0)   # nothing of them is ever run
   add_test(NAME architecture/header_alone.${name}
     COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target sinew-headers-alone-${name})
-  set_tests_properties(architecture/header_alone.${name} PROPERTIES RESOURCE_LOCK build_folder TIMEOUT 600)
+  set_tests_properties(architecture/header_alone.${name} PROPERTIES RESOURCE_LOCK build_folder TIMEOUT 600 COST 20)
 endfunction()
