@@ -8,11 +8,14 @@
 
 #include "runtime/animation/skeleton_signature.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/clip/unpack_clip.h"
 #include "tests/asset_file/full_scene.h"
 #include "tests/asset_file/played_frames.h"
 #include "tests/scenes/hand_scenes.h"
+#include "tests/support/allocation_counter.h"
 #include "tests/support/scene_equality.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
@@ -200,6 +203,51 @@ TEST(read_assets, clips_of_other_morph_weights_are_refused_by_their_number) {
   EXPECT_EQ(added.error().rule, "asset-binding");
   EXPECT_THAT(added.error().detail, testing::HasSubstr("\"smile\" was compiled for 2 morph weights, the scene has 0"));
   EXPECT_TRUE(plain.clips.empty());
+}
+
+TEST(read_assets, clips_whose_weights_lie_otherwise_in_the_instances_of_the_scene_are_refused) {
+  const Scene face = face_scene();
+  Scene two = face;  // as many weights, of two instances
+  two.instances.push_back(two.instances[0]);
+  two.first_weight = {0, 1, 2};
+  two.clips.clear();
+  two.animations.clear();
+  const auto added = add_clips(opened(write_asset_file(face, {.skeleton = false, .model = false})), two);
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().rule, "asset-binding");
+  EXPECT_THAT(added.error().detail, testing::HasSubstr("\"smile\" moves a part of a property, or weights of two"));
+  EXPECT_TRUE(two.clips.empty());
+}
+
+/// Joints that turn at many keys and take no bits for it: little in a file, and much as keys.
+Scene scene_of_many_small_keys(std::uint32_t joints, std::uint32_t keys) {
+  Scene scene;
+  scene.skeleton = skeleton_of(std::vector<std::uint32_t>(joints, kNone));
+  finish_scene(scene);
+  std::vector<float> times_s;
+  for (std::uint32_t k = 0; k < keys; ++k) times_s.push_back(static_cast<float>(k));
+  TrackBlock block = block_of(Property::rotation, Interpolation::linear, joints);
+  for (std::uint32_t j = 0; j < joints; ++j) block.targets.push_back(j);
+  block.places = JointPlaces(block.targets);
+  block.packed = packed_rows(std::vector<PackedTrack>(joints, {.components = 4, .derived = 3}), keys);
+  ClipLayout layout = clip_of(Animation{.name = "much"}, scene.skeleton).layout();
+  layout.duration_s = keys;
+  layout.groups.push_back({KeyTimes(times_s), {block}});
+  scene.clips = {clip_of(layout)};
+  return scene;
+}
+
+TEST(read_assets, clips_that_take_far_more_memory_as_keys_than_in_the_file_are_refused) {
+  for (const std::uint32_t keys : {2u, 2000u}) {
+    const Bytes file = write_asset_file(scene_of_many_small_keys(1000, keys));
+    const PeakMemory peak;
+    const auto read = read_scene(opened(file));
+    ASSERT_EQ(read.has_value(), keys == 2) << (read ? "" : describe(read.error()));
+    if (read) continue;
+    EXPECT_EQ(describe(read.error()),
+              "asset-memory in block clips, byte 0: the keys of the clips take far more memory than their bytes");
+    EXPECT_LT(peak.bytes(), 20 * file.size());
+  }
 }
 
 TEST(read_assets, a_body_of_other_proportions_plays_the_clips_of_its_skeleton) {

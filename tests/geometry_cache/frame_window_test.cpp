@@ -114,6 +114,24 @@ TEST_F(frame_window, a_failed_read_is_asked_for_again) {
   expect_shown(decoder, 0);
 }
 
+TEST_F(frame_window, that_waits_for_all_of_its_reads_asks_for_nothing_more) {
+  disk_.at_once = false;
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 3);
+  window.prefetch(0);
+  ASSERT_EQ(window.pending_reads(), 3u);
+  const std::uint64_t asked = window.bytes_asked();
+  window.prefetch(8);  // a seek, before anything came
+  EXPECT_EQ(decoder.decode(8, window), GeometryStatus::not_there);
+  EXPECT_EQ(window.bytes_asked(), asked);
+  EXPECT_EQ(disk_.reads, 3u);
+  disk_.deliver(100);
+  window.prefetch(8);
+  disk_.deliver(100);
+  EXPECT_EQ(decoder.decode(8, window), GeometryStatus::ok);
+  expect_shown(decoder, 8);
+}
+
 TEST_F(frame_window, two_caches_share_one_reader) {
   disk_.at_once = false;
   GeometryDecoder one(cache_), other(cache_);

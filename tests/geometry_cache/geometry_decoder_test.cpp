@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
@@ -141,6 +142,22 @@ TEST_F(geometry_decoder, time_that_goes_on_by_parts_of_a_frame_decodes_each_fram
   for (double at = 0.0; at < 39.0; at += 0.1)
     ASSERT_EQ(decoder.decode_time(at * cache_.frame_s(), source_), GeometryStatus::ok);
   EXPECT_EQ(decoder.frames_decoded(), 40u);
+}
+
+TEST_F(geometry_decoder, moved_to_another_place_it_goes_on_with_the_frame_that_it_holds) {
+  ASSERT_EQ(decoder_.decode_time(cache_.start_s() + 11.25 * cache_.frame_s(), source_), GeometryStatus::ok);
+  const Points shown = points();
+  GeometryDecoder moved(std::move(decoder_));
+  EXPECT_EQ(moved.frame(), 12u);
+  EXPECT_EQ(moved.part(), 0.25f);
+  Points out(shown.size());
+  ASSERT_EQ(moved.write_points(0, out), GeometryStatus::ok);
+  EXPECT_TRUE(same_bits<glm::vec3>(out, shown));
+  const std::uint64_t before = moved.frames_decoded();
+  ASSERT_EQ(moved.decode(13, source_), GeometryStatus::ok);
+  EXPECT_EQ(moved.frames_decoded(), before + 1);
+  ASSERT_EQ(moved.write_points(0, out), GeometryStatus::ok);
+  EXPECT_TRUE(same_bits<glm::vec3>(out, forward_[13]));
 }
 
 TEST_F(geometry_decoder, bad_calls_change_nothing) {

@@ -189,6 +189,37 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
   EXPECT_GT(left_out, 12u);
 }
 
+/// Vertices between two joints half a turn apart: rounding decides to which side dual quaternions bend them.
+Scene half_turn_scene(std::uint64_t seed) {
+  FixedRandom random(seed);
+  Scene scene;
+  scene.skeleton = chain_skeleton(4);
+  scene.skeleton.rest[2].rotation = random.rotation();
+  scene.skeleton.rest[3].rotation =
+      normalised(quat_conjugate(scene.skeleton.rest[2].rotation) * quat_xyzw(0.36f, 0.48f, 0.8f, 0.0f));
+  BoneAnimation turn{.joint = 1};
+  turn.rotation = random_rotations(random, Interpolation::linear, random_times(random, 20));
+  scene.animations.push_back(animation_of({turn}));
+  scene.meshes = arm_scene().meshes;
+  scene.skins.push_back({"half turn", {1, 3}, {Affine{}, Affine{}}, kNone});
+  scene.instances.push_back({.joint = 0, .mesh = 0, .skin = 0, .rest_weights = {}});
+  finish_scene(scene);
+  return scene;
+}
+
+TEST(compile_skeleton_lod, N17_nothing_is_left_out_where_its_rounding_bends_vertices_to_the_other_side) {
+  int bent = 0;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Scene scene = half_turn_scene(seed);
+    EXPECT_EQ(compile_skeleton_lod(scene, 1e-4).left_out, 2u) << "linear blending is indifferent to it";
+    const CompiledSkeletonLod within = compile_skeleton_lod(scene, 1e-4, {}, {.skinning = Skinning::dual_quaternion});
+    EXPECT_EQ(within.tolerance_m, 1e-4);
+    EXPECT_EQ(within.detail.kept.empty(), within.left_out == 0);
+    bent += within.left_out == 0;
+  }
+  EXPECT_GT(bent, 1);
+}
+
 TEST(compile_skeleton_lod, a_skeleton_without_meshes_is_measured_at_its_shell) {
   Scene scene = clenched_scene({quat_identity<float>(), normalised(quat_xyzw(0.0f, 0.0f, 0.1f, 1.0f))});
   scene.instances.clear();

@@ -203,6 +203,24 @@ TEST(paged_files, a_table_that_leaves_pages_out_is_refused) {
       << error_of(file);
 }
 
+TEST(paged_files, tables_of_more_or_fewer_clips_than_the_file_has_are_refused) {
+  const Scene scene = full_scene(1);
+  const Bytes file = paged_file(scene);
+  const AssetFile opened = *AssetFile::open(file);
+  const auto heads = read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys);
+  ASSERT_TRUE(heads);
+  ASSERT_TRUE(join_pages(opened, *heads));
+  std::vector<Clip> fewer = *heads, more = *heads;
+  fewer.pop_back();
+  more.push_back(more.front());
+  for (const std::vector<Clip>& clips : {fewer, more}) {
+    const auto joined = join_pages(opened, clips);
+    ASSERT_FALSE(joined);
+    EXPECT_EQ(describe(joined.error()),
+              "asset-value in block pages, byte 0: there are tables of more or fewer clips than the file has");
+  }
+}
+
 TEST(paged_files, short_clips_stay_whole_beside_long_ones) {
   Scene scene = full_scene(3);
   ASSERT_EQ(scene.clips.size(), 2u);
@@ -288,6 +306,30 @@ TEST(paged_files, tables_that_make_no_sense_are_refused) {
   for (const double page_s : {0.0, -1.0, std::nan(""), HUGE_VAL})
     EXPECT_NE(with(8, page_s).find("the length of pages is not a time"), std::string::npos) << page_s;
   EXPECT_NE(with(32, std::uint64_t{1} << 60).find("pages do not lie one after another"), std::string::npos);
+}
+
+TEST(paged_files, a_table_of_pages_that_has_none_is_refused) {
+  Bytes file = paged_file(full_scene(1));
+  const std::uint64_t table = AssetFile::open(file)->find(AssetKind::pages)->offset;
+  ASSERT_EQ(number_at<std::uint64_t>(file, table + 16), 6u) << "offsets of the first table";
+  const auto put = [&](std::uint64_t at, auto number) { put_number(file, table + at, number); };
+  put(0, std::uint64_t{3});
+  put(16, std::uint64_t{1});  // its first offset alone; the others become a table between the two
+  put(40, 1.0);
+  put(48, std::uint64_t{2});
+  put(56, std::uint64_t{0});
+  sign_assets(file);
+  EXPECT_NE(error_of(file).find("a clip has pages, but none is there"), std::string::npos) << error_of(file);
+}
+
+TEST(paged_files, keys_that_are_packed_as_a_whole_are_refused) {
+  Bytes file = paged_file(full_scene(1));
+  const AssetFile opened = *AssetFile::open(file);
+  const auto keys = static_cast<std::size_t>(opened.find(AssetKind::page_keys) - opened.blocks().data());
+  put_number(file, kAssetHead + keys * kAssetEntry + kEntryStorage, std::uint32_t{1});
+  sign_assets(file);
+  EXPECT_EQ(error_of(file), "asset-value in block page_keys, byte 0: the block is packed");
+  EXPECT_EQ(read_page_tables(*AssetFile::open(file)).error().detail, "the block is packed");
 }
 
 TEST(paged_files, pages_of_another_skeleton_are_refused) {

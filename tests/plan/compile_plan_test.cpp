@@ -287,6 +287,22 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
   EXPECT_EQ(stage(plan, "skin_linear").reason, "no vertices are asked for");
 }
 
+TEST(compile_plan, morphing_that_is_left_out_says_whether_scene_or_needs_call_for_none) {
+  const auto reason = [](const Scene& scene, const Needs& needs) {
+    return stage(compile_plan(scene, needs), "morph").reason;
+  };
+  Scene turning = face_scene();
+  for (MorphTarget& target : turning.meshes[0].primitives[0].morphs.targets)
+    target = {.positions = {}, .normals = target.normals};
+  Needs joints, places;
+  joints.positions = joints.normals = joints.tangents = false;
+  places.normals = places.tangents = false;
+  EXPECT_EQ(reason(arm_scene(), {}), "no mesh instance has morph targets");
+  EXPECT_EQ(reason(face_scene(), joints), "no vertices are asked for");
+  EXPECT_EQ(reason(turning, places), "no target moves an attribute that is asked for");
+  EXPECT_EQ(reason(turning, {}), "1 primitive with targets that move something; targets of weight 0 cost nothing");
+}
+
 TEST(compile_plan, every_stage_says_why) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     RandomSceneOptions options;
