@@ -10,10 +10,10 @@
 #include <string>
 #include <thread>
 
+#include "viewer/app/actions.h"
 #include "viewer/app/bake_access.h"
 #include "viewer/app/frame.h"
 #include "viewer/app/framed_camera.h"
-#include "viewer/app/keys.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/reload/go_over.h"
@@ -80,7 +80,6 @@ class WindowLoop {
   void ask();
   void react(const Input& input);
   void act(Action action);
-  bool act_on_look(Action action);
   bool fit_swapchain();
   void grant_wishes();
   PanelFacts facts();
@@ -191,39 +190,15 @@ void WindowLoop::react(const Input& input) {
 }
 
 void WindowLoop::act(Action action) {
-  if (act_on_look(action)) return;
-  Playback& playback = shown_->playback();
+  if (apply(action, settings_) || apply(action, shown_->playback())) return;
   switch (action) {
-    case Action::toggle_play: playback.toggle(); break;
-    case Action::step_back: playback.step(-1); break;
-    case Action::step_forward: playback.step(+1); break;
-    case Action::faster: playback.faster(); break;
-    case Action::slower: playback.slower(); break;
-    case Action::toggle_loop: playback.next_mode(); break;
-    case Action::next_clip: playback.next(+1); break;
-    case Action::previous_clip: playback.next(-1); break;
-    case Action::next_scene: wished_exhibit_ = (exhibit_ + 1) % static_cast<std::uint32_t>(exhibits_.size()); break;
-    case Action::quit: window_.close(); break;
-    default: break;
-  }
-}
-
-bool WindowLoop::act_on_look(Action action) {
-  switch (action) {
-    case Action::toggle_ao: settings_.ambient_occlusion = !settings_.ambient_occlusion; return true;
-    case Action::toggle_ao_only: toggle_ao_only(settings_); return true;
-    case Action::next_show: next_show(settings_); return true;
-    case Action::next_ground: next_ground(settings_); return true;
-    case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
-    case Action::next_skinning: next_skinning(settings_); return true;
-    case Action::next_updates: next_updates(settings_); return true;
-    case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
-    case Action::toggle_plan: toggle_plan(settings_); return true;
     case Action::frame_all:
       leave_file_camera();
       frame_all();
-      return true;
-    default: return false;
+      break;
+    case Action::next_scene: wished_exhibit_ = (exhibit_ + 1) % static_cast<std::uint32_t>(exhibits_.size()); break;
+    case Action::quit: window_.close(); break;
+    default: break;
   }
 }
 
@@ -269,7 +244,7 @@ void WindowLoop::draw() {
     const bool room_changed = wishes.free != free_;
     free_ = wishes.free;
     if (room_changed && as_framed_) frame_all();
-    if (wishes.frame_all) act_on_look(Action::frame_all);
+    if (wishes.frame_all) act(Action::frame_all);
     if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
   });
   if (!drawn) return;
