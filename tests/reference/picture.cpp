@@ -19,6 +19,7 @@ namespace sinew::reference {
 namespace {
 
 using viewer::Lighting;
+using viewer::RenderOptions;
 using viewer::Show;
 using viewer::View;
 
@@ -111,6 +112,11 @@ glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   return light * static_cast<double>(picture.options.lighting.environment_intensity);
 }
 
+/// Without an environment the background is a plain colour whatever is asked for.
+bool environment_is_seen(const RenderOptions& options) {
+  return options.backdrop == viewer::Backdrop::sharp && options.lighting.ambient();
+}
+
 /// Cool to warm tone of a surface in the light of the first lamp, linear.
 glm::dvec3 tone_of(const PictureOf& picture, const SurfacePoint& point) {
   const glm::dvec3 base = each(glm::dvec3(base_color(picture.scene, point)), srgb_encoded);
@@ -147,7 +153,7 @@ void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, do
   const double most = std::max({colour.r, colour.g, colour.b}), unlit = (behind.coverage - behind.lit) * most;
   behind.light *= colour;
   behind.unlit *= colour;
-  if (picture.options.backdrop == viewer::Backdrop::sharp && !picture.options.transparent_background) {
+  if (environment_is_seen(picture.options) && !picture.options.transparent_background) {
     behind.light += gradient_behind(picture, x, y) * passed * alpha * (1.0 - behind.coverage);
     behind.coverage += alpha * (1.0 - behind.coverage);
   } else {
@@ -163,7 +169,7 @@ void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3
   const double roughness = roughness_at(picture.scene, point), most = std::max({passed.r, passed.g, passed.b});
   Layered seen = picture.blurred->at(x, y, roughness);
   const double unlit_share = most * seen.unlit_share();
-  if (picture.options.backdrop == viewer::Backdrop::sharp && !picture.options.transparent_background) {
+  if (environment_is_seen(picture.options) && !picture.options.transparent_background) {
     const AmbientGradient around{{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky), glm::dvec3(picture.ambient.ground)};
     const glm::dvec3 direction = glm::normalize(sight_line(picture, x, y).direction);
     seen.light += (1.0 - seen.coverage) * static_cast<double>(picture.options.lighting.environment_intensity) *
@@ -260,7 +266,7 @@ glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
   if (lit > 0.0) display = displayed(picture.options.lighting, light / lit) * lit / coverage;
   if (coverage > 0.0) display += unlit / coverage;
   if (picture.options.transparent_background) return {each(display, srgb_encoded), coverage};
-  const glm::dvec3 behind = picture.options.backdrop == viewer::Backdrop::sharp
+  const glm::dvec3 behind = environment_is_seen(picture.options)
                                 ? displayed(picture.options.lighting, gradient_behind(picture, x, y))
                                 : each(glm::dvec3(picture.options.background), srgb_decoded);
   return {each(display * coverage + behind * (1.0 - coverage), srgb_encoded), 1.0};

@@ -146,16 +146,23 @@ TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
   floor.row[1] = {0, 0, 1, -0.1f};
   floor.row[2] = {0, -1, 0, 0.4f};
   built.add(facing_square(0.4f), wall, floor);
-  Material glass = matte({0.7f, 0.7f, 0.7f});
-  glass.base_color.a = 0.5f;
-  glass.alpha_mode = AlphaMode::blend;
-  built.add(facing_square(0.8f, 0.05f), built.add_material(glass));
+  Material blends = matte({0.7f, 0.7f, 0.7f}), transmits = blends;
+  blends.base_color.a = 0.5f;
+  blends.alpha_mode = AlphaMode::blend;
+  transmits.transmission.factor = 0.5f;
+  const std::uint32_t glass = built.add_material(blends);
+  built.add(facing_square(0.8f, 0.05f), glass);
   RenderOptions with, without, ao;
   with.ao.radius_m = ao.ao.radius_m = 1.0f;
   without.ao.on = false;
   ao.show = Show::ao;
   EXPECT_LT(middle(draw(built, ao)).r, 0.95f) << "the wall behind is occluded";
-  EXPECT_LT(glm::length(middle(draw(built, with)) - middle(draw(built, without))), 1e-4f);
+  for (const Material& material : {blends, transmits})
+    for (const Transparency how : {Transparency::sorted, Transparency::weighted}) {
+      built.scene.materials[glass] = material;
+      with.transparency = without.transparency = how;
+      EXPECT_LT(glm::length(middle(draw(built, with)) - middle(draw(built, without))), 1e-4f);
+    }
 }
 
 TEST_F(drawing, double_sided_backs_are_lit_from_behind) {

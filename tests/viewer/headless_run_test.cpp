@@ -13,7 +13,6 @@
 #include "runtime/plan/run_plan.h"
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
-#include "samples/showcase/shapes.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/file_camera.h"
 #include "viewer/app/headless.h"
@@ -114,8 +113,8 @@ class headless_run : public DeviceTest {
     const AccessBlend access = exhibit.access ? access_blend(*exhibit.access, clip, time_s) : AccessBlend{};
     PngWriter writer;
     writer.write(folder_ / "b.png",
-                 renderer.render(frame.result(), view, look,
-                                 settings.skeleton ? lines : std::span<const LineVertex>(), settings.variant, access));
+                 renderer.render(frame.result(), view, look, settings.skeleton ? lines : std::span<const LineVertex>(),
+                                 settings.variant, access));
     EXPECT_TRUE(writer.finish().empty());
     return bytes_of(folder_ / "b.png");
   }
@@ -158,7 +157,8 @@ TEST_F(headless_run, looks_from_where_the_user_else_the_exhibit_says) {
   Options options = small_picture();
   options.time_s = 0.8;
   exhibit.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
-  EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, placed(exhibit, *exhibit.camera, exhibit.fov_y_rad), 0.8));
+  EXPECT_EQ(written(options, exhibit),
+            drawn(options, exhibit, placed(exhibit, *exhibit.camera, exhibit.fov_y_rad), 0.8));
   options.camera = PlacedCamera{{1, 6, 0.1f}, {1, 0, 0}};
   options.fov_y_deg = 30.0;
   EXPECT_EQ(written(options, exhibit),
@@ -171,7 +171,8 @@ TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_exhibit_says) {
   Options options = small_picture();
   options.time_s = 1.2;
   options.framing = Framing::pose;
-  const Framed pose = framed(Framing::pose, exhibit.scene, 0, 1.2), along = framed(Framing::follow, exhibit.scene, 0, 0);
+  const Framed pose = framed(Framing::pose, exhibit.scene, 0, 1.2),
+               along = framed(Framing::follow, exhibit.scene, 0, 0);
   EXPECT_EQ(written(options, exhibit),
             drawn(options, exhibit, orbiting(exhibit, pose.outline.points(), exhibit.fov_y_rad), 1.2));
   options.framing = Framing::follow;
@@ -190,8 +191,7 @@ TEST_F(headless_run, looks_through_a_camera_of_the_file_that_moves_with_the_clip
     Affine box;
     box.row[0].w = static_cast<float>(2.0 * time_s / kDuration_s);
     box.row[1].w = static_cast<float>(0.5 * time_s / kDuration_s);
-    const View view =
-        view_of_camera(exhibit.scene.cameras[0], box, kAspect, clip_extent(exhibit.scene, 0).reached);
+    const View view = view_of_camera(exhibit.scene.cameras[0], box, kAspect, clip_extent(exhibit.scene, 0).reached);
     EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, view, time_s)) << time_s;
   }
 }
