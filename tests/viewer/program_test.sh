@@ -65,6 +65,7 @@ ends 2 'excludes --watch' --watch bones.gltf --headless a.png
 ends 2 'FILE' --watch
 ends 3 'display' --watch bones.gltf
 
+VK_LAYER_PATH=/nowhere ends 3 'the validation layer is not installed' bones.gltf --validate --headless a.png
 ends 2 'no such camera' bones.gltf --camera 0 --headless a.png
 ends 2 'no such variant' bones.gltf --variant red --headless a.png
 printf '{"asset":{"version":"2.0"},"nodes":[{"translation":[0,1,0]},{"camera":0,"translation":[0,0,5]},{"camera":1,"translation":[0,0,5]}],' > cameras.gltf

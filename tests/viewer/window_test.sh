@@ -81,6 +81,10 @@ still() { settle && shot before && settle && shot "$1" && same before "$1"; }
 is_grey() { shot now && [ "$(convert "$pictures/now.ppm" -colorspace HSL -channel G -separate -format '%[fx:mean<0.02]' info:)" = 1 ]; }
 
 : > "$pictures/messages"
+VK_DRIVER_FILES=/nowhere.json VK_ICD_FILENAMES=/nowhere.json "$viewer" 2> "$pictures/messages"
+[ $? = 3 ] && grep -q 'no Vulkan driver for this display.*mesa-vulkan-drivers' "$pictures/messages" || fail "no driver, and no word of it"
+passed "without a driver it says which package has one"
+
 "$viewer" --validate --size 640x400 --scene 0 2> "$pictures/messages" &
 pid=$!
 eventually "the window opens" find_window
