@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "importer/tool/poses/compare_poses.h"
 
@@ -92,6 +93,27 @@ TEST(compare_poses, rotations_that_are_not_unit_in_the_golden_sample_widen_the_t
     pose.primitives[0].of(VertexKind::positions)[4] += 0.035;  // 0.01 + 1.5 * 0.01 * 2 m = 0.04 m
   };
   EXPECT_EQ(after(change).failed(), 0u);
+}
+
+TEST(compare_poses, tolerances_of_every_kind_grow_by_what_rotations_may_change) {
+  const std::pair<const char*, double& (*)(Pose&)> values[] = {
+      {"translation", [](Pose& p) -> double& { return p.nodes[0].world[13]; }},
+      {"rotation", [](Pose& p) -> double& { return p.nodes[0].world[1]; }},
+      {"weights", [](Pose& p) -> double& { return p.weights[0].weights[0]; }},
+      {"positions", [](Pose& p) -> double& { return p.primitives[0].of(VertexKind::positions)[0]; }},
+      {"normals", [](Pose& p) -> double& { return p.primitives[0].of(VertexKind::normals)[0]; }},
+      {"dqs", [](Pose& p) -> double& { return p.primitives[0].of(VertexKind::dqs)[0]; }}};
+  for (const auto& [name, value] : values) {
+    const auto failed = [&, value = value](double non_unit) {
+      return after([&](Pose& golden, Pose& pose) {
+               golden.non_unit = non_unit;
+               value(pose) += 0.02;
+             })
+          .failed();
+    };
+    EXPECT_EQ(failed(0.0), 1u) << name;
+    EXPECT_EQ(failed(0.02), 0u) << name;
+  }
 }
 
 TEST(compare_poses, keeps_the_worst_in_order) {

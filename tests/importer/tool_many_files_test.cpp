@@ -190,6 +190,17 @@ TEST(many_files, each_has_one_line_and_a_summary_follows) {
               ElementsAre(HasSubstr(" stages run, "), HasSubstr(" stages run, "), HasSubstr("2 files: ")));
 }
 
+TEST(many_files, the_summary_counts_cases_that_no_line_has) {
+  const ToolModelFile model;
+  const std::string file = model.beside("long.gltf"), broken = model.beside("broken.gltf");
+  nlohmann::json nodes = nlohmann::json::array();
+  for (int n = 0; n < 183; ++n) nodes.push_back({{"rotation", {0, 0, 0, 2}}});
+  write(file, nlohmann::json{{"asset", {{"version", "2.0"}}}, {"nodes", nodes}}.dump());
+  write(broken, kBroken);
+  EXPECT_THAT(run_tool({"check", file, broken, file}).out,
+              testing::EndsWith("1 error, 366 warnings, 0 infos; most often rotation-length x366, reference x1\n"));
+}
+
 TEST(many_files, json_is_one_document_a_line_also_for_those_that_fail) {
   const ToolModelFile model;
   const std::string broken = model.beside("broken.gltf");

@@ -68,6 +68,21 @@ TEST(pose_commands, G58_channels_of_default_weights_are_no_part_of_a_pose_file) 
   EXPECT_EQ(run_tool({"verify", model.path(), golden, "--exact"}).status, 0) << "and so does the command that compares";
 }
 
+TEST(pose_commands, times_are_those_of_the_rest_pose_too_where_it_is_named) {
+  const ToolModelFile model;
+  const auto times = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"sample", model.path(), "--times", "0.5,1.25"});
+    const json poses = json::parse(run_tool(arguments).out);
+    json out = json::array();
+    for (const json& clip : poses["clips"])
+      for (const json& sample : clip["samples"]) out.push_back({clip["clip"], sample["time"]});
+    return out;
+  };
+  EXPECT_EQ(times({"--clip", "none"}), (json{{nullptr, 0.5}, {nullptr, 1.25}}));
+  EXPECT_EQ(times({"--clip", "1"}), (json{{1, 0.5}, {1, 1.25}}));
+  EXPECT_EQ(times({}), (json{{nullptr, 0.0}, {0, 0.5}, {0, 1.25}, {1, 0.5}, {1, 1.25}}));
+}
+
 TEST(pose_commands, verify_says_missing_of_what_the_model_no_longer_has) {
   const ToolModelFile model;
   const std::string golden = model.beside("golden.json");

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/info/memory_kinds.h"
+#include "importer/tool/info/node_tree.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/messages.h"
@@ -46,6 +48,35 @@ TEST(tool_words, one_thing_is_not_many) {
   EXPECT_EQ(tool::counted(2, "clip"), "2 clips");
   EXPECT_EQ(tool::counted(1, "mesh"), "1 mesh");
   EXPECT_EQ(tool::counted(2, "mesh"), "2 meshes");
+}
+
+TEST(tool_tables, a_node_is_animated_by_whatever_moves_or_hides_it) {
+  Scene scene = arm_scene();
+  scene.skeleton.node_of_joint = {2, 0, 1};
+  scene.skeleton.joint_of_node = {1, 2, 0};
+  const auto animated_by = [&](const auto& add) {
+    Animation animation;
+    add(animation);
+    return tool::animated_nodes(scene, animation);
+  };
+  using Nodes = std::set<std::uint32_t>;
+  BoneAnimation bone;
+  bone.joint = 2;
+  EXPECT_EQ(animated_by([&](Animation& a) { a.bones = {bone}; }), Nodes{}) << "no track has keys";
+  const Vec3Track moved{Interpolation::linear, {0.0f}, {{1, 0, 0}}};
+  for (Vec3Track BoneAnimation::*track : {&BoneAnimation::translation, &BoneAnimation::scale}) {
+    BoneAnimation with = bone;
+    with.*track = moved;
+    EXPECT_EQ(animated_by([&](Animation& a) { a.bones = {with}; }), Nodes{1});
+  }
+  bone.rotation = {Interpolation::linear, {0.0f}, {glm::quat(1, 0, 0, 0)}};
+  EXPECT_EQ(animated_by([&](Animation& a) { a.bones = {bone}; }), Nodes{1});
+  EXPECT_EQ(animated_by([&](Animation& a) { a.weights.push_back({}); }), Nodes{0}) << "the instance's";
+  EXPECT_EQ(animated_by([&](Animation& a) {
+              a.properties.push_back({{PropertyKind::node_visible, 0}, {}});
+            }),
+            Nodes{2});
+  EXPECT_EQ(animated_by([&](Animation& a) { a.properties.push_back({{PropertyKind::base_color, 0}, {}}); }), Nodes{});
 }
 
 TEST(tool_tables, memory_has_every_kind_that_takes_some) {
