@@ -20,6 +20,9 @@ void expect_same(const MorphSet& a, const MorphSet& b) {
     expect_same(a.targets[t].normals, b.targets[t].normals, "normals");
     expect_same(a.targets[t].tangents, b.targets[t].tangents, "tangents");
     expect_same(a.targets[t].colors, b.targets[t].colors, "colors");
+    ASSERT_EQ(a.targets[t].texcoords.size(), b.targets[t].texcoords.size());
+    for (std::size_t s = 0; s < a.targets[t].texcoords.size(); ++s)
+      expect_same(a.targets[t].texcoords[s], b.targets[t].texcoords[s], "texcoords");
   }
 }
 
@@ -160,6 +163,8 @@ void expect_same_materials(const Scene& a, const Scene& b) {
     EXPECT_EQ(x.base_color, y.base_color);
     EXPECT_EQ(x.metallic, y.metallic);
     EXPECT_EQ(x.roughness, y.roughness);
+    EXPECT_EQ(x.normal_scale, y.normal_scale);
+    EXPECT_EQ(x.occlusion_strength, y.occlusion_strength);
     EXPECT_EQ(x.emissive, y.emissive);
     EXPECT_EQ(x.emissive_strength, y.emissive_strength);
     EXPECT_EQ(x.alpha_mode, y.alpha_mode);
@@ -181,6 +186,8 @@ void expect_same_materials(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.textures[i].image, b.textures[i].image);
     EXPECT_EQ(a.textures[i].sampler.magnify, b.textures[i].sampler.magnify);
     EXPECT_EQ(a.textures[i].sampler.minify, b.textures[i].sampler.minify);
+    EXPECT_EQ(a.textures[i].sampler.mipmap, b.textures[i].sampler.mipmap);
+    EXPECT_EQ(a.textures[i].sampler.use_mipmaps, b.textures[i].sampler.use_mipmaps);
     EXPECT_EQ(a.textures[i].sampler.wrap_u, b.textures[i].sampler.wrap_u);
     EXPECT_EQ(a.textures[i].sampler.wrap_v, b.textures[i].sampler.wrap_v);
   }
@@ -191,6 +198,9 @@ void expect_same_cameras_and_lights(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.cameras.size(); ++i) {
     EXPECT_EQ(a.cameras[i].name, b.cameras[i].name);
     EXPECT_EQ(a.cameras[i].joint, b.cameras[i].joint);
+    EXPECT_EQ(a.cameras[i].perspective, b.cameras[i].perspective);
+    EXPECT_EQ(a.cameras[i].half_width, b.cameras[i].half_width);
+    EXPECT_EQ(a.cameras[i].half_height, b.cameras[i].half_height);
     EXPECT_EQ(a.cameras[i].fov_y_rad, b.cameras[i].fov_y_rad);
     EXPECT_EQ(a.cameras[i].aspect, b.cameras[i].aspect);
     EXPECT_EQ(a.cameras[i].near_m, b.cameras[i].near_m);
@@ -217,6 +227,11 @@ void expect_equal(const Scene& before, const Scene& after) {
   expect_same_animations(before, after);
   expect_same_materials(before, after);
   expect_same_cameras_and_lights(before, after);
+  ASSERT_EQ(before.scenes.size(), after.scenes.size());
+  for (std::size_t s = 0; s < before.scenes.size(); ++s) {
+    EXPECT_EQ(before.scenes[s].name, after.scenes[s].name);
+    EXPECT_EQ(before.scenes[s].joints, after.scenes[s].joints);
+  }
   EXPECT_EQ(before.default_scene, after.default_scene);
 }
 

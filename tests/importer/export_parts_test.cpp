@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Each part of a scene alone goes into a .glb and comes back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "importer/export_glb.h"
+#include "importer/import_gltf.h"
+#include "tests/importer/rewritten.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/support/scene_equality.h"
+
+namespace sinew::test {
+namespace {
+
+ImportedFile round_trip(const Scene& scene, bool quiet = true) {
+  const auto bytes = export_glb(scene);
+  if (!bytes) throw std::runtime_error(describe("scene", bytes.error().issue));
+  auto file = import_gltf(*bytes, "round-trip.glb");
+  if (!file) throw std::runtime_error(describe("round-trip.glb", file.error().issue));
+  for (const ImportIssue& warning : file->warnings)
+    if (quiet) ADD_FAILURE() << describe("round-trip.glb", warning);
+  return *std::move(file);
+}
+
+void add_texture(Scene& scene) {
+  scene.images.push_back({"dot", 1, 1, {1, 2, 3, 255}, ""});
+  scene.textures.push_back({static_cast<std::uint32_t>(scene.images.size() - 1), {}});
+}
+
+TEST(export_parts, each_setting_of_a_material_alone) {
+  using Change = std::function<void(Material&)>;
+  std::vector<Change> changes{[](Material& m) { m.name = "name"; },
+                              [](Material& m) {
+                                m.base_color = {0.5f, 0.25f, 0.75f, 0.125f};
+                              },
+                              [](Material& m) { m.metallic = 0.25f; },
+                              [](Material& m) { m.roughness = 0.25f; },
+                              [](Material& m) {
+                                m.normal_texture.texture = 0;
+                                m.normal_scale = 0.25f;
+                              },
+                              [](Material& m) {
+                                m.occlusion_texture.texture = 0;
+                                m.occlusion_strength = 0.25f;
+                              },
+                              [](Material& m) {
+                                m.emissive = {0.5f, 0.25f, 0.75f};
+                              },
+                              [](Material& m) { m.emissive_strength = 3.0f; },
+                              [](Material& m) { m.alpha_mode = AlphaMode::blend; },
+                              [](Material& m) {
+                                m.alpha_mode = AlphaMode::mask;
+                                m.alpha_cutoff = 0.25f;
+                              },
+                              [](Material& m) { m.double_sided = true; },
+                              [](Material& m) { m.unlit = true; },
+                              [](Material& m) { m.specular.ior = 2.0f; },
+                              [](Material& m) { m.specular.factor = 0.5f; },
+                              [](Material& m) {
+                                m.specular.color = {0.5f, 0.25f, 2.0f};
+                              },
+                              [](Material& m) { m.clearcoat.factor = 0.5f; },
+                              [](Material& m) { m.clearcoat.roughness = 0.5f; },
+                              [](Material& m) {
+                                m.clearcoat.normal_texture.texture = 0;
+                                m.clearcoat.normal_scale = 0.5f;
+                              },
+                              [](Material& m) {
+                                m.sheen.color = {0.5f, 0.25f, 0.75f};
+                              },
+                              [](Material& m) { m.sheen.roughness = 0.5f; },
+                              [](Material& m) { m.transmission.factor = 0.5f; }};
+  const std::function<void(TextureUse&)> uses[] = {[](TextureUse&) {}, [](TextureUse& use) { use.texcoord = 1; },
+                                                   [](TextureUse& use) {
+                                                     use.offset = {0.5f, 0.25f};
+                                                   },
+                                                   [](TextureUse& use) { use.rotation_rad = 0.5f; },
+                                                   [](TextureUse& use) {
+                                                     use.scale = {2.0f, 0.5f};
+                                                   }};
+  Material any;
+  for (std::size_t slot = 0; slot < texture_uses(any).size(); ++slot)
+    for (const auto& change : uses)
+      changes.push_back([slot, change](Material& m) {
+        TextureUse& use = *texture_uses(m)[slot];
+        use.texture = 0;
+        change(use);
+      });
+  Scene scene = prop_scene();
+  add_texture(scene);
+  for (const Change& change : changes) change(scene.materials.emplace_back());
+  finish_scene(scene);
+  expect_equal(scene, round_trip(scene).scene);
+}
+
+TEST(export_parts, each_filter_and_each_wrap_of_a_texture) {
+  Scene scene = prop_scene();
+  for (const Filter filter : {Filter::nearest, Filter::linear}) {
+    for (const Filter mipmap : {Filter::nearest, Filter::linear}) {
+      add_texture(scene);
+      scene.textures.back().sampler = {Filter::linear, filter, mipmap, true, Wrap::repeat, Wrap::repeat};
+    }
+    add_texture(scene);
+    scene.textures.back().sampler = {filter, Filter::linear, Filter::nearest, false, Wrap::repeat, Wrap::repeat};
+    add_texture(scene);
+    scene.textures.back().sampler = {Filter::linear, filter, Filter::nearest, false, Wrap::repeat, Wrap::repeat};
+  }
+  for (const Wrap wrap : {Wrap::clamp_to_edge, Wrap::mirrored_repeat}) {
+    for (Wrap Sampler::*side : {&Sampler::wrap_u, &Sampler::wrap_v}) {
+      add_texture(scene);
+      scene.textures.back().sampler.*side = wrap;
+    }
+  }
+  finish_scene(scene);
+  ImportedFile after = round_trip(scene);
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    EXPECT_LE(after.scene.textures[i].image, i) << "equal images are one";
+    scene.textures[i].image = after.scene.textures[i].image;
+  }
+  after.scene.images = scene.images;
+  expect_equal(scene, after.scene);
+}
+
+/// A scene with all that a clip can move besides joints and weights.
+Scene movable() {
+  Scene scene = prop_scene();
+  add_texture(scene);
+  Material& material = scene.materials.emplace_back();
+  for (const TextureSlot slot : {TextureSlot::base_color, TextureSlot::metallic_roughness, TextureSlot::normal,
+                                 TextureSlot::occlusion, TextureSlot::emissive})
+    texture_in_slot(material, slot).texture = 0;
+  Camera camera;
+  camera.joint = 0;
+  camera.aspect = 1.5f;
+  camera.far_m = 10.0f;
+  scene.cameras.push_back(camera);
+  camera = {};
+  camera.perspective = false;
+  camera.far_m = 10.0f;
+  scene.cameras.push_back(camera);
+  Light light;
+  light.kind = Light::Kind::spot;
+  light.range_m = 5.0f;
+  light.joint = 0;
+  scene.lights.push_back(light);
+  return scene;
+}
+
+TEST(export_parts, each_property_that_a_clip_moves_alone) {
+  for (int k = 0; k <= static_cast<int>(PropertyKind::texture_scale); ++k) {
+    const auto kind = static_cast<PropertyKind>(k);
+    const bool flat = kind == PropertyKind::camera_half_width || kind == PropertyKind::camera_half_height;
+    const bool textured = kind >= PropertyKind::texture_offset;
+    for (int slot = 0; slot < (textured ? 5 : 1); ++slot) {
+      SCOPED_TRACE(testing::Message() << "kind " << k << ", slot " << slot);
+      Scene scene = movable();
+      const std::uint32_t components = component_count(kind);
+      WeightTrack track{Interpolation::linear, {0.0f, 0.5f}, {}, components};
+      for (std::uint32_t i = 0; i < 2 * components; ++i) track.values.push_back(0.125f * static_cast<float>(i + 1));
+      if (is_flag(kind)) track = {Interpolation::step, {0.0f, 0.5f}, {1.0f, 0.0f}, 1};
+      scene.animations.push_back(
+          {"move", 0.5, {}, {}, {{{kind, flat ? 1u : 0u, static_cast<TextureSlot>(slot)}, track}}});
+      finish_scene(scene);
+      ASSERT_EQ(check(scene), ErrorCode::ok);
+      expect_equal(scene, round_trip(scene).scene);
+    }
+  }
+}
+
+TEST(export_parts, weights_of_a_node_are_said_where_they_are_not_those_of_the_mesh) {
+  Scene scene = face_scene();
+  const auto node_of = [](const Scene& s) { return split_glb(*export_glb(s)).json["nodes"][0]; };
+  EXPECT_EQ(node_of(scene)["weights"], (Json{0.25, 0.0}));
+  scene.instances[0].rest_weights = scene.meshes[0].default_weights;
+  finish_scene(scene);
+  EXPECT_FALSE(node_of(scene).contains("weights"));
+}
+
+TEST(export_parts, a_clip_that_moves_one_weight_alone) {
+  for (const std::uint32_t target : {0u, 1u}) {
+    Scene scene = face_scene();
+    scene.animations[0].weights = {{0, {Interpolation::linear, {0.0f, 1.0f}, {0.25f, 0.75f}, 1}, target}};
+    finish_scene(scene);
+    expect_equal(scene, round_trip(scene).scene);
+  }
+}
+
+TEST(export_parts, several_meshes_on_one_joint_hang_on_nodes_below_it) {
+  Scene scene = face_scene();
+  scene.instances.push_back({.joint = 0, .mesh = 0, .skin = kNone, .rest_weights = {0.5f, 0.75f}});
+  scene.animations[0].weights[0].instance = 1;
+  finish_scene(scene);
+  const Scene after = round_trip(scene).scene;
+  ASSERT_EQ(after.skeleton.joint_count(), 2u);
+  ASSERT_EQ(after.instances.size(), 2u);
+  EXPECT_EQ(after.instances[0].joint, 0u);
+  EXPECT_EQ(after.instances[1].joint, 1u);
+  EXPECT_EQ(after.skeleton.parents[1], 0u);
+  EXPECT_EQ(after.skeleton.rest[1], Transform{});
+  EXPECT_EQ(after.instances[1].rest_weights, scene.instances[1].rest_weights);
+  ASSERT_EQ(after.animations[0].weights.size(), 1u);
+  EXPECT_EQ(after.animations[0].weights[0].instance, 1u);
+}
+
+TEST(export_parts, texture_coordinates_that_morph) {
+  Scene scene = face_scene();
+  Primitive& face = scene.meshes[0].primitives[0];
+  face.texcoords = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
+  for (MorphTarget& target : face.morphs.targets) target.texcoords.resize(2);
+  face.morphs.targets[0].texcoords[1] = {{0, 3}, {{0.5f, 0.25f}, {0.0f, -0.5f}}};
+  finish_scene(scene);
+  const Json file = split_glb(*export_glb(scene)).json;
+  const Json& targets = file["meshes"][0]["primitives"][0]["targets"];
+  EXPECT_TRUE(targets[0].contains("TEXCOORD_1"));
+  EXPECT_FALSE(targets[0].contains("TEXCOORD_0"));
+  const ImportedFile after = round_trip(scene, false);
+  const auto& moved = after.scene.meshes[0].primitives[0].morphs.targets[0].texcoords;
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_EQ(moved[1].vertices, (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_EQ(moved[1].deltas, face.morphs.targets[0].texcoords[1].deltas);
+}
+
+TEST(export_parts, flat_normals_are_made_by_who_reads_the_file) {
+  Scene scene = face_scene();
+  scene.meshes[0].primitives[0].flat_normals = true;
+  const Json file = split_glb(*export_glb(scene)).json;
+  const Json& primitive = file["meshes"][0]["primitives"][0];
+  EXPECT_FALSE(primitive["attributes"].contains("NORMAL"));
+  for (const Json& target : primitive["targets"]) EXPECT_FALSE(target.contains("NORMAL"));
+}
+
+}  // namespace
+}  // namespace sinew::test
