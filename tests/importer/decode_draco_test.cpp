@@ -144,6 +144,50 @@ TEST(decode_draco, G62_joints_take_the_type_of_the_accessor) {
   expect_decodes(grid_document(stream, gltf::ComponentType::u16));
 }
 
+TEST(decode_draco, numbers_take_every_type_that_holds_them) {
+  using Type = gltf::ComponentType;
+  const auto stream = encode_grid(draco::MESH_EDGEBREAKER_ENCODING);
+  for (const Type type : {Type::u8, Type::i16, Type::u16, Type::u32, Type::f32}) {
+    auto document = grid_document(stream, type);
+    IssueLog log;
+    DecodeBudget budget(1000);
+    decode_draco(document, budget, log);
+    ASSERT_TRUE(log.ok()) << static_cast<int>(type);
+    EXPECT_EQ(document.accessors[2].component_type, type);
+    const auto positions = read_floats(document, 1);
+    const auto joints = read_stored(document, 2);
+    ASSERT_EQ(joints.size(), 4 * kVertices);
+    for (std::size_t v = 0; v < kVertices; ++v) {
+      EXPECT_EQ(joints[4 * v], double(positions[3 * v])) << static_cast<int>(type);
+      EXPECT_EQ(joints[4 * v + 3], 255.0) << static_cast<int>(type);
+    }
+  }
+  const ImportIssue issue = error_of(grid_document(stream, Type::i8));
+  EXPECT_EQ(issue.rule, "decode-failed");
+  EXPECT_THAT(issue.detail, HasSubstr("JOINTS_0 does not fit the accessor's type")) << "255 in a signed byte";
+}
+
+TEST(decode_draco, G68_each_part_is_taken_from_the_budget_before_it_is_made) {
+  const auto stream = encode_grid(draco::MESH_SEQUENTIAL_ENCODING);
+  const std::uint64_t mesh = 12 * kFaces + 32 * kVertices, indices = 4 * 3 * kFaces, joints = 4 * kVertices,
+                      positions = 12 * kVertices, all = mesh + indices + joints + positions;
+  for (const std::uint64_t too_little : {mesh - 1, mesh + indices - 1, mesh + indices + joints - 1, all - 1}) {
+    auto document = grid_document(stream);
+    IssueLog log;
+    DecodeBudget budget(1000, too_little);
+    decode_draco(document, budget, log);
+    ASSERT_FALSE(log.ok()) << too_little;
+    const ImportIssue issue = log.take_error("").issue;
+    EXPECT_EQ(issue.rule, "memory-budget") << too_little;
+    EXPECT_EQ(issue.json_pointer, kPlace);
+  }
+  auto document = grid_document(stream);
+  IssueLog log;
+  DecodeBudget budget(1000, all);
+  decode_draco(document, budget, log);
+  EXPECT_TRUE(log.ok());
+}
+
 TEST(decode_draco, G62_accessor_views_are_ignored) {
   auto document = grid_document(encode_grid(draco::MESH_EDGEBREAKER_ENCODING));
   for (auto& accessor : document.accessors) {

@@ -264,6 +264,36 @@ TEST(document_rules, G56_scenes_and_their_roots) {
   EXPECT_TRUE(warns(import_gltf(bytes_of(inner), "x"), "scene-root", "/scenes/0/nodes/0"));
 }
 
+TEST(document_rules, G66_each_part_of_an_accessor_reads_its_buffer) {
+  const auto missing = [](int base, int indices, int values) {
+    Json file = Json::parse(R"({"asset": {"version": "2.0"},
+      "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="},
+        {"byteLength": 16}], "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 1, "byteLength": 4}],
+      "accessors": [{"componentType": 5126, "count": 1, "type": "SCALAR",
+        "sparse": {"count": 1, "indices": {"componentType": 5121}, "values": {}}}]})");
+    Json& accessor = file["accessors"][0];
+    accessor["bufferView"] = base;
+    accessor["sparse"]["indices"]["bufferView"] = indices;
+    accessor["sparse"]["values"]["bufferView"] = values;
+    return outcome(import_gltf(bytes_of(file.dump()), "x"));
+  };
+  EXPECT_EQ(missing(0, 0, 0), "ok");
+  EXPECT_EQ(missing(1, 0, 0), "buffer-missing at /buffers/1");
+  EXPECT_EQ(missing(0, 1, 0), "buffer-missing at /buffers/1");
+  EXPECT_EQ(missing(0, 0, 1), "buffer-missing at /buffers/1");
+}
+
+TEST(document_rules, a_sparse_accessor_without_replacements_is_its_base) {
+  const auto result = import_gltf(bytes_of(R"({"asset": {"version": "2.0"},
+      "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}],
+      "bufferViews": [{"buffer": 0, "byteLength": 16}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 1, "type": "SCALAR", "sparse": {"count": 0,
+        "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 0}}}]})"),
+                                  "x");
+  EXPECT_EQ(outcome(result), "ok");
+  EXPECT_TRUE(warns(result, "accessor-empty", "/accessors/0/sparse/count"));
+}
+
 TEST(document_rules, G66_a_missing_buffer_fails_only_who_reads_it) {
   const std::string unread = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]})";
   EXPECT_TRUE(warns(import_gltf(bytes_of(unread), "x"), "buffer-unread", "/buffers/0"));

@@ -52,6 +52,16 @@ TEST(glb_container, a_file_without_room_for_a_header_is_told_its_size) {
   EXPECT_EQ(log.take_error("x").issue.detail, "the file has 5 bytes, a header needs 12");
 }
 
+TEST(glb_container, a_chunk_needs_room_for_its_own_header) {
+  const std::string whole = chunk("JSON", "{}  ") + chunk(kBinType, "abcd");
+  for (const std::size_t more : {1u, 4u, 7u}) {
+    IssueLog log;
+    EXPECT_FALSE(open_glb(bytes_of(glb(whole + std::string(more, '\0'))), log)) << more;
+    EXPECT_EQ(log.take_error("x").issue.detail, "the chunk at byte 36 has no room for its header");
+  }
+  EXPECT_EQ(rule_of(glb(whole + chunk("WHAT", ""))), "ok") << "eight bytes are room enough";
+}
+
 TEST(glb_container, refuses_bad_headers) {
   const std::string chunks = chunk("JSON", "{}  ");
   EXPECT_EQ(rule_of(glb(chunks, 1)), "glb-header");

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "importer/read/specular_glossiness.h"
 #include "importer/read/textures.h"
 
@@ -190,6 +192,23 @@ TEST(read_materials, prefer_the_files_own_metallic_roughness_version) {
   const auto [m, warnings] = read_one(source);
   EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(m.roughness, 0.5f);
+}
+
+TEST(read_materials, each_part_of_metallic_roughness_is_a_version_of_the_files_own) {
+  const std::function<void(tinygltf::PbrMetallicRoughness&)> parts[] = {
+      [](auto& own) {
+        own.baseColorFactor = {1, 1, 0.5, 1};
+      },
+      [](auto& own) { own.metallicFactor = 0.5; }, [](auto& own) { own.roughnessFactor = 0.5; },
+      [](auto& own) { own.baseColorTexture.index = 0; }, [](auto& own) { own.metallicRoughnessTexture.index = 0; }};
+  for (const auto& change : parts) {
+    gltf::Material source;
+    change(source.pbrMetallicRoughness);
+    source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.125}})");
+    const auto [m, warnings] = read_one(source, 1);
+    EXPECT_THAT(warnings, IsEmpty()) << &change - parts;
+    EXPECT_NE(m.roughness, 0.875f) << &change - parts;
+  }
 }
 
 TEST(read_materials, refuse_a_specular_glossiness_texture_that_is_not_there) {

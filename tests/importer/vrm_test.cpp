@@ -34,6 +34,20 @@ TEST(vrm, a_file_without_it_has_none) {
   EXPECT_EQ(result->vrm, nullptr);
 }
 
+TEST(vrm, names_are_read_up_to_256_characters) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRMC_vrm"};
+  Json& vrm = file.root["extensions"]["VRMC_vrm"];
+  vrm = Json::parse(R"({"specVersion": "1.0"})");
+  const std::string longest(256, 'a'), longer(257, 'b');
+  for (const std::string& name : {longest, longer}) vrm["expressions"]["custom"][name] = Json::object();
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_THAT(result->vrm->expressions, SizeIs(1));
+  EXPECT_EQ(result->vrm->expressions[0].name, longest);
+  EXPECT_TRUE(warns(result, "extension-value", "/extensions/VRMC_vrm/expressions/custom"));
+}
+
 TEST(vrm, version_1_gives_bones_expressions_and_look_at) {
   TinyGltf file = character();
   file.root["extensionsUsed"] = {"VRMC_vrm"};

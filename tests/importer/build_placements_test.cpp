@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "importer/build/build_placements.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/importer/tiny_gltf.h"
+
+namespace sinew::test {
+namespace {
+
+using Details = std::vector<std::string>;
+
+struct ReadCamera {
+  Camera camera;
+  Details details;  ///< of the warnings, which are all of camera 0
+};
+
+/// Camera 0, in which `change` replaces what is usual.
+ReadCamera read_camera(const char* type, const Json& change) {
+  TinyGltf file;
+  Json lens = std::string(type) == "perspective" ? Json{{"yfov", 0.5}, {"znear", 0.25}}
+                                                 : Json{{"xmag", 2}, {"ymag", 3}, {"znear", 0.25}, {"zfar", 8}};
+  lens.update(change);
+  file.root["cameras"] = Json::array({{{"type", type}, {type, lens}}});
+  file.root["nodes"] = Json::array({{{"camera", 0}}});
+  const auto result = file.import();
+  EXPECT_EQ(outcome(result), "ok") << change;
+  ReadCamera out{result->scene.cameras.at(0), {}};
+  for (const ImportIssue& warning : result->warnings) {
+    EXPECT_EQ(warning.rule, "camera-values") << change;
+    EXPECT_EQ(warning.json_pointer, "/cameras/0") << change;
+    out.details.push_back(warning.detail);
+  }
+  return out;
+}
+
+TEST(build_cameras, right_values_are_read_without_a_word) {
+  const auto [wide, said] = read_camera("perspective", {{"aspectRatio", 1.5}, {"zfar", 4}});
+  EXPECT_EQ(said, Details{});
+  EXPECT_TRUE(wide.perspective);
+  EXPECT_EQ(wide.fov_y_rad, 0.5f);
+  EXPECT_EQ(wide.aspect, 1.5f);
+  EXPECT_EQ(wide.near_m, 0.25f);
+  EXPECT_EQ(wide.far_m, 4.0f);
+  EXPECT_EQ(read_camera("perspective", Json::object()).camera.far_m, 0.0f) << "infinite";
+  const auto [flat, nothing] = read_camera("orthographic", {{"znear", 0}, {"xmag", -2}});
+  EXPECT_EQ(nothing, Details{});
+  EXPECT_FALSE(flat.perspective);
+  EXPECT_EQ(flat.half_width, 2.0f) << "a negative one mirrors nothing here";
+  EXPECT_EQ(flat.half_height, 3.0f);
+  EXPECT_EQ(flat.near_m, 0.0f);
+  EXPECT_EQ(flat.far_m, 8.0f);
+}
+
+TEST(build_cameras, each_number_that_makes_no_picture_is_named_and_replaced) {
+  const Camera usual;
+  const auto replaced = [](const char* name, float value) {
+    return Details{std::string(name) + " is not above 0; " + std::to_string(value) + " is used"};
+  };
+  for (const double wrong : {0.0, -1.0}) {
+    const ReadCamera fov = read_camera("perspective", {{"yfov", wrong}});
+    EXPECT_EQ(fov.details, replaced("yfov", usual.fov_y_rad));
+    EXPECT_EQ(fov.camera.fov_y_rad, usual.fov_y_rad);
+    const ReadCamera near = read_camera("perspective", {{"znear", wrong}});
+    EXPECT_EQ(near.details, replaced("znear", usual.near_m));
+    EXPECT_EQ(near.camera.near_m, usual.near_m);
+    EXPECT_EQ(read_camera("perspective", {{"aspectRatio", wrong}}).camera.aspect, 0.0f) << "that of the window";
+  }
+  const ReadCamera width = read_camera("orthographic", {{"xmag", 0}}),
+                   height = read_camera("orthographic", {{"ymag", 0}});
+  EXPECT_EQ(width.details, replaced("xmag", usual.half_width));
+  EXPECT_EQ(width.camera.half_width, usual.half_width);
+  EXPECT_EQ(height.details, replaced("ymag", usual.half_height));
+  EXPECT_EQ(height.camera.half_height, usual.half_height);
+}
+
+TEST(build_cameras, a_far_plane_that_is_not_behind_the_near_one_is_none) {
+  const Details infinite{"zfar is not above znear; infinite is used"};
+  for (const char* type : {"perspective", "orthographic"}) {
+    for (const double far : {0.25, 0.125, -1.0}) {
+      const ReadCamera read = read_camera(type, {{"zfar", far}});
+      EXPECT_EQ(read.details, infinite) << type << far;
+      EXPECT_EQ(read.camera.far_m, 0.0f) << type << far;
+      EXPECT_EQ(read.camera.near_m, 0.25f) << type << far;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
