@@ -62,6 +62,17 @@ TEST(add_centers_of_rotation, leaves_alone_what_no_skin_moves_and_what_has_cente
   EXPECT_EQ(scene.meshes[0].primitives[0].centers_of_rotation, own);
 }
 
+TEST(add_centers_of_rotation, a_part_with_centers_keeps_them_beside_parts_without) {
+  Scene whole = surface(), cut = surface();
+  cut_in_two(cut.meshes[0]);
+  add_centers_of_rotation(whole);
+  const std::vector<glm::vec3> own(cut.meshes[0].primitives[0].vertex_count(), glm::vec3(7));
+  cut.meshes[0].primitives[0].centers_of_rotation = own;
+  add_centers_of_rotation(cut);
+  EXPECT_EQ(cut.meshes[0].primitives[0].centers_of_rotation, own);
+  EXPECT_EQ(cut.meshes[0].primitives[1].centers_of_rotation, whole.meshes[0].primitives[0].centers_of_rotation);
+}
+
 TEST(add_centers_of_rotation, progress_rises_once_over_all_meshes) {
   RandomSceneOptions options;
   options.meshes = 3;

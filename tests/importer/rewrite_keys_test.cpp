@@ -56,6 +56,18 @@ void keep_ends(Vec3Track& track) {
   track.values = {track.values.front(), track.values.back()};
 }
 
+TEST(rewrite_keys, samplers_go_with_their_last_channel_alone) {
+  TinyGltf gltf = moving();
+  Json spare = gltf.root["animations"][0]["samplers"][1];
+  spare["extras"] = "of no channel";
+  gltf.root["animations"][0]["samplers"].push_back(spare);
+  const Json samplers = rewritten_keys(gltf, [](auto& animations) {
+                          keep_ends(animations[0].bones[0].translation);
+                        }).json["animations"][0]["samplers"];
+  ASSERT_EQ(samplers.size(), 4u) << "the shared one stays for the channel that keeps its keys";
+  EXPECT_EQ(samplers[2]["extras"], "of no channel");
+}
+
 TEST(rewrite_keys, the_scenes_own_keys_change_no_byte) {
   const TinyGltf gltf = moving();
   const Rewritten same = rewritten_keys(gltf, [](auto&) {});

@@ -252,6 +252,21 @@ TEST(rewrite_streams, each_stream_takes_the_small_integers_and_the_filter_that_a
   }
 }
 
+TEST(rewrite_streams, rotations_that_are_colours_too_stay_floats) {
+  TinyGltf gltf = grid();
+  gltf.root["materials"] = Json::array({Json::object()});
+  gltf.root["animations"][0]["channels"].push_back(
+      {{"sampler", 0},
+       {"target",
+        {{"path", "pointer"},
+         {"extensions",
+          {{"KHR_animation_pointer", {{"pointer", "/materials/0/pbrMetallicRoughness/baseColorFactor"}}}}}}}});
+  for (const bool meshopt : {false, true}) {
+    const Json json = recoded(gltf, how(true, meshopt)).parts.json;
+    EXPECT_EQ(stored_as(json, json["animations"][0]["samplers"][0]["output"]).substr(0, 4), "5126") << meshopt;
+  }
+}
+
 TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles_keep_their_order) {
   const Both out = recoded(grid_without_sparse(), how(true, false));
   const Primitive &a = first(out.before), &b = first(out.after);

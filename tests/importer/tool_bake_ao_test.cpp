@@ -151,6 +151,20 @@ TEST(bake_ao, a_mesh_at_several_places_gets_the_mean_and_a_warning) {
   EXPECT_NEAR(access_in(out).values[0][0][0], 0.5f * (0.625f + 1.0f), 0.01f) << "here and far away";
 }
 
+TEST(bake_ao, copies_of_a_mesh_are_places_too) {
+  const ToolModelFile folder;
+  const std::string in = folder.beside("copies.gltf");
+  Json gltf = Json::parse(std::ifstream(write_flap(folder)));
+  const Json four_places = gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  gltf["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = four_places;
+  gltf["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  std::ofstream(in) << gltf.dump();
+  const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", folder.beside("out.glb"), "--rays", "4"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(in + ": /meshes/0: warning: is at 4 places; its vertices get the mean of them"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("/meshes/1")));
+}
+
 TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   const ToolModelFile folder;
   const std::string in = write_flap(folder), out = folder.beside("out.glb");
