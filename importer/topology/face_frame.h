@@ -31,9 +31,4 @@ inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) noexcept {
   return std::atan2(std::sqrt(glm::dot(normal, normal)), glm::dot(a, b));
 }
 
-/// Interior angle of the face at corner k, in radians.
-inline double corner_angle(const std::array<glm::dvec3, 3>& p, std::size_t k) noexcept {
-  return angle_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
-}
-
 }  // namespace sinew

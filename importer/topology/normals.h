@@ -13,13 +13,4 @@ namespace sinew {
 /// cost O(V + 3 F)
 void make_flat_normals(Primitive& primitive);
 
-/// Makes the normals of a rounded surface: at each vertex the normals of the faces around it, weighted by their angle
-/// there (Thuermer & Wuethrich 1998), so that the result does not depend on how a surface is cut into triangles.
-/// Vertices at one position share a normal where their faces meet along an edge, whatever their texture coordinates.
-/// Parts that touch only in a point, and sheets that meet at an edge with more than two faces, keep normals of their
-/// own. A vertex that needs several normals is split. Clears flat_normals. Points and lines are left alone.
-/// eq    n = sum(angle_f * n_f) / |...|, in double; where the sum is zero, the first face's normal, else +Z
-/// cost  O(F) expected
-void make_smooth_normals(Primitive& primitive);
-
 }  // namespace sinew

@@ -87,53 +87,8 @@ TEST(make_flat_normals, leave_lines_and_points_alone) {
     Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 3});
     p.topology = topology;
     make_flat_normals(p);
-    make_smooth_normals(p);
     EXPECT_TRUE(p.normals.empty());
     EXPECT_FALSE(p.flat_normals);
-  }
-}
-
-TEST(make_smooth_normals, of_a_cube_are_its_diagonals_however_its_sides_are_cut) {
-  Primitive p = test::cube();
-  make_smooth_normals(p);
-  EXPECT_EQ(p.vertex_count(), 8u);
-  for (std::size_t v = 0; v < 8; ++v) EXPECT_TRUE(is_near(p.normals[v], p.positions[v] / std::sqrt(3.0f), 2 * kEps));
-}
-
-TEST(make_smooth_normals, are_shared_across_texture_seams) {
-  Primitive p =
-      test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 1}}, {0, 1, 2, 3, 4, 5});
-  make_smooth_normals(p);
-  EXPECT_EQ(p.vertex_count(), 6u);
-  EXPECT_EQ(p.normals[0], p.normals[3]);
-  EXPECT_EQ(p.normals[2], p.normals[4]);
-  EXPECT_NE(p.normals[0], p.normals[1]);
-}
-
-TEST(make_smooth_normals, split_a_vertex_where_two_cones_touch) {
-  Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}, {0, 1, 2, 0, 3, 4});
-  make_smooth_normals(p);
-  EXPECT_EQ(p.vertex_count(), 6u);
-  EXPECT_EQ(p.normals[p.indices[0]], glm::vec3(0, 0, 1));
-  EXPECT_EQ(p.normals[p.indices[3]], glm::vec3(-1, 0, 0));
-}
-
-TEST(make_smooth_normals, of_opposite_sheets_take_a_face_instead_of_nothing) {
-  Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 1});
-  make_smooth_normals(p);
-  EXPECT_THAT(p.normals, testing::Each(glm::vec3(0, 0, 1)));
-}
-
-TEST(make_smooth_normals, of_random_soup_are_finite_and_of_unit_length) {
-  test::FixedRandom random(5);
-  for (int round = 0; round < 200; ++round) {
-    Primitive p;
-    for (std::uint32_t v = 0; v < 3 + random.below(10); ++v)
-      p.positions.push_back(glm::vec3(glm::ivec3(random.vec3() * 2.0f)));  // many equal, many in line
-    for (int i = 0; i < 45; ++i) p.indices.push_back(random.below(static_cast<std::uint32_t>(p.vertex_count())));
-    make_smooth_normals(p);
-    ASSERT_EQ(p.normals.size(), p.vertex_count());
-    for (const glm::vec3& n : p.normals) ASSERT_NEAR(glm::dot(n, n), 1.0f, 4 * kEps);
   }
 }
 
