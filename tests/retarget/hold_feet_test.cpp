@@ -117,6 +117,72 @@ TEST(hold_feet, hips_come_down_where_a_leg_is_too_short_and_feet_in_the_air_stay
   EXPECT_TRUE(test::is_near(translation_of(after[right_foot]), translation_of(before[right_foot]), 1e-9));
 }
 
+TEST(hold_feet, hips_come_down_by_a_fourth_of_the_targets_leg_at_most) {
+  for (const Build& build : {kSmall, Build{0.8, 0.9, 0.2, 0.1, 0.1}}) {
+    const Skeleton source = body({}, 1), target = body(build, 2);
+    Bodies b{source, target};
+    Animation animation;
+    add_key(source, 0.0, Vec3d(0), {}, animation);
+    TruthPose pose;
+    evaluate_truth(animation, source, 0.0, pose);
+    std::vector<Transformd> held(target.joint_count());
+    retarget_pose(b.map, source, target, pose.local, held);
+    const double before = held[hips].translation.y;
+    FeetMap feet = b.feet;
+    for (LegPair& leg : feet.legs) leg.target_foot.y -= 10.0;  // out of reach
+    hold_feet(feet, 0.0, pose.local, held);
+    EXPECT_NEAR(before - held[hips].translation.y, 0.25 * (build.thigh + build.shank), 1e-6);
+  }
+}
+
+TEST(hold_feet, hips_that_come_down_once_in_between_get_keys_for_all_of_it) {
+  Bodies b;
+  const auto stand = [&](double time_s, double forward, const LegAngles& angles, Animation& animation) {
+    Animation one;
+    add_key(b.source, 0.0, Vec3d(0), angles, one);
+    const double height = place_of(b.source, one, left_foot, 0.0).y - Build{}.ankle;
+    add_key(b.source, time_s, Vec3d(0, -height, forward), angles, animation);
+  };
+  Animation animation;
+  stand(0.0, 0.0, {0.3, 0.6, 0.0}, animation);
+  stand(0.5, 0.05, {0.5, 0.1, 0.0}, animation);  // both legs far ahead
+  stand(1.0, 0.0, {0.3, 0.6, 0.0}, animation);
+  const Animation plain = retarget_animation(animation, b.map, b.source, b.target);
+  Animation held = plain;
+  hold_feet(b.feet, animation, b.source, b.target, held);
+  const auto height = [&](const Animation& of, double time_s) { return place_of(b.target, of, hips, time_s).y; };
+  EXPECT_NEAR(height(held, 1.0), height(plain, 1.0), 1e-6);
+  EXPECT_LT(height(held, 0.5), height(plain, 0.5) - 0.002);
+}
+
+TEST(hold_feet, the_slide_is_the_mean_over_contacts_each_measured_by_itself) {
+  Bodies b;
+  Animation animation, slides;
+  for (int i = 0; i <= 40; ++i) {  // down, up and down again; the target slides while it is down first
+    const double up = i > 14 && i < 26 ? 0.5 : 0.0;
+    add_key(b.source, 0.025 * i, Vec3d(0, up, 0), {}, animation);
+    add_key(b.target, 0.025 * i, Vec3d(0.01 * std::min(i, 14), b.feet.ratio * up, 0), {}, slides);
+  }
+  const FootSlide slide = measure_foot_slide(b.feet, animation, b.source, slides, b.target);
+  EXPECT_EQ(slide.contacts, 8u);
+  EXPECT_NEAR(slide.largest, 0.14, 1e-6);
+  EXPECT_NEAR(slide.mean, 0.07, 1e-6) << "the second time it stands still";
+}
+
+TEST(hold_feet, toes_count_where_both_bodies_have_them) {
+  Bodies b;
+  for (const std::uint32_t without : {0u, 1u}) {
+    SkeletonMap map = b.map;
+    std::vector<LegJoints> legs = {{left_thigh, left_shank, left_foot, left_toes}};
+    if (without == 0) std::erase_if(map.joints, [](const MappedJoint& joint) { return joint.target == left_toes; });
+    if (without == 1) legs[0].toes = kNone;
+    const FeetMap feet = make_feet_map(map, b.source, b.target, legs);
+    ASSERT_EQ(feet.legs.size(), 1u);
+    EXPECT_EQ(feet.legs[0].source.toes, 0u);
+    EXPECT_EQ(feet.legs[0].target.toes, 0u);
+  }
+}
+
 TEST(hold_feet, hips_below_a_root_that_turns_and_scales_come_down_as_far) {
   Bodies b;
   const Skeleton below = below_a_root(b.target);

@@ -122,6 +122,42 @@ TEST(retarget_animation, one_joint_that_moves_among_others_that_rest_keeps_its_k
   }
 }
 
+TEST(retarget_animation, scales_come_from_the_joint_itself_and_not_over_joints_between) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+  Skeleton to = from;
+  to.names[9] = "something";  // the forearm
+  for (Transform& rest : to.rest) rest.scale = {1.0f, 2.0f, 3.0f};
+  Animation animation{"grow", 1.0, {}, {}};
+  for (const std::uint32_t j : {5u, 9u, 11u})  // arm, forearm and hand
+    animation.bones.push_back({.joint = j, .scale = {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}}});
+  const Animation found = retarget_animation(animation, make_skeleton_map(from, to), from, to);
+  std::vector<std::uint32_t> scaled;
+  for (const BoneAnimation& bone : found.bones) {
+    if (bone.scale.empty()) continue;
+    scaled.push_back(bone.joint);
+    EXPECT_EQ(bone.scale.values, (std::vector<glm::vec3>{{1, 2, 3}, {2, 4, 6}}));
+  }
+  EXPECT_EQ(scaled, (std::vector<std::uint32_t>{5})) << "the hand sees the arm over the forearm";
+}
+
+TEST(retarget_animation, the_error_is_the_largest_of_all_joints_and_times) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  const SkeletonMap map = make_skeleton_map(skeleton, skeleton);
+  const Animation animation = moving(skeleton, true);
+  for (std::size_t b = 0; b < animation.bones.size(); ++b) {
+    Animation off = animation;
+    BoneAnimation& bone = off.bones[b];
+    const std::size_t key = b % 2 == 0 ? 3 : 1;  // value of the second key, for cubics of the first
+    bone.translation.values[bone.translation.interpolation == Interpolation::cubic_spline ? 1 : key] +=
+        glm::vec3(0, 2, 0);
+    bone.rotation = {Interpolation::step, {0.0f}, {quat_xyzw(0.0f, 0.0f, 0.0f, 1.0f)}};
+    const RetargetError error = measure_retarget(off, animation, map, skeleton, skeleton);
+    EXPECT_NEAR(error.distance, 2.0, 0.02) << b;
+    EXPECT_EQ(error.joint, bone.joint);
+    EXPECT_GT(error.angle_rad, 0.5) << b;
+  }
+}
+
 TEST(retarget_animation, nothing_shifts_in_time) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
                  to = scenes::two_sided(RightSide::any_axes, 2).skeleton;

@@ -107,6 +107,26 @@ TEST(retarget_pose, agrees_with_double_and_every_instruction_set_gives_the_same_
     }
 }
 
+TEST(retarget_pose, joints_of_the_source_with_a_fixed_matrix_rest_whatever_the_pose_has_there) {
+  for (const std::uint32_t fixed : {1u, 9u}) {
+    Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+    from.fixed_matrix_of[fixed] = 0;
+    from.fixed_matrices = {affine_from_transform(from.rest[fixed])};
+    Retargeted r(from, scenes::two_sided(RightSide::another_posture, 2).skeleton, 3);
+    std::vector<Transformd> exact, truth(14);
+    for (const Transform& t : r.local) exact.push_back(in_double(t));
+    exact[fixed] = in_double(from.rest[fixed]);
+    Skeleton free = r.from;
+    free.fixed_matrix_of[fixed] = kNone;
+    retarget_pose(r.map, free, r.to, exact, truth);
+    run(r.job());
+    for (std::size_t j = 0; j < 14; ++j) {
+      EXPECT_TRUE(test::is_near(Vec3<double>(r.out.span().get(j).translation), truth[j].translation, 1e-6)) << j;
+      EXPECT_LT(test::angle_between(r.out.span().get(j).rotation, truth[j].rotation), 1e-6) << j;
+    }
+  }
+}
+
 TEST(retarget_pose, on_its_own_skeleton_a_pose_keeps_its_bits) {
   const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
   Retargeted r(skeleton, skeleton, 3);

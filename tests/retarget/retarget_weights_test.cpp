@@ -63,6 +63,18 @@ TEST(retarget_weights, a_track_keeps_its_keys_and_targets_that_nothing_moves_res
       << "tangents of a target that rests are 0";
 }
 
+TEST(retarget_weights, a_track_without_keys_moves_nothing) {
+  const Scene from = faces({{"Head", {"a", "b"}}}), to = faces({{"Face", {"b", "a"}}});
+  Animation animation{"talk", 1.0, {}, {{0, {Interpolation::linear, {}, {}, 2}}}};
+  Animation made;
+  retarget_weights(make_weight_map(from, to), animation, from, to, made);
+  EXPECT_TRUE(made.weights.empty());
+  animation.weights.push_back({0, {Interpolation::step, {0.0f}, {7}, 1}, 1});
+  retarget_weights(make_weight_map(from, to), animation, from, to, made);
+  ASSERT_EQ(made.weights.size(), 1u);
+  EXPECT_THAT(made.weights[0].weights.values, ElementsAre(7, 0.1f + 0.1f));
+}
+
 TEST(retarget_weights, a_mesh_that_follows_several_tracks_has_the_keys_of_all) {
   const Scene from = faces({{"Left", {"a"}}, {"Right", {"b", "unused", "c"}}}), to = faces({{"Face", {"a", "b", "c"}}});
   const Animation animation{"talk",

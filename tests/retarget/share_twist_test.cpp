@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/axis_angle.h"
 #include "runtime/retarget/humanoid_bones.h"
@@ -67,6 +69,18 @@ TEST(twist_map, finds_joints_beside_the_bones_of_limbs_by_name_and_place) {
   EXPECT_NEAR(twists.joints[1].share, 0.5, 1e-6);
   EXPECT_EQ(twists.joints[2].joint, roll);
   EXPECT_NEAR(twists.joints[2].share, 1.0, 1e-6);
+}
+
+TEST(twist_map, a_joint_a_little_beyond_the_ends_of_its_bone_takes_all_of_the_twist_or_none) {
+  for (const auto& [along, of_upper, of_lower] : {std::tuple{-0.05f, -1.0, 0.0}, {1.05f, 0.0, 1.0}}) {
+    Skeleton skeleton = arm(1);
+    skeleton.rest[upper_twist].translation = skeleton.rest[lower].translation * along;
+    skeleton.rest[lower_twist].translation = skeleton.rest[hand].translation * along;
+    const TwistMap twists = twists_of(skeleton);
+    ASSERT_EQ(twists.joints.size(), 3u);
+    EXPECT_EQ(twists.joints[0].share, of_upper);
+    EXPECT_EQ(twists.joints[1].share, of_lower);
+  }
 }
 
 TEST(twist_map, leaves_out_what_clips_move_what_is_fixed_and_bones_in_a_chain) {

@@ -5,6 +5,7 @@
 
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/reference/mirror.h"
+#include "tests/scenes/two_legs.h"
 #include "tests/scenes/two_sided.h"
 #include "tests/support/near.h"
 
@@ -216,6 +217,68 @@ TEST(skeleton_map, a_root_joint_carries_the_character_by_the_ratio_of_the_hips_h
   const std::vector<Transformd> rooted = retargeted(back, bare, from, moved);
   EXPECT_EQ(rooted[0].translation, Vec3d(0.0)) << "a root that nothing moves rests";
   EXPECT_TRUE(test::is_near(place_of(from, rooted, 1), Vec3d(2, 1, 3), 1e-5));
+}
+
+TEST(skeleton_map, hips_move_by_the_ratio_of_heights_whatever_scale_their_roots_have_and_whether_these_are_mapped) {
+  const Skeleton body = named(scenes::two_sided(RightSide::any_axes, 1).skeleton),
+                 tall = renamed(twice_as_tall(scenes::two_sided(RightSide::any_axes, 2).skeleton));
+  const Vec3d step(0.1, -0.2, 0.3);
+  for (const auto& [source_has_root, target_has_root, maps_root] :
+       {std::array{0u, 0u, 0u}, {1u, 0u, 0u}, {0u, 1u, 0u}, {1u, 1u, 0u}, {1u, 1u, 1u}}) {
+    const Skeleton from = source_has_root ? scenes::below_a_root(body) : body,
+                   to = target_has_root ? scenes::below_a_root(tall) : tall;
+    SkeletonMapOptions options;
+    for (std::uint32_t j = 0; j < 13; ++j) options.pairs.push_back({j + source_has_root, j + target_has_root});
+    if (maps_root) options.pairs.push_back({0, 0});
+    const SkeletonMap map = make_skeleton_map(from, to, options);
+    std::vector<Transform> pose = from.rest;
+    const Transform root = source_has_root ? from.rest[0] : Transform{};
+    pose[source_has_root].translation += rotate_vector(quat_conjugate(root.rotation), glm::vec3(step)) / root.scale;
+    const Vec3d moved = place_of(to, retargeted(map, from, to, pose), target_has_root) -
+                        place_of(to, in_doubles(to.rest), target_has_root);
+    EXPECT_TRUE(test::is_near(moved, 2.0 * step, 2e-5)) << source_has_root << target_has_root << maps_root;
+  }
+}
+
+TEST(skeleton_map, names_that_are_there_twice_on_either_side_are_not_followed) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  Skeleton twice = skeleton;
+  twice.names[kHand + 1] = twice.names[kHand];
+  const std::vector<std::uint32_t> both = {kHand, kHand + 1};
+  EXPECT_EQ(make_skeleton_map(skeleton, twice).unmapped_target, both);
+  EXPECT_EQ(make_skeleton_map(twice, skeleton).unmapped_source, both);
+}
+
+/// Hips, a left arm and all bones of the fingers of its hand, each joint with axes of its own.
+Skeleton arm_with_fingers(std::uint64_t seed) {
+  test::FixedRandom random(seed);
+  std::vector<std::uint32_t> parents = {kNone, 0, 1, 2, 3, 3, 3, 3, 3};
+  for (std::uint32_t finger = 4; finger < 14; ++finger) parents.push_back(finger);
+  Skeleton skeleton = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size(), random.vec3(0.2, 0.4)));
+  for (std::uint32_t j = 0; j < parents.size(); ++j) {
+    skeleton.rest[j].rotation = quat_cast<float>(random.rotation<double>());
+    skeleton.names[j] = std::to_string(seed) + "of" + std::to_string(j);
+  }
+  return skeleton;
+}
+
+TEST(skeleton_map, the_hand_and_every_bone_of_its_fingers_turn_with_the_lower_arm) {
+  const Skeleton from = arm_with_fingers(1), to = arm_with_fingers(2);
+  SkeletonMapOptions options;
+  options.source_bones.assign(kHumanoidBones.size(), kNone);
+  const char* arm[] = {"hips", "leftUpperArm", "leftLowerArm", "leftHand"};
+  for (std::uint32_t j = 0; j < 4; ++j) options.source_bones[humanoid_bone(arm[j])] = j;
+  for (std::uint32_t b = 0; b < 15; ++b)
+    options.source_bones[humanoid_bone("leftThumbMetacarpal") + b] = 4 + b % 3 * 5 + b / 3;
+  options.target_bones = options.source_bones;
+  const SkeletonMap map = make_skeleton_map(from, to, options);
+  ASSERT_EQ(map.joints.size(), 19u);
+  const auto rest = reference::model_rotations(to, to.rest),
+             own = reference::model_rotations(to, in_floats(retargeted(map, from, to, from.rest)));
+  const auto turn = [&](std::uint32_t j) { return own[j] * glm::transpose(rest[j]); };
+  EXPECT_FALSE(test::is_near(turn(2)[0], turn(1)[0], 0.1)) << "the lower arm turns by itself";
+  for (std::uint32_t j = 3; j < 19; ++j)
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(test::is_near(turn(j)[c], turn(2)[c], 2e-6)) << j;
 }
 
 TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
