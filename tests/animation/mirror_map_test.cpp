@@ -114,7 +114,10 @@ TEST(mirror_map, a_plane_that_is_given_is_the_one_where_names_do_not_tell) {
 TEST(mirror_map, poses_agree_with_their_definition_in_model_space) {
   for (const RightSide right : scenes::kRightSides)
     for (std::uint64_t seed = 1; seed < 6; ++seed) {
-      const TwoSided body = scenes::two_sided(right, seed);
+      TwoSided body = scenes::two_sided(right, seed);
+      test::FixedRandom random(seed);
+      for (Transform& rest : body.skeleton.rest)
+        if (seed > 3) rest.scale = random.vec3(0.5, 2.0);
       MirrorOptions options;
       options.plane_normal = glm::vec3(1, 0, 0);
       const MirrorMap map = make_mirror_map(body.skeleton, options);
@@ -196,6 +199,31 @@ TEST(mirror_map, places_off_by_rounding_alone_have_no_offset) {
       without += body.partner[j] != j && map.joints[j].offset == Vec3d(0.0);
     EXPECT_EQ(without, 10u * 2u - 10u) << "each of the paired joints";
   }
+}
+
+TEST(mirror_map, what_is_rounding_of_places_is_told_by_how_long_lengths_are_below_a_joint) {
+  for (const float scale : {1.0f, 0.01f, 100.0f}) {
+    TwoSided body = scenes::two_sided(RightSide::mirrored_axes);
+    body.skeleton.rest[0].scale *= scale;
+    for (std::size_t j = 1; j < body.skeleton.joint_count(); ++j) body.skeleton.rest[j].translation /= scale;
+    const MirrorMap exact = make_mirror_map(body.skeleton);
+    const float size = 1e-6f / scale;
+    for (const float off : {0.1f * size, 1000.0f * size}) {
+      body.skeleton.rest[2].translation.y += off;
+      EXPECT_EQ(make_mirror_map(body.skeleton).joints[3].offset == Vec3d(0.0), off < size) << scale;
+    }
+    EXPECT_EQ(exact.joints[3].offset, Vec3d(0.0)) << scale;
+  }
+}
+
+TEST(mirror_map, a_joint_that_a_name_pairs_is_no_partner_by_place) {
+  Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
+  // Under the spine: two arms by name, and before them a joint that lies where the right one has its mirror image.
+  skeleton.names[4] = "arm.r2";
+  skeleton.rest[4].translation = skeleton.rest[5].translation;
+  const MirrorMap map = make_mirror_map(skeleton);
+  EXPECT_EQ(map.joints[5].source, 6u);
+  EXPECT_EQ(map.joints[4].source, 4u);
 }
 
 TEST(mirror_map, axes_within_the_tolerance_are_taken_for_mirror_images_and_others_are_not) {
