@@ -49,6 +49,10 @@ TEST_F(bind_geometry, vertices_that_are_split_or_reordered_are_matched_corner_fo
   EXPECT_EQ(match_vertices(cache_.meshes()[0], other).error(), ErrorCode::unsupported);
   other.indices.resize(3);
   EXPECT_EQ(match_vertices(cache_.meshes()[0], other).error(), ErrorCode::size_mismatch);
+  Primitive more = scene_.meshes[0].primitives[0];
+  ASSERT_EQ(match_vertices(cache_.meshes()[0], more)->size(), 4u);
+  more.positions.emplace_back();  // of no triangle
+  EXPECT_EQ(match_vertices(cache_.meshes()[0], more).error(), ErrorCode::size_mismatch);
 }
 
 TEST(scene_of_cache, without_triangles_a_mesh_is_its_points) {

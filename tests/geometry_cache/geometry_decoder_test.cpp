@@ -125,8 +125,10 @@ TEST_F(geometry_decoder, a_time_before_a_key_frame_that_was_sought_alone_decodes
   const Points expected = points();
   ASSERT_EQ(decoder_.decode(30, source_), GeometryStatus::ok);
   ASSERT_EQ(decoder_.decode(8, source_), GeometryStatus::ok);
+  EXPECT_EQ(decoder_.next_for_time(before_key_s), 0u) << "the frames before the key";
   ASSERT_EQ(decoder_.decode_time(before_key_s, source_), GeometryStatus::ok);
   EXPECT_TRUE(same_bits<glm::vec3>(points(), expected));
+  EXPECT_EQ(decoder_.next_for_time(before_key_s), 9u);
 }
 
 TEST_F(geometry_decoder, times_outside_are_clamped_and_whole_frames_are_exact) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -315,6 +316,57 @@ TEST(geometry_player_streams, contents_differ_by_file_and_by_what_plays_where) {
   EXPECT_NE(content(*cache, mapped, all), content(*changed_cache, changed_mapped, all));
   EXPECT_NE(content(*cache, mapped, all), content(*cache, mapped, all.first(2)));
   EXPECT_NE(content(*cache, mapped, all.first(1)), content(*cache, mapped, all.subspan(1, 1)));
+}
+
+TEST(geometry_player_streams, contents_differ_where_primitives_take_each_others_meshes) {
+  GeometryTake take = noise_take(5, 3, 1e-3);
+  take.meshes.push_back(take.meshes[0]);
+  const auto file = *encode_geometry_cache(take);
+  const auto cache = GeometryCache::open(file);
+  MappedFrames mapped{*cache, file};
+  auto made = scene_of(*cache, mapped);
+  std::vector<Primitive>& primitives = made->scene.meshes[0].primitives;
+  primitives.push_back(primitives[0]);
+  const auto content = [&](const std::array<GeometryBinding, 2>& bindings) {
+    return GeometryPlayer(*cache, mapped, made->scene, bindings).source().content;
+  };
+  EXPECT_NE(content({{{0, 0, 0}, {0, 1, 1}}}), content({{{0, 1, 0}, {0, 0, 1}}}));
+}
+
+TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh_however_many_streams_those_before_it_have) {
+  GeometryTake take = strip_take();
+  take.meshes.push_back(noise_take(5, 3, 1e-3).meshes[0]);
+  const std::vector<std::byte> file = *encode_geometry_cache(take);
+  const GeometryCache cache = *GeometryCache::open(file);
+  MappedFrames frames{cache, file};
+  const CacheScene made = *scene_of(cache, frames);
+  for (std::size_t m = 0; m < 2; ++m)
+    for (std::size_t v = 0; v < take.meshes[m].vertex_count; ++v)
+      EXPECT_LT(glm::distance(made.scene.meshes[m].primitives[0].positions[v], take.meshes[m].streams[0].frames[0][v]),
+                2e-3f)
+          << m;
+}
+
+/// A strip of which pairs of vertices lie in one place and have normals of their own.
+TEST(geometry_player_streams, a_mesh_may_have_more_normals_than_places) {
+  GeometryTake take = strip_take();
+  TakeMesh& mesh = take.meshes[0];
+  for (auto& positions : mesh.streams[0].frames)
+    for (std::size_t v = 1; v < 6; v += 2) positions[v] = positions[v - 1];
+  const std::vector<std::byte> file = *encode_geometry_cache(take);
+  const GeometryCache cache = *GeometryCache::open(file);
+  ASSERT_LT(cache.meshes()[0].streams[0].point_count, cache.meshes()[0].streams[1].point_count);
+  MappedFrames frames{cache, file};
+  const CacheScene made = *scene_of(cache, frames);
+  GeometryPlayer player(cache, frames, made.scene, made.bindings);
+  const VertexSource source = player.source();
+  std::vector<glm::vec3> positions(6), normals(6);
+  ASSERT_TRUE(source.show(source.context, 0, 0.0).is_there);
+  ASSERT_TRUE(source.write(source.context, 0, 0, positions, normals));
+  for (std::size_t v = 0; v < 6; ++v) {
+    EXPECT_LT(glm::distance(positions[v], mesh.streams[0].frames[0][v]), 1e-3f);
+    EXPECT_LT(glm::distance(normals[v], mesh.streams[1].frames[0][v]), 3e-3f);
+  }
 }
 
 TEST(geometry_player_streams, a_mesh_without_normals_has_smooth_ones_over_its_points) {
