@@ -125,6 +125,8 @@ TEST(asset_file, every_number_of_the_table_is_checked) {
   EXPECT_EQ(broken_by(file, 12, std::uint32_t{64}), "asset-size");
   EXPECT_EQ(broken_by(file, entry(1) + kEntryKind, std::uint32_t{1}), "asset-value");
   EXPECT_EQ(broken_by(file, entry(1) + kEntryStorage, std::uint32_t{2}), "asset-value");
+  EXPECT_EQ(broken_by(file, entry(1) + kEntryStorage + 4, std::uint32_t{1}), "asset-value") << "reserved";
+  EXPECT_EQ(broken_by(file, entry(1) + kEntrySignature + 8, std::uint64_t{1}), "asset-value") << "reserved";
   EXPECT_EQ(broken_by(file, entry(1) + kEntryStorage, std::uint32_t{1}), "asset-size") << "no zstd";
   EXPECT_EQ(broken_by(file, entry(1) + 12, std::uint32_t{1}), "asset-value");
   EXPECT_EQ(broken_by(file, entry(1) + 56, std::uint64_t{1}), "asset-value");

@@ -161,6 +161,18 @@ TEST(damaged_assets, skeleton_lods_that_do_not_fit_the_skeleton_are_refused) {
   }
 }
 
+TEST(damaged_assets, each_block_of_another_skeleton_is_refused) {
+  const Bytes file = full_file(1);
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    Bytes changed = file;
+    changed[kAssetHead + block * kAssetEntry + kEntrySignature] ^= std::byte{1};
+    const auto read = read_signed(changed);
+    ASSERT_FALSE(read) << block;
+    EXPECT_EQ(read.error().rule, "asset-signature") << describe(read.error());
+    EXPECT_EQ(read.error().block, name_of(AssetFile::open(changed)->blocks()[block].kind));
+  }
+}
+
 TEST(damaged_assets, counts_that_no_bytes_stand_behind_take_no_memory) {
   const Bytes file = full_file(1);
   const std::size_t first = kAssetHead + kBlocks * kAssetEntry;

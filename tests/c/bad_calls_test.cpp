@@ -122,6 +122,9 @@ TEST(c_bad_calls, clocks_refuse_what_they_cannot_count) {
   EXPECT_EQ(sinew_crossed_events(nullptr, &time_s, 1, &event, 1), 0u);
   step = {};
   EXPECT_EQ(sinew_crossed_events(&step, nullptr, 3, &event, 1), 0u);
+  ASSERT_EQ(sinew_clock_init(&clock, 1.0, SINEW_PLAY_LOOP, 1.0), SINEW_OK);
+  ASSERT_EQ(sinew_clock_advance(&clock, 0.5, &step), SINEW_OK);
+  EXPECT_EQ(sinew_crossed_events(&step, &time_s, 1, nullptr, 9), 1u) << "counted without room for them";
 }
 
 TEST(c_bad_calls, needs_are_checked_from_the_first_number_to_the_last) {

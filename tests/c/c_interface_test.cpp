@@ -121,7 +121,7 @@ TEST(c_interface, what_nobody_sees_is_told_to_the_frame) {
   Numbers some, none;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &some), SINEW_OK);
   expect_same(some.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
-  input.asleep = 1;
+  input.asleep = 2;  // any number but 0
   in_cpp.asleep = true;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &none), SINEW_OK);
   expect_same(none.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));

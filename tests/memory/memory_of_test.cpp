@@ -63,15 +63,18 @@ TEST(memory_of, a_scene_takes_what_its_copy_allocates_and_what_both_share) {
   EXPECT_EQ(bytes.plans + bytes.frames, 0u);
 }
 
+/// Whether an array or a text of the scene is counted, of a kind.
+bool counts(const Scene& scene, auto& array, std::size_t MemoryBytes::*kind) {
+  const std::size_t before = memory_of(scene).*kind, size = sizeof(array[0]) * 10000;
+  array.resize(array.size() + 10000);
+  const std::size_t more = memory_of(scene).*kind - before;
+  return more + size / 10 >= size;  // there may have been room
+}
+
 TEST(memory_of, every_array_of_a_mesh_counts) {
   Scene scene = scene_with_everything();
   Primitive& p = scene.meshes[0].primitives[0];
-  const auto grows = [&](auto& array, std::size_t MemoryBytes::*kind) {
-    const std::size_t before = memory_of(scene).*kind, size = sizeof(array[0]) * 10000;
-    array.resize(array.size() + 10000);
-    const std::size_t more = memory_of(scene).*kind - before;
-    return more + size / 10 >= size;  // there may have been room
-  };
+  const auto grows = [&](auto& array, std::size_t MemoryBytes::*kind) { return counts(scene, array, kind); };
   EXPECT_TRUE(grows(p.positions, &MemoryBytes::vertices));
   EXPECT_TRUE(grows(p.normals, &MemoryBytes::vertices));
   EXPECT_TRUE(grows(p.tangents, &MemoryBytes::vertices));
@@ -86,6 +89,36 @@ TEST(memory_of, every_array_of_a_mesh_counts) {
   EXPECT_TRUE(grows(scene.skins.at(0).inverse_bind, &MemoryBytes::skins));
   EXPECT_TRUE(grows(scene.instances.at(0).rest_weights, &MemoryBytes::others));
   EXPECT_TRUE(grows(scene.animations.at(0).bones.at(0).rotation.values, &MemoryBytes::animations));
+}
+
+TEST(memory_of, every_array_and_text_of_a_scene_counts) {
+  Scene scene = scene_with_everything();
+  const auto other = [&](auto& array) { return counts(scene, array, &MemoryBytes::others); };
+  Image& image = scene.images.at(0);
+  for (std::string* text : {&image.name, &image.missing_reason, &image.mime_type})
+    EXPECT_TRUE(counts(scene, *text, &MemoryBytes::images));
+  EXPECT_TRUE(counts(scene, image.rgba, &MemoryBytes::images));
+  EXPECT_TRUE(counts(scene, image.encoded, &MemoryBytes::images));
+  EXPECT_TRUE(counts(scene, scene.skins.at(0).name, &MemoryBytes::skins));
+  EXPECT_TRUE(counts(scene, scene.skins.at(0).joints, &MemoryBytes::skins));
+  EXPECT_TRUE(counts(scene, scene.skeleton.fixed_matrices, &MemoryBytes::skeletons));
+  EXPECT_TRUE(counts(scene, scene.skeleton.node_of_joint, &MemoryBytes::skeletons));
+  EXPECT_TRUE(counts(scene, scene.animations.at(0).name, &MemoryBytes::animations));
+  EXPECT_TRUE(counts(scene, scene.meshes.at(0).default_weights, &MemoryBytes::morphs));
+  EXPECT_TRUE(other(scene.meshes.at(0).name));
+  EXPECT_TRUE(other(scene.instances.at(0).copies));
+  EXPECT_TRUE(other(scene.hidden_joints));
+  EXPECT_TRUE(other(scene.textures));
+  EXPECT_TRUE(other(scene.first_weight));
+  EXPECT_TRUE(other(scene.materials.emplace_back().name));
+  EXPECT_TRUE(other(scene.scenes.emplace_back().name));
+  EXPECT_TRUE(other(scene.scenes.back().joints));
+  EXPECT_TRUE(other(scene.variants.emplace_back()));
+  PoseCorrective& corrective = scene.correctives.at(0);
+  EXPECT_TRUE(other(corrective.samples.rotations));
+  EXPECT_TRUE(other(corrective.samples.values));
+  EXPECT_TRUE(other(corrective.coefficients));
+  EXPECT_TRUE(other(corrective.lower));
 }
 
 TEST(memory_of, a_clip_takes_what_compiling_it_leaves) {

@@ -49,6 +49,13 @@ TEST(pose_corrective, every_broken_rule_is_found) {
        ErrorCode::not_finite},
       {"axis of no length", [](PoseSamples& s) { s.drivers[0].axis = {}; }, ErrorCode::not_finite},
       {"weight not finite", [](PoseSamples& s) { s.drivers[0].weight = kNan; }, ErrorCode::not_finite},
+      {"weights with no finite sum",
+       [](PoseSamples& s) {
+         s.rotations.resize(2 * s.rotations.size(), s.rotations[0]);
+         s.drivers.assign(2, s.drivers[0]);
+         for (PoseDriver& driver : s.drivers) driver.weight = 3e38f;
+       },
+       ErrorCode::not_finite},
       {"no driver counts", [](PoseSamples& s) { s.drivers[0].weight = 0; }, ErrorCode::not_finite},
       {"negative weight", [](PoseSamples& s) { s.drivers[0].weight = -1; }, ErrorCode::unsupported},
       {"no radius", [](PoseSamples& s) { s.radius_rad = 0; }, ErrorCode::unsupported},

@@ -197,6 +197,23 @@ TEST(join_clips, clips_move_alike_when_their_tracks_are_of_the_same_kinds_and_ra
   EXPECT_FALSE(moves_alike(clip, test::clip_of({}, test::chain_skeleton(1))));
 }
 
+TEST(join_clips, packed_rotations_that_leave_out_other_components_do_not_move_alike) {
+  const auto clip = [](std::uint8_t derived) {
+    PackedTrack track{.components = 4, .derived = derived};
+    track.numbers.assign(8, 0);
+    ClipLayout layout = test::clip_of({}, test::chain_skeleton(1)).layout();
+    TrackBlock block = block_of(Property::rotation, Interpolation::linear, 1);
+    block.targets = {0};
+    block.places = JointPlaces(block.targets);
+    block.packed = packed_rows({&track, 1}, 2);
+    layout.groups.push_back({KeyTimes(std::vector<float>{0.0f, 1.0f}), {block}});
+    return clip_of(layout);
+  };
+  for (std::uint8_t derived = 0; derived < 4; ++derived)
+    for (std::uint8_t other = 0; other < 4; ++other)
+      EXPECT_EQ(moves_alike(clip(derived), clip(other)), derived == other) << int{derived} << int{other};
+}
+
 TEST(join_clips, clips_that_rest_otherwise_do_not_move_alike) {
   Skeleton bent = test::chain_skeleton(3);
   const Clip straight = test::clip_of({}, bent);

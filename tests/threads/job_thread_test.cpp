@@ -234,6 +234,22 @@ TEST(job_thread, rejects_another_number_of_inputs) {
   EXPECT_EQ(jobs.submit(crowd.inputs(0).first(1)).error(), ErrorCode::size_mismatch);
 }
 
+TEST(job_thread, each_character_has_room_for_what_its_own_plan_declares) {
+  const Scene scene = random_scene(0);
+  const Plan one = compile_plan(scene, {.max_layers = 1}), two = compile_plan(scene, {.max_layers = 2});
+  const ClipLayer layers[] = {{0, 0.5, 0.5f}, {0, 0.75, 0.5f}};
+  const FrameInput single{.layers = std::span(layers, 1), .weights = {}, .root = {}},
+      both{.layers = layers, .weights = {}, .root = {}};
+  for (const bool wide_first : {false, true}) {
+    JobThread jobs(spread());
+    jobs.add_character(wide_first ? two : one);
+    jobs.add_character(wide_first ? one : two);
+    const FrameInput right[] = {wide_first ? both : single, wide_first ? single : both}, wrong[] = {right[1], right[0]};
+    EXPECT_EQ(jobs.submit(wrong).error(), ErrorCode::size_mismatch);
+    EXPECT_TRUE(jobs.submit(right));
+  }
+}
+
 TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
   Crowd crowd(3);
   JobThread jobs(spread());
