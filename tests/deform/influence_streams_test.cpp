@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -162,6 +163,19 @@ TEST(influence_streams, small_joints_out_of_range_are_found) {
   EXPECT_EQ(check_influences({groups, std::span(joints), std::span(weights)}, 2, 5), ErrorCode::ok);
   EXPECT_EQ(check_influences({groups, std::span(joints), std::span(weights)}, 2, 4), ErrorCode::index_out_of_range);
   EXPECT_EQ(check_influences({groups, std::span(joints), std::span(weights).first(1)}, 2, 5), ErrorCode::size_mismatch);
+}
+
+TEST(influence_streams, groups_follow_each_other_vertex_by_vertex_and_end_with_the_last) {
+  const std::uint8_t joints[] = {0, 0, 0}, weights[] = {255, 255, 255};
+  const auto code = [&](const std::array<InfluenceGroup, 2>& groups) {
+    return check_influences({groups, std::span(joints), std::span(weights)}, 3, 1);
+  };
+  EXPECT_EQ(code({{{0, 1, 1, 0}, {1, 2, 1, 1}}}), ErrorCode::ok);
+  EXPECT_EQ(code({{{0, 1, 1, 0}, {0, 2, 1, 1}}}), ErrorCode::size_mismatch);
+  EXPECT_EQ(code({{{1, 1, 1, 0}, {2, 2, 1, 1}}}), ErrorCode::size_mismatch);
+  EXPECT_EQ(code({{{0, 1, 1, 0}, {1, 1, 1, 1}}}), ErrorCode::size_mismatch);
+  EXPECT_EQ(code({{{0, 1, 1, 0}, {1, 2, 1, 2}}}), ErrorCode::size_mismatch);
+  EXPECT_EQ(code({{{0, 1, 0, 0}, {1, 2, 1, 1}}}), ErrorCode::size_mismatch);
 }
 
 INSTANTIATE_TEST_SUITE_P(ways, SkinningInputs, testing::ValuesIn(test::kWays));

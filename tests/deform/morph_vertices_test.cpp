@@ -76,8 +76,17 @@ TEST(morph_vertices, rejects_what_it_cannot_do) {
   face.weights[1] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(check(face.job()), ErrorCode::not_finite);
   face.weights[1] = 1;
-  face.morphs.targets[0].positions.vertices.back() = 20;
-  EXPECT_EQ(check(face.job()), ErrorCode::index_out_of_range);
+  for (std::size_t t = 0; t < face.morphs.targets.size(); ++t)
+    for (const auto attribute : {&MorphTarget::positions, &MorphTarget::normals, &MorphTarget::tangents}) {
+      Face wrong = face;
+      SparseDeltas<glm::vec3>& sparse = wrong.morphs.targets[t].*attribute;
+      sparse = {{20}, {glm::vec3(1)}};
+      EXPECT_EQ(check(wrong.job()), ErrorCode::index_out_of_range) << t;
+      sparse = {{19}, {}};
+      EXPECT_EQ(check(wrong.job()), ErrorCode::index_out_of_range) << t;
+      sparse = {{19}, {glm::vec3(1)}};
+      EXPECT_EQ(check(wrong.job()), ErrorCode::ok) << t;
+    }
 }
 
 TEST(morph_vertices, G42_adds_weighted_displacements_also_below_zero_and_above_one) {
