@@ -160,6 +160,32 @@ TEST(clip_bounds, G54_holds_every_copy_of_a_mesh_that_morphs) {
   EXPECT_LT(diagonal(clip_bounds(scene, {}, 0)[0]), 4.0f * diagonal(reached[0]));
 }
 
+TEST(clip_bounds, G54_holds_what_morphs_below_inverse_bind_matrices_that_scale) {
+  Scene scene = arm_scene();
+  Primitive& arm = scene.meshes[0].primitives[0];
+  arm.morphs.targets = {{.positions = {{1}, {{0.5f, 1, 2}}}}};  // the tip
+  scene.meshes[0].default_weights = scene.instances[0].rest_weights = {1.0f};
+  for (Affine& bind : scene.skins[0].inverse_bind)
+    bind = affine_from_transform(Transform{{0, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(40.0f)}) * bind;
+  scene.clips.clear();
+  finish_scene(scene);
+  ASSERT_EQ(check(scene), ErrorCode::ok);
+  expect_holds(scene, boxes_for(Skinning::linear), 0, 20);
+}
+
+TEST(clip_bounds, have_room_for_the_error_that_a_clip_is_known_to_have) {
+  Scene scene = arm_scene();
+  const Aabb exact = clip_bounds(scene, {}, 0)[0];
+  ClipCertificate certificate;
+  certificate.measured_m = 0.5;
+  scene.clips[0] = with_certificate(scene.clips[0], certificate);
+  const Aabb room = clip_bounds(scene, {}, 0)[0];
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(room.lower[axis], exact.lower[axis] - 0.5f, 1e-5f);
+    EXPECT_NEAR(room.upper[axis], exact.upper[axis] + 0.5f, 1e-5f);
+  }
+}
+
 TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {
   Scene scene = arm_scene();
   const float h = std::sqrt(0.5f);

@@ -145,6 +145,19 @@ TEST(compile_skeleton_lod, N17_the_pose_held_is_the_mean_of_what_clips_do_whiche
   EXPECT_NEAR(std::abs(within.detail.held[2].rotation.w), 1.0f, 1e-3f);
 }
 
+TEST(compile_skeleton_lod, each_part_of_the_pose_held_is_the_mean_of_what_clips_do) {
+  Scene scene = clenched_scene({quat_identity<float>(), quat_identity<float>()});
+  BoneAnimation& bone = scene.animations[0].bones[0];
+  bone.translation = {Interpolation::linear, {0, 1}, {{0, 1, 0}, {0.5f, 2, 0}}};
+  bone.scale = {Interpolation::linear, {0, 1}, {{1, 1, 1}, {3, 2, 1}}};
+  scene.clips.clear();
+  finish_scene(scene);
+  const CompiledSkeletonLod within = compile_skeleton_lod(scene, 1e3);
+  ASSERT_EQ(within.left_out, 1u);
+  EXPECT_LT(glm::distance(within.detail.held[2].translation, glm::vec3(0.25f, 1.5f, 0)), 1e-6f);
+  EXPECT_LT(glm::distance(within.detail.held[2].scale, glm::vec3(2, 1.5f, 1)), 1e-6f);
+}
+
 TEST(compile_skeleton_lod, joints_that_carry_nothing_go_and_those_of_cameras_lights_and_correctives_stay) {
   Scene scene = random_scene(1, without_morphs());
   scene.instances.clear();

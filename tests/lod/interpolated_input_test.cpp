@@ -205,6 +205,8 @@ TEST(interpolated_input, after_a_cut_or_a_sleep_nothing_of_before_shows) {
   player.play(12, UpdateLevel::every_fourth);
   player.play(13, UpdateLevel::every_fourth);
   expect_exact(30);  // frames were left out
+  player.play(32, UpdateLevel::every_fourth);
+  expect_exact(7);  // frames are counted from before
 }
 
 TEST(interpolated_input, levels_change_where_an_interval_ends) {

@@ -71,5 +71,17 @@ TEST(pose_drift, a_cubic_may_stray_farther_than_at_the_four_places) {
   EXPECT_NEAR(drift.drifts()[0].fixed_m, 1.64, 1e-6) << "a straight line here, which is not asked";
 }
 
+TEST(pose_drift, a_cubic_scale_alone_may_stray_farther_too) {
+  const Skeleton skeleton = chain_skeleton(1);
+  Animation animation;
+  animation.bones.push_back({.joint = 0});
+  animation.bones[0].scale =
+      track_of<glm::vec3>(Interpolation::cubic_spline, {0, 1},
+                          {glm::vec3(0), glm::vec3(1), glm::vec3(2), glm::vec3(2), glm::vec3(3), glm::vec3(0)});
+  PoseDrift drift(skeleton, animation);
+  drift.look_at(0.0, 1.0);
+  EXPECT_NEAR(drift.drifts()[0].per_metre, 1.64 * std::sqrt(3.0), 1e-6) << "1 at the places that are looked at";
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -58,6 +58,8 @@ TEST(update_rate, where_frames_are_slow_fewer_are_left_out) {
   EXPECT_EQ(limited(19.0), UpdateLevel::every);
   EXPECT_EQ(limited_level(UpdateLevel::every_second, 1.0 / 240.0), UpdateLevel::every_second) << "never coarser";
   EXPECT_EQ(limited_level(UpdateLevel::every, 10.0), UpdateLevel::every);
+  EXPECT_EQ(limited_level(UpdateLevel::every_second, 0.25, {.longest_s = 0.5}), UpdateLevel::every_second)
+      << "as long as it may take";
   EXPECT_EQ(limited_level(UpdateLevel::every_fourth, 10.0, {.longest_s = 100.0}), UpdateLevel::every_fourth);
 }
 
