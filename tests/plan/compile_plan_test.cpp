@@ -191,6 +191,17 @@ TEST(compile_plan, P13_tangents_are_deformed_only_where_a_normal_map_looks_at_th
     for (Primitive& primitive : mesh.primitives) primitive.material = 0;
   EXPECT_EQ(with_tangents(), 0);
   EXPECT_EQ(with_tangents({.tangents_of_all = true}), without_material);
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives) {
+      primitive.material = kNone;
+      primitive.variant_materials = {{0, 0}};
+    }
+  EXPECT_EQ(with_tangents(), 0) << "the variants have no normal map";
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives) {
+      primitive.material = 0;
+      primitive.variant_materials.clear();
+    }
   scene.materials[1].normal_texture.texture = 0;
   EXPECT_EQ(with_tangents(), 0) << "no primitive has that material";
   scene.meshes[0].primitives[0].variant_materials = {{0, 1}};

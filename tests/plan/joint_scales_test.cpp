@@ -273,6 +273,18 @@ TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_u
   EXPECT_EQ(count, 4u) << "a blend of two turns is uneven itself";
 }
 
+TEST(normals_by_cofactors, P08_come_with_an_uneven_inverse_bind_matrix) {
+  Needs needs;
+  needs.normal_rule = NormalRule::cofactor;
+  std::uint64_t count = 0;
+  for (const std::size_t entry : {0u, 1u}) {
+    Scene scene = rigid_arm(1.5f);
+    scene.skins[0].inverse_bind[entry].row[1] *= 3.0f;
+    run_arm(compile_plan(scene, needs), {}, count);
+    EXPECT_EQ(count, 4u) << entry;
+  }
+}
+
 TEST(normals_by_cofactors, P08_come_with_an_uneven_root) {
   const Scene scene = rigid_arm(1.5f);
   Needs needs;

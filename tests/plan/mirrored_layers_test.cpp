@@ -117,6 +117,57 @@ TEST(mirrored_layers, joints_that_only_the_other_side_moves_are_moved) {
   EXPECT_NE(kept.result().model[12], two.model(plan, std::span(&plain, 1))[12]) << "the right hand";
 }
 
+/// A scene of two clips, one that moves and one that rests, morph weights that rest unlike those of their partners,
+/// and a mirror about another pose than the rest pose, so that it moves joints that rest.
+struct LopsidedRest {
+  Scene scene;
+  Needs needs;
+
+  LopsidedRest() : scene(random_scene(5, {.targets = 3})) {
+    float rest = 0.0f;
+    for (MeshInstance& instance : scene.instances)
+      for (float& weight : instance.rest_weights) weight = rest += 0.125f;
+    Animation still{"still", 1.0, {}, {}};
+    scene.animations = {scene.animations[0], still};
+    scene.clips.clear();
+    finish_scene(scene);
+    MirrorMap map = make_mirror_map(scene.skeleton, {.reference = scenes::moved_from_rest(scene.skeleton, 7)});
+    map.weight_source = some_mirror(scene).weight_source;
+    needs.mirror = std::make_shared<const MirrorMap>(std::move(map));
+    needs.additive = true;
+  }
+};
+
+TEST(mirrored_layers, a_clip_that_rests_adds_nothing_on_the_other_side_either) {
+  const LopsidedRest lopsided;
+  const Plan plan = compile_plan(lopsided.scene, lopsided.needs);
+  FrameBuffer without(plan), with(plan);
+  for (const LayerKind kind : {LayerKind::add_to_rest, LayerKind::add_to_start}) {
+    const ClipLayer layers[] = {{0, 0.6}, {1, 0.3, 0.75f, kNone, kind, true}};
+    ASSERT_EQ(run_plan(plan, {.layers = std::span(layers, 1), .weights = {}, .root = {}}, without), ErrorCode::ok);
+    ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, with), ErrorCode::ok);
+    EXPECT_TRUE(same_bits<Affine>(with.result().model, without.result().model));
+    EXPECT_TRUE(same_bits<float>(with.result().weights, without.result().weights));
+  }
+}
+
+TEST(mirrored_layers, joints_that_the_mirror_alone_moves_are_moved) {
+  const LopsidedRest lopsided;
+  Scene scene = lopsided.scene;
+  scene.animations.erase(scene.animations.begin());  // all that is left rests
+  scene.clips.clear();
+  finish_scene(scene);
+  const Plan plan = compile_plan(scene, lopsided.needs);
+  FrameBuffer kept(plan), fresh(plan);
+  const ClipLayer plain{0, 0.4}, turned{.clip = 0, .time_s = 0.4, .mirrored = true};
+  ASSERT_EQ(run_plan(plan, {.layers = {&plain, 1}, .weights = {}, .root = {}}, kept), ErrorCode::ok);
+  const std::vector<Affine> rest(kept.result().model.begin(), kept.result().model.end());
+  for (FrameBuffer* frame : {&kept, &fresh})
+    ASSERT_EQ(run_plan(plan, {.layers = {&turned, 1}, .weights = {}, .root = {}}, *frame), ErrorCode::ok);
+  EXPECT_TRUE(same_bits<Affine>(kept.result().model, fresh.result().model));
+  EXPECT_FALSE(same_bits<Affine>(kept.result().model, rest));
+}
+
 TEST(mirrored_layers, P07_scales_of_one_side_reach_the_other) {
   TwoClips two(scenes::RightSide::mirrored_axes);
   BoneAnimation& bone = two.scene.animations[0].bones[1];

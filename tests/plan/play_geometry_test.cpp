@@ -171,6 +171,35 @@ TEST_F(play_geometry, what_nobody_sees_is_not_decoded) {
   EXPECT_EQ(waves_.shows, 0u);
 }
 
+TEST_F(play_geometry, what_was_out_of_view_or_asleep_is_new_when_it_comes_back) {
+  for (const bool sleeps : {false, true}) {
+    play(0.5, 1.0f);
+    FrameInput away = input_at(0.5, 1.0f);
+    const std::vector<std::uint8_t> unseen(scene_.instances.size(), 1);
+    away.asleep = sleeps;
+    if (!sleeps) away.out_of_view = unseen;
+    run(away);
+    const FrameResult& back = play(0.5, 1.0f);
+    for (const DeformedPrimitive& shape : back.primitives) EXPECT_EQ(shape.since_frame, back.frame) << sleeps;
+  }
+}
+
+TEST_F(play_geometry, one_source_that_is_late_among_others_is_asked_again) {
+  for (const std::size_t late : {0u, 1u}) {
+    WavingVertices slow(scene_, 2 + late);
+    slow.there_until = 0.5;
+    const auto input = [&] {
+      const FrameInput all = input_at(0.75, 1.0f);
+      geometry_[late] = {slow.source(), 0.75, 1.0f};
+      return all;
+    };
+    EXPECT_TRUE(run(input()).instances[late].late);
+    EXPECT_FALSE(holds_result_of(*frame_, input()));
+    slow.there_until = 2.0;
+    EXPECT_FALSE(run(input()).instances[late].late);
+  }
+}
+
 TEST_F(play_geometry, what_is_late_shows_the_newest_that_is_and_says_so) {
   waves_.there_until = 0.5;
   const FrameResult& late = play(0.75, 1.0f);
@@ -232,6 +261,20 @@ TEST_F(play_geometry, bad_inputs_answer_codes_and_leave_the_last_frame) {
   EXPECT_EQ(refused([&](FrameInput&) { geometry_[1].time_s += 1.0; }), ErrorCode::unsupported) << "one time a source";
   waves_.without.insert(0);
   EXPECT_EQ(refused([](FrameInput&) {}), ErrorCode::index_out_of_range);
+}
+
+TEST_F(play_geometry, a_source_has_one_time_among_those_that_play_from_it_and_any_among_those_of_weight_0) {
+  ASSERT_GE(scene_.instances.size(), 2u);
+  for (const std::size_t idle : {0u, 1u}) {
+    const FrameInput input = input_at(0.75, 1.0f);
+    geometry_[idle].time_s = 9.0;
+    EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::unsupported);
+    geometry_[idle].weight = 0.0f;
+    EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::ok);
+    WavingVertices others(scene_);
+    geometry_[idle] = {others.source(), 9.0, 1.0f};
+    EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::ok) << "a source of its own";
+  }
 }
 
 TEST_F(play_geometry, instances_with_copies_play_in_their_own_space_only) {

@@ -167,6 +167,28 @@ TEST(properties, hidden_instances_cost_nothing_and_come_back) {
   EXPECT_TRUE(at(0.5).instances[0].visible) << "from the key on";
 }
 
+TEST(properties, flags_hide_whatever_is_asked_for) {
+  const Scene scene = blinking_arm(0.5f);
+  Needs none;
+  none.joints = none.positions = none.normals = none.tangents = none.weights = none.properties = false;
+  const auto with = [&](bool Needs::*need) {
+    Needs needs = none;
+    needs.*need = true;
+    return needs;
+  };
+  for (const Needs& needs : {with(&Needs::palettes), with(&Needs::positions), with(&Needs::normals),
+                             with(&Needs::bounds), with(&Needs::properties)}) {
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    for (const double time_s : {0.25, 0.75}) {
+      const ClipLayer layer{0, time_s, 1.0f};
+      ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+      EXPECT_EQ(frame.result().instances[0].visible, time_s > 0.5);
+      EXPECT_EQ(frame.result().work.palette_entries > 0, time_s > 0.5 && !needs.properties);
+    }
+  }
+}
+
 TEST(properties, a_flag_hides_what_is_below_its_node) {
   Scene scene = arm_scene();
   scene.instances[0].joint = 2;  // below joint 0
