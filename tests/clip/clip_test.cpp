@@ -79,6 +79,33 @@ TEST(clip, P02_equal_weights_with_a_tangent_between_them_are_not_constant) {
     }
 }
 
+TEST(clip, P02_tangents_before_the_first_and_behind_the_last_key_mean_nothing) {
+  const std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0, 0, 0, 0.5f, 0.25f, 7, 7};
+  Animation animation{"test", 1.0, {}, {{0, {Interpolation::cubic_spline, {0, 1}, rows, 2}}}};
+  const float rest[] = {0.0f, 0.0f};
+  const std::uint32_t first_weight[] = {0, 2};
+  const Clip clip = compile_clip(animation, test::chain_skeleton(1), rest, first_weight);
+  EXPECT_EQ(clip.counts().folded, 2u);
+  EXPECT_EQ(clip.layout().base_weights.all(), (std::vector{0.5f, 0.25f}));
+}
+
+TEST(clip, each_bone_is_rounded_by_its_own_tolerance_in_whatever_order_they_come) {
+  test::FixedRandom random(4);
+  const std::vector<float> times = test::random_times(random, 9);
+  Animation animation{"test", 1.0, {}, {}};
+  for (const std::uint32_t joint : {2u, 0u, 1u})
+    animation.bones.push_back(bone_of(joint, test::random_rotations(random, Interpolation::linear, times)));
+  for (std::size_t rounded = 0; rounded < 3; ++rounded) {
+    KeyTolerances rounding;
+    rounding.bones.resize(3);
+    rounding.bones[rounded].rotation = 1e-2;
+    const Clip clip = compile_clip(animation, test::chain_skeleton(3), {}, {}, {}, rounding);
+    for (const TrackBlock& block : clip.layout().groups.at(0).blocks)
+      for (const std::uint32_t joint : block.targets)
+        EXPECT_EQ(!block.packed.empty(), joint == animation.bones[rounded].joint) << joint;
+  }
+}
+
 TEST(clip, duration_is_that_of_the_animation) {
   BoneAnimation bone = bone_of(0, {}, {Interpolation::linear, {3, 7}, {{0, 0, 0}, {1, 0, 0}}});
   const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(2));
@@ -132,6 +159,18 @@ TEST(clip, G20_of_two_tracks_for_one_property_the_last_counts) {
   const Clip clip = test::clip_of(animation_of({first, second}), test::chain_skeleton(1));
   EXPECT_EQ(clip.counts().translations, 1u);
   EXPECT_EQ(clip.layout().groups.front().times.times_s().back(), 2.0f);
+}
+
+TEST(clip, G20_of_two_tracks_for_one_set_of_weights_the_last_counts) {
+  const WeightTrack track{Interpolation::linear, {0, 1}, {1, 2}, 1}, later{Interpolation::linear, {0, 2}, {5, 6}, 1};
+  const float rest[] = {0.0f, 0.0f};
+  const std::uint32_t first_weight[] = {0, 2};
+  const Clip clip = compile_clip({"test", 2.0, {}, {{0, track, 1}, {0, track, 0}, {0, later, 1}}},
+                                 test::chain_skeleton(1), rest, first_weight);
+  EXPECT_EQ(clip.counts().weights, 2u);
+  for (const TimeGroup& group : clip.layout().groups)
+    for (const TrackBlock& block : group.blocks)
+      EXPECT_EQ(group.times.times_s().back(), block.targets.at(0) == 1 ? 2.0f : 1.0f);
 }
 
 TEST(clip, moved_clips_keep_their_contents) {

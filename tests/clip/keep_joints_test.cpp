@@ -12,6 +12,7 @@
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/swinging.h"
 #include "tests/support/fixed_random.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
@@ -129,6 +130,23 @@ TEST(keep_joints, all_of_them_are_the_whole) {
   EXPECT_EQ(keep_joints(scene.skeleton, all).parents, scene.skeleton.parents);
   EXPECT_EQ(keep_joints(scene.skeleton, all).level_begin, scene.skeleton.level_begin);
   EXPECT_EQ(keep_joints(scene.clips[0], all).byte_size(), scene.clips[0].byte_size());
+}
+
+TEST(keep_joints, levels_that_nothing_is_left_of_are_gone) {
+  const std::uint32_t joints[] = {0, 1};
+  EXPECT_EQ(keep_joints(chain_skeleton(5), joints).level_begin, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(keep_joints, clips_keep_their_name_duration_and_certificate) {
+  const Scene scene = random_scene(5);
+  ClipCertificate certificate;
+  certificate.measured_m = 0.25;
+  const Clip whole = with_certificate(scene.clips[0], certificate);
+  const std::uint32_t joints[] = {0};
+  const Clip kept = keep_joints(whole, joints);
+  EXPECT_EQ(kept.name(), whole.name());
+  EXPECT_EQ(kept.duration_s(), whole.duration_s());
+  EXPECT_EQ(kept.certificate(), whole.certificate());
 }
 
 TEST(keep_joints, a_skeleton_of_some_joints_passes_the_checks_of_any) {

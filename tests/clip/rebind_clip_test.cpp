@@ -153,6 +153,20 @@ TEST(rebind_clip, a_constant_is_motion_only_where_it_differs_from_the_rest_of_it
   EXPECT_EQ(bound.counts().folded, 1u);
 }
 
+TEST(rebind_clip, times_of_tracks_that_go_nowhere_are_gone) {
+  FixedRandom random(3);
+  Animation animation;
+  for (const std::uint32_t j : {0u, 1u})
+    animation.bones.push_back(
+        {.joint = j, .rotation = random_rotations(random, Interpolation::linear, random_times(random, 4))});
+  const Clip clip = clip_of(animation, chain_skeleton(2));
+  ASSERT_EQ(clip.layout().groups.size(), 2u);
+  const Clip bound = rebind_clip(clip, rest_under(clip), {{kNone, 0}, {}, {}}, random_rest(1, 0, random));
+  EXPECT_EQ(bound.layout().groups.size(), 1u);
+  EXPECT_EQ(bound.counts().time_groups, 1u);
+  EXPECT_EQ(bound.counts().rotations, 1u);
+}
+
 TEST(rebind_clip, a_certificate_stays_with_the_skeleton_that_it_was_measured_on) {
   const Clip clip = varied_clip(4);
   const ClipRest from = rest_under(clip);

@@ -111,8 +111,21 @@ TEST(unpack_clip, G06_has_the_packed_keys_at_their_times) {
 TEST(unpack_clip, more_lanes_than_packed_rows_have_fit) {
   FixedRandom random(24);
   const std::uint32_t joints = 2500;
-  const Animation animation = swings(random, joints);
+  const Animation animation = swings(random, joints, true);  // of one list of times
   expect_same_motion(compile_clip(animation, chain_skeleton(joints), {}, {}, {}, coarse(animation)), 0.3, 0.7, random);
+}
+
+TEST(unpack_clip, lanes_of_every_packed_block_reach_their_joints) {
+  FixedRandom random(27);
+  const std::uint32_t joints = 2500;
+  const Animation animation = swings(random, joints, true);  // of one list of times
+  const Clip clip = compile_clip(animation, chain_skeleton(joints), {}, {}, {}, coarse(animation)),
+             exact = compile_clip(animation, chain_skeleton(joints), {}, {});
+  PoseBuffer rounded(joints), pose(joints);
+  run(SampleClipJob{.clip = &clip, .time_s = 0.4, .pose = rounded.span(), .weights = {}});
+  run(SampleClipJob{.clip = &exact, .time_s = 0.4, .pose = pose.span(), .weights = {}});
+  for (std::uint32_t j = 0; j < joints; ++j)
+    ASSERT_LT(angle_between(rounded.span().get(j).rotation, pose.span().get(j).rotation), 0.1) << j;
 }
 
 TEST(unpack_clip, keeps_what_was_never_rounded_to_the_last_bit) {
