@@ -99,5 +99,26 @@ TEST(bake_scene, what_a_stream_cannot_hold_is_told) {
   EXPECT_THAT(baked->left_out, testing::Contains(testing::HasSubstr("alpha")));
 }
 
+TEST(bake_scene, hidden_meshes_are_baked_as_if_they_were_shown) {
+  const Scene shown = coloured_scene(1.0f);
+  Scene hidden = shown;
+  for (const MeshInstance& instance : hidden.instances) hidden.hidden_joints.push_back(instance.joint);
+  finish_scene(hidden);
+  const auto expected = bake_scene(shown, 1, 10.0, {}), baked = bake_scene(hidden, 1, 10.0, {});
+  ASSERT_TRUE(expected && baked);
+  ASSERT_EQ(baked->take.meshes.size(), expected->take.meshes.size());
+  for (std::size_t m = 0; m < baked->take.meshes.size(); ++m)
+    EXPECT_EQ(baked->take.meshes[m].streams[0].frames, expected->take.meshes[m].streams[0].frames) << m;
+}
+
+TEST(bake_scene, a_clip_that_ends_with_a_frame_but_for_rounding_has_that_frame) {
+  Scene scene = coloured_scene(1.0f);
+  scene.animations[0].duration_s = static_cast<double>(0.7f);  // a little less
+  ASSERT_LT(scene.animations[0].duration_s * 10.0, 7.0);
+  const auto baked = bake_scene(scene, 0, 10.0, {});
+  ASSERT_TRUE(baked);
+  EXPECT_EQ(baked->take.meshes[0].streams[0].frames.size(), 8u);
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/geometry_cache/point_cache.h"
@@ -106,9 +107,11 @@ TEST(bake_command, moves_a_mesh_by_a_point_cache_whose_axes_it_finds_and_tells) 
 TEST(bake_command, a_budget_in_parts_of_the_model_is_of_its_longest_side) {
   const ToolModelFile model;
   const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");
-  for (const double side : {0.01, 30.0}) {
+  const std::pair<double, glm::vec3> shapes[] = {
+      {0.01, {0.5f, 1.0f, 0.25f}}, {30.0, {1.0f, 0.5f, 0.25f}}, {2.0, {0.25f, 0.5f, 2.0f}}};  // kRest is half as deep
+  for (const auto& [side, shape] : shapes) {
     std::vector<glm::vec3> rest;
-    for (const glm::vec3& p : kRest) rest.push_back(p * glm::vec3(0.5f, 1.0f, 0.25f) * static_cast<float>(side));
+    for (const glm::vec3& p : kRest) rest.push_back(p * shape * static_cast<float>(side));
     std::string text;
     for (const glm::vec3& p : rest)
       text += "v " + std::to_string(p.x) + ' ' + std::to_string(p.y) + ' ' + std::to_string(p.z) + '\n';

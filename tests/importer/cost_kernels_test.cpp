@@ -14,6 +14,8 @@
 #include "importer/tool/cost/rotation/rotation_lanes.h"
 #include "importer/tool/cost/rotation/rotation_tracks.h"
 #include "importer/tool/cost/skin_probe.h"
+#include "importer/tool/cost/skinned_part.h"
+#include "importer/tool/cost/subject.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/pose/pose_memory.h"
@@ -146,6 +148,52 @@ TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
     return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));
   };
   EXPECT_NEAR(probe.distance_m(pose(0.0), pose(1.0)), 0.5 * 0.25 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(cost_skin_probe, a_mesh_without_a_skin_goes_with_its_joint) {
+  Scene arm = arm_scene();
+  arm.instances[0].skin = kNone;
+  arm.instances[0].joint = 2;  // which turns: vertex 1 lies two metres from it
+  const cost::SkinProbe probe(arm, 1000);
+  const auto pose = [&](double time_s) {
+    return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));
+  };
+  EXPECT_NEAR(probe.distance_m(pose(0.0), pose(1.0)), 2.0 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(cost_true_pose, a_joint_with_a_matrix_of_its_own_has_that_one) {
+  Scene arm = arm_scene();
+  Affine sheared = affine_from(glm::mat3(1.0f), {7, 8, 9});
+  sheared.row[0].y = 0.5f;
+  arm.skeleton.fixed_matrices = {sheared};
+  arm.skeleton.fixed_matrix_of[0] = 0;
+  const auto model = cost::model_pose(arm.skeleton, cost::rest_pose(arm.skeleton));
+  EXPECT_EQ(model[0], affine_cast<double>(sheared));
+  EXPECT_EQ(translation_of(model[2]), Vec3<double>(7.5, 9, 9)) << "and what hangs on it goes along";
+}
+
+TEST(cost_subject, the_busiest_clip_moves_most_joints_however_long_it_lasts) {
+  Scene arm = arm_scene();
+  Animation busy = arm.animations[0];
+  busy.duration_s = 0.25;
+  busy.bones.push_back(busy.bones[0]);
+  arm.animations = {arm.animations[0], busy, busy, arm.animations[0]};
+  EXPECT_EQ(cost::busiest_clip(arm), 1u) << "the first of two";
+  arm.animations.clear();
+  EXPECT_EQ(cost::busiest_clip(arm), kNone);
+}
+
+TEST(cost_skinned_part, is_the_primitive_with_most_vertices_wherever_it_stands) {
+  for (const bool larger_last : {false, true}) {
+    Scene arm = arm_scene();
+    Primitive small = arm.meshes[0].primitives[0];
+    small.positions.resize(2);
+    small.influences = {{{0, 2, 1, 0}}, {0, 1}, {1, 1}};
+    auto& primitives = arm.meshes[0].primitives;
+    primitives.insert(larger_last ? primitives.begin() : primitives.end(), small);
+    const cost::Subject subject(arm, kNone, cost::Effort::quick());
+    EXPECT_EQ(cost::skinned_part(subject)->vertex_count(), 4u) << larger_last;
+  }
 }
 
 TEST(cost_skin_probe, looks_around_the_joints_of_a_scene_without_vertices) {

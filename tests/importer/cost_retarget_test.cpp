@@ -52,6 +52,16 @@ TEST(cost_retargeting, the_other_body_has_other_proportions_and_stands_on_the_sa
   EXPECT_NEAR(body->skeleton.rest[0].translation.y, 0.1 + 0.9 * 0.75 * 0.9, 1e-6) << "feet at 0.1 m as before";
 }
 
+TEST(cost_retargeting, both_sides_of_the_other_body_are_alike) {
+  const Scene scene = glider();
+  const auto body = cost::other_body(scene.skeleton);
+  ASSERT_TRUE(body);
+  for (std::size_t left = 5; left < 15; left += 2) {
+    const glm::vec3 &l = body->skeleton.rest[left].translation, &r = body->skeleton.rest[left + 1].translation;
+    EXPECT_EQ(l, glm::vec3(-r.x, r.y, r.z)) << scene.skeleton.names[left];
+  }
+}
+
 TEST(cost_retargeting, a_body_that_glides_strays_by_what_its_rule_makes_of_the_path_of_the_hips) {
   const Scene scene = glider();
   const Study study = cost::study_retargeting(Subject(scene, 0, Effort::quick()));

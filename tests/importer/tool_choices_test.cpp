@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/poses/vertex_choice.h"
 #include "importer/tool/sample_times.h"
@@ -59,6 +61,19 @@ TEST(sample_times, telling_times_hold_the_ends_some_keys_and_middles) {
   bone.scale.times_s = {1.0f, 4.0f};
   EXPECT_THAT(telling_times(animation), ElementsAre(0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0));
   EXPECT_THAT(telling_times(Animation{}), ElementsAre(0.0));
+}
+
+TEST(sample_times, keys_of_every_kind_of_track_tell) {
+  const std::vector<float> keys{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  const auto expect = [&](const std::function<void(Animation&)>& add) {
+    Animation animation;
+    add(animation);
+    EXPECT_THAT(telling_times(animation), ElementsAre(0.0, 1.0, 1.5, 3.0, 3.5, 5.0, 5.5, 7.0, 7.5, 9.0));
+  };
+  expect([&](Animation& a) { a.bones.emplace_back().translation.times_s = keys; });
+  expect([&](Animation& a) { a.bones.emplace_back().rotation.times_s = keys; });
+  expect([&](Animation& a) { a.bones.emplace_back().scale.times_s = keys; });
+  expect([&](Animation& a) { a.weights.emplace_back().weights.times_s = keys; });
 }
 
 TEST(sample_times, frames_run_to_the_end_and_include_it) {

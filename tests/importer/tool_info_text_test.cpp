@@ -139,6 +139,24 @@ TEST(tool_info_text, copies_of_a_vertex_count_once) {
   EXPECT_EQ(statistics.joints_with_weight, 3u);
 }
 
+TEST(tool_info_text, a_skin_counts_each_of_its_meshes_once) {
+  Primitive primitive;
+  primitive.positions.resize(2);
+  primitive.influences = {{{0, 2, 1, 0}}, {4, 4}, {1.0f, 1.0f}};
+  Scene scene;
+  for (const std::uint16_t joint : std::initializer_list<std::uint16_t>{4, 5, 6}) {
+    primitive.influences.joints[1] = joint;
+    scene.meshes.push_back({"", {primitive, primitive}, {}, {}});
+  }
+  scene.instances = {{.joint = 0, .mesh = 0, .skin = 1},
+                     {.joint = 0, .mesh = 1, .skin = 1},
+                     {.joint = 0, .mesh = 1, .skin = 1},
+                     {.joint = 0, .mesh = 2, .skin = 0}};
+  const tool::SkinStatistics statistics = tool::skin_statistics(scene, 1);
+  EXPECT_EQ(statistics.vertices_by_influences, (std::map<std::uint32_t, std::uint64_t>{{1, 8}}));
+  EXPECT_EQ(statistics.joints_with_weight, 2u);
+}
+
 TEST(tool_info_text, shows_the_first_joints_of_a_large_skin_in_lines_that_fit) {
   auto info = nlohmann::ordered_json::parse(kInfo);
   info["skins"][0]["joint_names"] = std::vector<std::string>(60, "a joint");

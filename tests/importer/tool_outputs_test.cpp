@@ -103,6 +103,19 @@ TEST(tool_outputs, an_output_never_takes_the_place_of_an_input) {
   EXPECT_EQ(std::distance(left, fs::directory_iterator()), 3) << "nothing else was written";
 }
 
+TEST(tool_outputs, what_is_no_file_is_never_replaced_by_one) {
+  const ToolModelFile model;
+  const std::string taken = model.beside("taken.glb");
+  fs::create_directory(taken);
+  for (const std::string& command : commands_of_help()) {
+    if (!kWriting.contains(command) || command == "cost") continue;  // which writes a folder
+    const CommandOutcome outcome = run_tool(kWriting.at(command)(model.path(), taken));
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(taken + " exists and is not a regular file")) << command;
+    EXPECT_TRUE(fs::is_directory(taken)) << command;
+  }
+}
+
 TEST(tool_outputs, buffers_and_images_of_a_file_are_inputs_too) {
   const ToolModelFile model;
   const std::string in = model.beside("other.gltf");

@@ -99,6 +99,17 @@ TEST(resample_clips, a_constant_track_keeps_one_key_or_two_where_the_clip_ends_w
   EXPECT_THAT(shorter.bones[0].translation.times_s, ElementsAre(0.0f, 1.0f)) << "the other track ends before the clip";
 }
 
+TEST(resample_clips, weights_that_last_let_constant_tracks_be_one_key) {
+  const Vec3Track still{Interpolation::linear, {0.0f, 1.0f}, {{3, 0, 0}, {3, 0, 0}}};
+  for (const float end_s : {1.0f, 0.5f}) {
+    const Animation out = resampled(10.0, [&](Animation& animation, BoneAnimation& bone) {
+      bone.translation = still;
+      animation.weights.emplace_back().weights = {Interpolation::linear, {0.0f, end_s}, {0, 1}, 1};
+    });
+    EXPECT_EQ(out.bones[0].translation.times_s.size(), end_s == 1.0f ? 1u : 2u) << end_s;
+  }
+}
+
 TEST(resample_clips, weights_are_resampled_target_by_target) {
   const Animation out = resampled(
       2.0,
