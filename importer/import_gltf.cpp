@@ -222,8 +222,8 @@ class Import {
   const std::shared_ptr<CarriedDocument> carried_ = std::make_shared<CarriedDocument>();
 };
 
-template <class Run>
 /// Runs an import and turns every exception of a library into an error, so that only a result leaves.
+template <class Run>
 ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
   try {
     if (auto out = run()) return std::move(*out);

@@ -118,8 +118,9 @@ class DracoDecoder {
   }
 
   /// Finds the accessor for an attribute of a stream, or for its faces. Several primitives may name one accessor
-  /// although each has a stream of its own: the first stream fills it, each other one gets a copy. in,out  accessor the
-  /// one that the primitive names, then the one to fill out     false where it holds these elements already
+  /// although each has a stream of its own: the first stream fills it, each other one gets a copy.
+  /// in,out  named  the accessor that the primitive names, then the one to fill
+  /// out     false where it holds these elements already
   bool claim(int& named, std::uint32_t view, std::uint32_t attribute) {
     const auto accessor = static_cast<std::uint32_t>(named);
     const auto [known, is_new] = filled_.try_emplace({accessor, view, attribute}, accessor);

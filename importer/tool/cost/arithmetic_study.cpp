@@ -48,9 +48,8 @@ struct Bench {
   }
 };
 
-/// Steps of float at the size of the model, by which positions are off.
-template <class V>
 /// The largest error of a position, in float steps at the size of the model.
+template <class V>
 double error_ulp(const std::vector<V>& found, const std::vector<Vec3<double>>& truth) {
   double size = 0.0;
   for (const auto& p : truth) size = std::max(size, largest_component(p));
