@@ -277,6 +277,28 @@ TEST_F(ToolInfoJson, materials_and_images) {
   EXPECT_EQ((*info_)["images"][0]["name"], "gone");
 }
 
+TEST_F(ToolInfoJson, each_texture_of_a_material_names_its_own_image) {
+  TinyGltf file;
+  file.root["images"] = file.root["textures"] = Json::array();
+  for (int i = 0; i < 5; ++i) {
+    file.root["images"].push_back({{"uri", "none" + std::to_string(i) + ".png"}});
+    file.root["textures"].push_back({{"source", 4 - i}});
+  }
+  const auto texture = [](int index) { return Json{{"index", index}}; };
+  file.root["materials"] = Json::array(
+      {{{"pbrMetallicRoughness", {{"baseColorTexture", texture(0)}, {"metallicRoughnessTexture", texture(1)}}},
+        {"normalTexture", texture(2)},
+        {"occlusionTexture", texture(3)},
+        {"emissiveTexture", texture(4)}}});
+  ImportOptions options;
+  options.decode_images = false;
+  options.carry_document = true;
+  const auto read = file.import(options);
+  ASSERT_EQ(outcome(read), "ok");
+  EXPECT_EQ(Json(tool::info_json("a", *read))["materials"][0]["texture_images"],
+            (Json{{"base_color", 4}, {"metallic_roughness", 3}, {"normal", 2}, {"occlusion", 1}, {"emissive", 0}}));
+}
+
 TEST_F(ToolInfoJson, cameras_and_lights) {
   EXPECT_EQ((*info_)["cameras"], (Json{{{"name", "near"},
                                         {"node", 4},
