@@ -77,13 +77,28 @@ TEST(actions, of_playback_do_one_thing_each) {
     std::function<void(Played&)> change;
   };
   const Row rows[] = {{Action::toggle_play, [](Played& p) { p.playing = false; }},
-                      {Action::step_back, [](Played& p) { p.playing = false, p.time_s = 29.0 / 30.0; }},
-                      {Action::step_forward, [](Played& p) { p.playing = false, p.time_s = 31.0 / 30.0; }},
+                      {Action::step_back,
+                       [](Played& p) {
+                         p.playing = false;
+                         p.time_s = 29.0 / 30.0;
+                       }},
+                      {Action::step_forward,
+                       [](Played& p) {
+                         p.playing = false;
+                         p.time_s = 31.0 / 30.0;
+                       }},
                       {Action::faster, [](Played& p) { p.speed = 1.5; }},
                       {Action::slower, [](Played& p) { p.speed = 0.75; }},
                       {Action::toggle_loop, [](Played& p) { p.mode = PlayMode::ping_pong; }},
-                      {Action::next_clip, [](Played& p) { p.clip = 2, p.time_s = 0.0; }},
-                      {Action::previous_clip, [](Played& p) { p.clip = 0, p.time_s = 0.0; }}};
+                      {Action::next_clip,
+                       [](Played& p) {
+                         p.clip = 2;
+                         p.time_s = 0.0;
+                       }},
+                      {Action::previous_clip, [](Played& p) {
+                         p.clip = 0;
+                         p.time_s = 0.0;
+                       }}};
   for (const Row& row : rows) {
     Playback playback(scene);
     playback.choose(1);

@@ -20,6 +20,19 @@ TEST(clip_extent, reach_as_far_as_the_clip_and_are_as_large_as_one_pose) {
   EXPECT_NEAR(glm::length(bounds.largest.upper - bounds.largest.lower), std::sqrt(2.0f), 1e-4f);
 }
 
+TEST(clip_extent, are_as_large_as_the_largest_pose_alone_wherever_it_is) {
+  Scene scene = flyer(true);
+  auto& scale = scene.animations[0].bones[0].scale;
+  scale.times_s = {0.0f, 3.0f};
+  scale.values = {{1, 1, 1}, {5, 5, 5}};
+  scene.clips.clear();
+  finish_scene(scene);
+  const ClipExtent bounds = clip_extent(scene, 0);
+  EXPECT_NEAR(bounds.largest.lower.x, 4.0f, 1e-4f) << "it ends there";
+  EXPECT_NEAR(bounds.largest.upper.x, 9.0f, 1e-4f);
+  EXPECT_NEAR(bounds.largest.upper.y - bounds.largest.lower.y, 5.0f, 1e-4f);
+}
+
 TEST(clip_extent, of_no_clip_are_those_of_the_rest_pose) {
   const Scene scene = flyer(true);
   const ClipExtent bounds = clip_extent(scene, kNone);

@@ -145,6 +145,39 @@ TEST_F(covered_area_picture, ambient_occlusion_is_the_same_where_the_whole_pictu
     }
 }
 
+TEST_F(covered_area_picture, meshes_that_moved_are_where_they_are_now_and_points_may_be_anywhere) {
+  RenderOptions options;
+  options.show = Show::ao;
+  const auto texels = [&](const BuiltScene& built, const Aabb& bounds) {
+    Headless pictures(*test_device(), built.scene, kWidth, kHeight);
+    FrameResult frame = built.frame();
+    std::vector<InstanceResult> instances(frame.instances.begin(), frame.instances.end());
+    for (InstanceResult& instance : instances) instance.bounds = bounds;
+    frame.instances = instances;
+    pictures.render(frame, view_ahead(), options);
+    return occlusion_texels(pictures);
+  };
+  BuiltScene ball;
+  const std::uint32_t material = ball.add_material(matte({0.8f, 0.6f, 0.4f}));
+  const Primitive shape = showcase::sphere({0, 0, -5}, 0.5f);
+  ball.add(shape, material);
+  const std::uint64_t at_rest = texels(ball, {});
+  EXPECT_LT(at_rest, 100u);
+  std::vector<glm::vec3> larger = shape.positions;
+  for (glm::vec3& p : larger) p = {3.0f * p.x, 3.0f * p.y, p.z};
+  ball.deform(0, larger, shape.normals);
+  EXPECT_GT(texels(ball, {{-1.5f, -1.5f, -5.5f}, {1.5f, 1.5f, -4.5f}}), 2 * at_rest);
+  EXPECT_EQ(texels(ball, {}), kWidth / 2 * kHeight / 2) << "nobody knows where";
+  BuiltScene points;
+  Primitive dots;
+  dots.topology = Topology::points;
+  dots.positions = {{0, 0, -5}};
+  dots.indices = {0};
+  dots.bounds.add(dots.positions[0]);
+  points.add(dots, points.add_material(matte({1, 1, 1})));
+  EXPECT_EQ(texels(points, {}), kWidth / 2 * kHeight / 2);
+}
+
 TEST_F(covered_area_picture, P17_work_is_told_and_is_that_of_the_area) {
   RenderOptions options;
   options.show = Show::ao;

@@ -80,6 +80,17 @@ TEST_F(framed_camera, frames_another_clip_anew) {
   EXPECT_NEAR(target().x, 11.0, 1e-6);
 }
 
+TEST_F(framed_camera, frames_another_clip_in_what_is_free_of_the_picture) {
+  const FreeWidth free{-0.2, 1.0};
+  camera_.frame(Framing::follow, *shown_, kAspect, free);
+  const double aside = camera_.orbit.aside, distance_m = camera_.orbit.distance_m;
+  EXPECT_GT(aside, 0.1);
+  shown_->playback().choose(1);
+  follow_at(0.5);
+  EXPECT_EQ(camera_.orbit.aside, aside);
+  EXPECT_NEAR(camera_.orbit.distance_m, distance_m, 1e-5);
+}
+
 TEST_F(framed_camera, keeps_its_place_beside_what_it_follows_when_the_file_changes) {
   camera_.frame(Framing::follow, *shown_, kAspect);
   camera_.orbit.target.x += 1.0;

@@ -147,16 +147,22 @@ TEST_F(ground, has_less_ambient_light_beside_what_stands_on_it) {
   const FloatPicture drawn = render_float(built, kWidth, kHeight, from_above(), options),
                      seen = render_float(built, kWidth, kHeight, from_above(), access);
   const double key = key_irradiance(options.lighting), ambient = ambient_irradiance();
-  int touched = 0;
+  int touched = 0, beside = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      if (!ground_at(built, from_above(), options.ground, x, y)) continue;
+      const auto point = ground_at(built, from_above(), options.ground, x, y);
+      if (!point) continue;
       const double share = static_cast<double>(seen.at(x, y).x);
       const double expected = ambient * (1.0 - share) / (ambient + key);
       EXPECT_NEAR(static_cast<double>(drawn.at(x, y).a), expected, 0.004) << x << ' ' << y;
       touched += share < 0.9;
+      const Aabb& box = options.ground.bounds;
+      const bool within = point->x > static_cast<double>(box.lower.x) && point->x < static_cast<double>(box.upper.x) &&
+                          point->z > static_cast<double>(box.lower.z) && point->z < static_cast<double>(box.upper.z);
+      beside += !within && share < 0.97;
     }
   EXPECT_GT(touched, 30);
+  EXPECT_GT(beside, 10) << "contact reaches farther than what stands there";
 }
 
 TEST_F(ground, is_drawn_as_far_as_shadows_of_a_spot_light_reach) {

@@ -202,6 +202,8 @@ TEST_F(headless_run, shows_what_is_asked_for_over_and_in_the_picture) {
   const View view = orbiting(exhibit, clip_extent(exhibit.scene, 0).outline.points(), exhibit.fov_y_rad);
   std::vector<Options> all(7, small_picture());
   all[1].skeleton = true;
+  all[1].width = 240;  // axes of a few pixels
+  all[1].height = 160;
   all[2].variant = "blue";
   all[3].transparent = true;
   all[4].backdrop = Backdrop::sharp;
@@ -281,9 +283,12 @@ TEST_F(headless_run, small_meshes_are_held_between_updates_only_where_pictures_a
   const Exhibit exhibit = gliding_box();
   Options options = small_picture();
   options.updates = Updates::held;
-  options.camera = PlacedCamera{{0, 0, 60}, {0, 0, 0}};
+  options.camera = PlacedCamera{{0, 0, 70}, {0, 0, 0}};
   options.fov_y_deg = 10.0;
-  for (const double fps : {120.0, 5.0}) {
+  options.width = 192;
+  options.height = 128;
+  options.smooth_edges = true;  // so that it is seen to move
+  for (const double fps : {25.0, 5.0}) {
     options.fps = fps;
     options.frames = FrameRange{0, 5};
     options.headless = (folder_ / std::to_string(static_cast<int>(fps))).string();
@@ -293,7 +298,8 @@ TEST_F(headless_run, small_meshes_are_held_between_updates_only_where_pictures_a
       const auto file = [&](int i) { return fs::path(options.headless) / ("0000" + std::to_string(i) + ".png"); };
       held += bytes_of(file(n)) == bytes_of(file(n + 1));
     }
-    EXPECT_EQ(held > 2, fps > 60.0) << fps;
+    EXPECT_EQ(held > 0, fps > 20.0) << fps;
+    EXPECT_LT(held, 4) << fps;
   }
 }
 

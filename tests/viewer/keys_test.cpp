@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/keys.h"
 
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>

@@ -118,7 +118,8 @@ TEST(live_plan, tells_what_was_uploaded_and_what_was_left_out) {
   EXPECT_EQ(row(live, "upload").reason, "2400 bytes of deformed vertices, 1 are there unchanged");
   EXPECT_EQ(row(live, "collect").reason, "5 meshes out of view and 6 hidden are left out");
   EXPECT_EQ(row(live, "collect").count, 4u);
-  live.drawn({.unchanged = 3}, {}, {});
+  live.drawn({.unchanged = 3}, {.modes = {{{"samples", false, "edges are not smoothed", 1}}}}, {});
+  EXPECT_EQ(row(live, "samples").count, 1u) << "one a pixel";
   EXPECT_FALSE(row(live, "upload").runs);
   EXPECT_EQ(row(live, "upload").timed, 0u);
 }

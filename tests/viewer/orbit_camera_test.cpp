@@ -206,6 +206,18 @@ TEST(orbit_camera, takes_over_from_a_view_without_moving_the_picture) {
   EXPECT_LT(glm::length(camera.target - glm::dvec3(0.5, 0.0, 0.0)), 1.0) << "it turns round the scene";
 }
 
+TEST(orbit_camera, takes_over_a_view_that_looks_away_at_the_distance_of_what_was_framed_last) {
+  const Aabb scene = box({-1, -1, -1}, {1, 1, 1});
+  OrbitCamera camera;
+  camera.frame(scene, 1.0);
+  const double framed_m = camera.distance_m;
+  EXPECT_GT(framed_m, 1.0);
+  const View away = look_at({0.0, 0.0, 5.0}, {0.0, 0.0, 9.0}, 0.6, 0.01);
+  camera.take_over(away, scene);
+  EXPECT_LT(glm::length(camera.eye() - glm::dvec3(0.0, 0.0, 5.0)), 1e-9);
+  EXPECT_LT(glm::length(camera.target - glm::dvec3(0.0, 0.0, 5.0 + framed_m)), 1e-9);
+}
+
 TEST(orbit_camera, takes_over_the_size_that_a_parallel_view_shows) {
   const Aabb scene = box({-1, -1, -1}, {1, 1, 1});
   View given = look_at({0.0, 0.0, 50.0}, {0.0, 0.0, 0.0}, 0.8, 0.01);

@@ -202,6 +202,7 @@ TEST(load_environment, knows_its_names_and_reads_files) {
   const auto sky = load_environment(path);
   ASSERT_TRUE(sky) << sky.error();
   EXPECT_LT(glm::length((*sky)->diffuse[0] - glm::vec3(0.5f, 1.0f, 2.0f)), 1e-3f);
+  EXPECT_EQ((*sky)->reflected[0].size, 256u) << "texels along an edge: what a backdrop shows";
   std::ofstream(path, std::ios::binary) << "text";
   EXPECT_THAT(load_environment(path).error(), HasSubstr("sky.exr: neither"));
   EXPECT_THAT(load_environment("/proc/self/mem").error(), HasSubstr("/proc/self/mem: cannot be read"));

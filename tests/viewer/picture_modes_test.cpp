@@ -66,6 +66,12 @@ TEST(picture_modes, tell_the_tone_curve_and_where_it_changes_nothing) {
   EXPECT_EQ(told("tone curve", kGooch, with(ToneCurve::aces)), "off Gooch's tones are colours of the display");
   EXPECT_EQ(told("tone curve", kGooch, with(ToneCurve::aces, Backdrop::sharp)),
             "on for the backdrop alone: Gooch's tones are colours of the display");
+  for (const auto hide : {+[](RenderOptions& o) { o.transparent_background = true; },
+                          +[](RenderOptions& o) { o.lighting.environment = nullptr; }}) {
+    RenderOptions options = with(ToneCurve::aces, Backdrop::sharp);
+    hide(options);
+    EXPECT_EQ(told("tone curve", kGooch, options), "off Gooch's tones are colours of the display");
+  }
 }
 
 TEST(picture_modes, tell_the_backdrop_and_why_there_is_none) {

@@ -49,6 +49,12 @@ TEST(ground_is_seen, from_above_alone) {
     EXPECT_TRUE(seen_from({0, 2, -9}, parallel));
     EXPECT_FALSE(seen_from({9, -2, 9}, parallel));
   }
+  View up = look_at({0, 9, 4}, {0, 12, 0}, 0.8, 0.05), down = look_at({0, -9, 4}, {0, -12, 0}, 0.8, 0.05);
+  EXPECT_TRUE(ground_is_seen(up, ground)) << "the eye of a perspective is above it";
+  EXPECT_FALSE(ground_is_seen(down, ground));
+  up.half_height_m = down.half_height_m = 1.0;
+  EXPECT_FALSE(ground_is_seen(up, ground)) << "a parallel view looks at it from below, wherever its eye is said to be";
+  EXPECT_TRUE(ground_is_seen(down, ground));
 }
 
 TEST(render_options_for, have_lengths_of_the_bounds_and_depths_of_the_ball_around_them) {

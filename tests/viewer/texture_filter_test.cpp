@@ -85,5 +85,22 @@ TEST_F(texture_memory, of_a_rip_map_is_four_times_that_of_the_image) {
   EXPECT_EQ(bytes_with({FilterKind::bilinear}), image);
 }
 
+TEST_F(texture_memory, of_a_rip_map_beyond_what_the_device_holds_is_that_of_the_next_level_that_fits) {
+  const std::uint32_t most = test_device()->limits().maxImageDimension2D;
+  for (const std::uint32_t width : {most / 2, most / 2 + 2}) {
+    BuiltScene built;
+    built.scene.images.push_back({"row", width, 1, std::vector<std::uint8_t>(std::size_t{4} * width, 90)});
+    built.scene.textures.push_back({0, {}});
+    Material material = matte({1, 1, 1});
+    const auto bytes = [&] {
+      return SceneUpload(*test_device(), built.scene, 1, nullptr, {FilterKind::rip_map}).materials().texel_bytes();
+    };
+    const std::uint64_t without = bytes();
+    material.base_color_texture.texture = 0;
+    built.add_material(material);
+    EXPECT_EQ(bytes() - without, 4u * 4u * (width > most / 2 ? width / 2 : width)) << width;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::viewer

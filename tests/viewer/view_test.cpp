@@ -119,6 +119,14 @@ TEST(view, of_all_fills_the_picture_but_for_a_margin_from_the_right_of_the_front
   EXPECT_TRUE(test::is_near(eye_of(view_of_all(Aabb{}, 0.8, 1.0)), eye, 1e-9)) << "nothing is as a cube of a metre";
 }
 
+TEST(view, near_plane_is_half_way_to_the_ball_around_the_scene_and_never_at_the_eye) {
+  const Aabb box{{-1, 1, -4}, {3, 5, -2}};  // radius 3
+  EXPECT_DOUBLE_EQ(near_plane_for({1, 3, 20}, box), 0.5 * (23.0 - 3.0));
+  EXPECT_DOUBLE_EQ(near_plane_for({1, 3, 1000.0}, box), 500.0);
+  for (const glm::dvec3 within : {glm::dvec3(1, 3, -3), {2, 4, -3}, {1, 3, 0.005}})
+    EXPECT_DOUBLE_EQ(near_plane_for(within, box), 0.006);
+}
+
 TEST(view, of_an_empty_or_flat_box_is_finite) {
   Aabb point;
   point.add({2.0f, 2.0f, 2.0f});

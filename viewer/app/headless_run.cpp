@@ -97,7 +97,7 @@ std::optional<Framed> framed_for(const Options& options, const Exhibit& exhibit,
 // A placed camera bypasses OrbitCamera, which cannot look straight down.
 View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds, const OrbitCamera& camera) {
   const auto placed = options.camera ? options.camera : exhibit.camera;
-  if (!placed || options.framing != Framing::clip) return camera.view(bounds.reached);
+  if (!placed) return camera.view(bounds.reached);
   const glm::dvec3 eye(placed->eye);
   return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
 }

@@ -13,8 +13,6 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr double kNearestNear = 1e-6;  // relative to the distance from the eye
-
 struct Ball {
   glm::dvec3 centre;
   double radius;
@@ -65,7 +63,7 @@ Mat4<double> clip_from_view(const View& view, double aspect) {
 double near_plane_for(const glm::dvec3& eye, const Aabb& bounds) {
   const Ball ball = ball_around(bounds);
   const double distance = glm::length(eye - ball.centre);
-  return std::max({0.5 * (distance - ball.radius), 0.002 * ball.radius, kNearestNear * distance});
+  return std::max(0.5 * (distance - ball.radius), 0.002 * ball.radius);
 }
 
 bool is_out_of_view(const View& view, double aspect, const Affined& view_from_box, const Aabb& box) noexcept {

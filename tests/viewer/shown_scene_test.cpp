@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What the window asks of the job thread: the pose of the time, without what is out of view, and never without what
+// comes into view.
+#include "viewer/app/shown_scene.h"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "samples/showcase/scene_builder.h"
+#include "samples/showcase/shapes.h"
+#include "tests/viewer/device_fixture.h"
+
+namespace sinew::viewer {
+namespace {
+
+/// A box that glides 4 m along x in 2 s; with a camera on it, or without.
+Exhibit gliding_box(bool camera) {
+  showcase::SceneBuilder builder;
+  const std::uint32_t joint = builder.add_joint("box", kNone, {});
+  builder.add_instance(joint, builder.add_mesh({"box", {showcase::box({0, 0, 0}, glm::vec3(0.5f))}, {}, {}}));
+  BoneAnimation bone;
+  bone.joint = joint;
+  bone.translation.times_s = {0.0f, 2.0f};
+  bone.translation.values = {{0, 0, 0}, {4, 0, 0}};
+  builder.add_animation({"glide", 2.0, {bone}, {}});
+  Exhibit exhibit;
+  exhibit.scene = builder.finish();
+  if (camera) exhibit.scene.cameras = {{.name = "on box", .joint = joint}};
+  return exhibit;
+}
+
+const View kAhead = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 0.0}, 0.8, 0.05),
+           kAway = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 40.0}, 0.8, 0.05),
+           kFloor = look_at({-2.0, -3.0, 6.0}, {-2.0, -3.5, -1.8}, 0.3, 0.05);
+
+class shown_scene : public DeviceTest {
+ protected:
+  void show(Exhibit exhibit, const Evaluation& evaluation = {}) {
+    shown_.reset();
+    exhibit_ = std::move(exhibit);
+    shown_ = std::make_unique<ShownScene>(*test_device(), exhibit_, evaluation, 2, TextureFilter{});
+    shown_->playback().pause();
+  }
+  void TearDown() override {
+    shown_.reset();
+    DeviceTest::TearDown();
+  }
+  void submit(const View& view, bool joints_watched = false) { shown_->submit(view, false, 1.5, joints_watched); }
+  /// The newest pose once it is the one that was asked for last.
+  const FrameResult& settled() {
+    for (int i = 0; i < 4000; ++i) {
+      shown_->newest();
+      if (shown_->settled()) return shown_->newest();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ADD_FAILURE() << "the pose does not come";
+    return shown_->newest();
+  }
+  /// Negative where no joint was evaluated.
+  double place_m() {
+    const auto& model = shown_->newest().model;
+    return model.empty() ? -1.0 : static_cast<double>(model[0].row[0].w);
+  }
+
+  Exhibit exhibit_;
+  std::unique_ptr<ShownScene> shown_;
+};
+
+TEST_F(shown_scene, is_settled_with_the_pose_of_its_time_and_no_other) {
+  show(gliding_box(false));
+  for (const double time_s : {0.5, 1.5}) {
+    shown_->playback().seek(time_s);
+    EXPECT_FALSE(shown_->settled()) << "nobody asked for it";
+    submit(kAhead);
+    settled();
+    EXPECT_NEAR(place_m(), 2.0 * time_s, 1e-6);
+    EXPECT_TRUE(shown_->resting());
+  }
+  shown_->playback().toggle();
+  EXPECT_FALSE(shown_->resting()) << "it plays";
+  shown_->playback().choose(kNone);
+  submit(kAhead);
+  settled();
+  EXPECT_NEAR(place_m(), 0.0, 1e-6) << "the rest pose";
+}
+
+TEST_F(shown_scene, leaves_out_what_is_out_of_view_and_waits_for_what_comes_into_it) {
+  show(gliding_box(false));
+  shown_->playback().seek(0.5);
+  submit(kAway);
+  EXPECT_FALSE(settled().instances[0].visible);
+  shown_->playback().seek(1.0);
+  submit(kAhead);
+  EXPECT_TRUE(shown_->newest().instances[0].visible) << "in this very frame";
+  EXPECT_NEAR(place_m(), 2.0, 1e-6);
+}
+
+TEST_F(shown_scene, evaluates_what_casts_a_shadow_into_view) {
+  show(gliding_box(false));
+  for (const bool shadows : {false, true}) {
+    shown_->set_shadows(shadows);
+    shown_->playback().seek(shadows ? 0.2 : 0.1);
+    submit(kFloor);
+    EXPECT_EQ(settled().instances[0].visible, shadows);
+  }
+}
+
+TEST_F(shown_scene, joints_move_out_of_view_while_somebody_watches_them) {
+  for (const bool camera : {false, true})
+    for (const bool watched : {false, true}) {
+      show(gliding_box(camera));
+      submit(kAway, watched);
+      settled();
+      shown_->playback().seek(1.0);
+      submit(kAway, watched);
+      settled();
+      EXPECT_EQ(std::abs(place_m() - 2.0) < 1e-6, camera || watched) << camera << watched;
+    }
+}
+
+TEST_F(shown_scene, the_coming_view_of_a_camera_is_the_view_of_the_pose_that_comes) {
+  show(gliding_box(true));
+  EXPECT_TRUE(shown_->is_moved(0));
+  shown_->playback().seek(1.0);
+  const View coming = shown_->coming_view_of(0, 1.5);
+  submit(coming);
+  settled();
+  EXPECT_EQ(eye_of(shown_->view_of(0, 1.5)), eye_of(coming));
+  EXPECT_NEAR(eye_of(coming).x, 2.0, 1e-6);
+}
+
+TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time_stands_still) {
+  show(gliding_box(false), {.updates = Updates::held});
+  const View far = look_at({2.0, 0.0, 900.0}, {2.0, 0.0, 0.0}, 0.8, 0.05);
+  shown_->playback().toggle();
+  for (int i = 0; i < 12; ++i) {
+    shown_->playback().advance(0.004);
+    submit(far);
+    shown_->newest();
+  }
+  EXPECT_NE(shown_->update_levels().level(), UpdateLevel::every);
+  for (int frame = 0; frame < 4; ++frame) {  // whether the last pose was a held one or not
+    shown_->playback().advance(0.004);
+    submit(far);
+    shown_->playback().pause();
+    for (int i = 0; i < 4000 && !shown_->settled(); ++i) {  // while the worker is busy, nothing is requested
+      submit(far);
+      shown_->newest();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_NEAR(place_m(), 2.0 * shown_->playback().time_s(), 1e-5) << frame;
+    EXPECT_EQ(shown_->update_levels().reason(), "every frame: the time stands still");
+    shown_->playback().toggle();
+  }
+  shown_->submit(far, true, 1.5, false);
+  EXPECT_EQ(shown_->update_levels().reason(), "every frame: the camera moves with the clip");
+}
+
+}  // namespace
+}  // namespace sinew::viewer
