@@ -50,6 +50,18 @@ TEST(build_meshes, a_triangle_without_indices_has_them_made_and_gets_flat_normal
   EXPECT_THAT(only(file.import(options)).normals, IsEmpty());
 }
 
+TEST(build_meshes, G36_the_smallest_skin_of_a_mesh_limits_its_joints_wherever_it_stands) {
+  for (const bool smaller_first : {false, true}) {
+    TinyGltf file;
+    file.add_skinned_triangle({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    EXPECT_EQ(outcome(file.import()), "ok");
+    file.root["skins"].push_back({{"joints", {1}}});
+    file.root["nodes"].push_back({{"mesh", 0}, {"skin", smaller_first ? 0 : 1}});
+    if (smaller_first) file.root["nodes"][0]["skin"] = 1;
+    EXPECT_EQ(outcome(file.import()), "joint-index at /meshes/0/primitives/0/attributes/JOINTS_0") << smaller_first;
+  }
+}
+
 TEST(build_meshes, G36_indices_and_joints_past_the_end_are_errors) {
   TinyGltf file;
   file.add_triangle()["indices"] = file.add(std::vector<std::uint16_t>{0, 1, 3}, "SCALAR", 5123, 1);

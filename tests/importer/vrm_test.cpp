@@ -147,6 +147,19 @@ TEST(vrm, a_number_out_of_its_range_is_told_with_the_range) {
   EXPECT_EQ(result->vrm->springs.at(0).joints.at(0).stiffness, 1.0f);
 }
 
+TEST(vrm, constraints_without_a_weight_have_weight_1) {
+  for (const char* kind : {"roll", "aim", "rotation"}) {
+    TinyGltf file = character();
+    file.root["extensionsUsed"] = {"VRMC_node_constraint"};
+    Json& constraint = file.root["nodes"][3]["extensions"]["VRMC_node_constraint"]["constraint"];
+    constraint[kind] = {{"source", 0}, {"rollAxis", "Z"}, {"aimAxis", "PositiveX"}};
+    const auto result = file.import();
+    ASSERT_EQ(outcome(result), "ok") << kind;
+    ASSERT_THAT(result->vrm->constraints, SizeIs(1)) << kind;
+    EXPECT_EQ(result->vrm->constraints[0].weight, 1.0f) << kind;
+  }
+}
+
 TEST(vrm, springs_and_constraints_are_read_without_a_humanoid) {
   TinyGltf file = character();
   file.root["extensionsUsed"] = {"VRMC_springBone", "VRMC_node_constraint"};
