@@ -181,6 +181,31 @@ VKAPI_ATTR VkResult VKAPI_CALL vkMapMemory(VkDevice, VkDeviceMemory memory, VkDe
   return own_driver().maps ? VK_SUCCESS : VK_ERROR_MEMORY_MAP_FAILED;
 }
 
+// -- buffers and images: of 256 bytes, in any memory
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateBuffer(VkDevice, const VkBufferCreateInfo*, const VkAllocationCallbacks*,
+                                              VkBuffer* buffer) {
+  return make(buffer);
+}
+VKAPI_ATTR void VKAPI_CALL vkDestroyBuffer(VkDevice, VkBuffer buffer, const VkAllocationCallbacks*) { destroy(buffer); }
+VKAPI_ATTR void VKAPI_CALL vkGetBufferMemoryRequirements(VkDevice, VkBuffer, VkMemoryRequirements* needs) {
+  *needs = {256, 16, ~0u};
+}
+VKAPI_ATTR VkResult VKAPI_CALL vkBindBufferMemory(VkDevice, VkBuffer, VkDeviceMemory, VkDeviceSize) {
+  return own_driver().on_bind;
+}
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateImage(VkDevice, const VkImageCreateInfo*, const VkAllocationCallbacks*,
+                                             VkImage* image) {
+  return make(image);
+}
+VKAPI_ATTR void VKAPI_CALL vkDestroyImage(VkDevice, VkImage image, const VkAllocationCallbacks*) { destroy(image); }
+VKAPI_ATTR void VKAPI_CALL vkGetImageMemoryRequirements(VkDevice, VkImage, VkMemoryRequirements* needs) {
+  *needs = {256, 16, ~0u};
+}
+VKAPI_ATTR VkResult VKAPI_CALL vkBindImageMemory(VkDevice, VkImage, VkDeviceMemory, VkDeviceSize) {
+  return own_driver().on_bind;
+}
+
 // -- surfaces and swapchains
 
 VKAPI_ATTR void VKAPI_CALL vkDestroySurfaceKHR(VkInstance, VkSurfaceKHR surface, const VkAllocationCallbacks*) {
@@ -212,6 +237,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetSwapchainImagesKHR(VkDevice, VkSwapchainKHR,
 }
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateImageView(VkDevice, const VkImageViewCreateInfo* info,
                                                  const VkAllocationCallbacks*, VkImageView* view) {
+  if (own_driver().on_view != VK_SUCCESS) return own_driver().on_view;
   own_driver().views.push_back(*info);
   return make(view);
 }

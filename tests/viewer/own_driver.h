@@ -34,6 +34,7 @@ struct OwnDriver {
   bool maps = true;                             ///< whether memory can be mapped
   std::vector<VkMemoryAllocateInfo> allocated;  ///< in order, those that failed left out
   std::vector<VkDeviceMemory> freed;            ///< in order
+  VkResult on_bind = VK_SUCCESS, on_view = VK_SUCCESS;
 
   std::vector<VkSurfaceFormatKHR> formats;
   VkSurfaceCapabilitiesKHR surface{};

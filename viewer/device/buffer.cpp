@@ -6,20 +6,17 @@
 
 namespace sinew::viewer {
 
-Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use)
-    : device_(&device), size_(std::max<VkDeviceSize>(bytes, 1)) {
+// The destructor runs when the rest throws, since another constructor has ended before.
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use) : Buffer() {
+  device_ = &device;
+  size_ = std::max<VkDeviceSize>(bytes, 1);
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = size_;
   info.usage = usage;
   must(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "vkCreateBuffer");
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-  try {
-    piece_ = device.memory().allocate(needs, use, false);
-  } catch (...) {
-    vkDestroyBuffer(device.handle(), buffer_, nullptr);
-    throw;
-  }
+  piece_ = device.memory().allocate(needs, use, false);
   must(vkBindBufferMemory(device.handle(), buffer_, piece_.memory, piece_.offset), "vkBindBufferMemory");
 }
 
@@ -31,14 +28,14 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   device_ = other.device_;
   buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
   size_ = other.size_;
-  piece_ = other.piece_;
+  piece_ = std::exchange(other.piece_, {});
   return *this;
 }
 
 void Buffer::reset() noexcept {
   if (!buffer_) return;
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-  device_->memory().free(piece_);
+  if (piece_.memory) device_->memory().free(piece_);
   buffer_ = VK_NULL_HANDLE;
 }
 

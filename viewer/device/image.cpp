@@ -9,7 +9,10 @@ VkImageAspectFlags aspect_of(VkFormat format) noexcept {
   return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&device), shape_(shape) {
+// The destructor runs when the rest throws, since another constructor has ended before.
+GpuImage::GpuImage(const Device& device, const ImageShape& shape) : GpuImage() {
+  device_ = &device;
+  shape_ = shape;
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = shape.format;
@@ -23,12 +26,7 @@ GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&dev
   must(vkCreateImage(device.handle(), &info, nullptr, &image_), "vkCreateImage");
   VkMemoryRequirements needs{};
   vkGetImageMemoryRequirements(device.handle(), image_, &needs);
-  try {
-    piece_ = device.memory().allocate(needs, MemoryUse::device, true);
-  } catch (...) {
-    vkDestroyImage(device.handle(), image_, nullptr);
-    throw;
-  }
+  piece_ = device.memory().allocate(needs, MemoryUse::device, true);
   must(vkBindImageMemory(device.handle(), image_, piece_.memory, piece_.offset), "vkBindImageMemory");
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   view.image = image_;
@@ -47,7 +45,7 @@ GpuImage& GpuImage::operator=(GpuImage&& other) noexcept {
   image_ = std::exchange(other.image_, VK_NULL_HANDLE);
   view_ = std::exchange(other.view_, VK_NULL_HANDLE);
   shape_ = other.shape_;
-  piece_ = other.piece_;
+  piece_ = std::exchange(other.piece_, {});
   return *this;
 }
 
@@ -55,7 +53,7 @@ void GpuImage::reset() noexcept {
   if (!image_) return;
   vkDestroyImageView(device_->handle(), view_, nullptr);
   vkDestroyImage(device_->handle(), image_, nullptr);
-  device_->memory().free(piece_);
+  if (piece_.memory) device_->memory().free(piece_);
   image_ = VK_NULL_HANDLE;
 }
 
