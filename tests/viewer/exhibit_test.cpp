@@ -205,6 +205,29 @@ TEST_F(exhibit_of_a_cache, says_what_is_wrong) {
   EXPECT_EQ(refusal(options, 1), "other.sgeo: no mesh of the scene fits one of the cache");
 }
 
+TEST_F(exhibit, says_which_material_has_more_images_than_are_shown) {
+  // Base colour and normal map leave five of the seven places to the textures of layers.
+  const auto wall = [](const std::string& transmission) {
+    std::string textures;
+    for (int i = 0; i < 8; ++i) textures += std::string(i > 0 ? "," : "") + R"({"source": 0})";
+    return R"({"asset": {"version": "2.0"}, "images": [{"uri": "data:image/png;base64,AAAA"}], "textures": [)" + textures +
+           R"(], "extensionsUsed": ["KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission"],
+              "materials": [{"name": "wall", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                "normalTexture": {"index": 1}, "extensions": {
+                "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatTexture": {"index": 2},
+                  "clearcoatRoughnessTexture": {"index": 3}, "clearcoatNormalTexture": {"index": 4}},
+                "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1], "sheenColorTexture": {"index": 5},
+                  "sheenRoughnessTexture": {"index": 6}},
+                "KHR_materials_transmission": {"transmissionFactor": 1)" +
+           transmission + "}}}]}";
+  };
+  const auto of_images = testing::Contains(HasSubstr("material \"wall\" has more images than the viewer shows"));
+  EXPECT_TRUE(load(wall("")));
+  EXPECT_THAT(said_, testing::Not(of_images));
+  EXPECT_TRUE(load(wall(R"(, "transmissionTexture": {"index": 7})")));
+  EXPECT_THAT(said_, of_images);
+}
+
 TEST_F(exhibit, says_what_the_viewer_leaves_out) {
   const auto lights = [](int count) {
     std::string nodes, all;

@@ -376,6 +376,24 @@ TEST_F(PanelTest, the_live_plan_is_as_high_as_its_rows_and_no_higher_than_the_wi
   EXPECT_EQ(height(70, rows), 4 * unit) << "two rows are seen in any window";
 }
 
+TEST_F(PanelTest, another_scene_is_wished_by_its_number) {
+  Playback playback(scene_);
+  EXPECT_FALSE(click("scene", playback).exhibit);
+  frame(playback);
+  EXPECT_EQ(click("second", "##Combo_00", playback).exhibit, 1u);
+  click("scene", playback);
+  frame(playback);
+  EXPECT_EQ(click("first", "##Combo_00", playback).exhibit, 0u);
+}
+
+TEST_F(PanelTest, each_choice_of_updates_is_the_one_by_its_name) {
+  Playback playback(scene_);
+  for (const Updates updates : {Updates::held, Updates::interpolated, Updates::every}) {
+    choose("updates", std::string(name_of(updates)).c_str(), playback);
+    EXPECT_EQ(settings_.updates, updates);
+  }
+}
+
 TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {
   scene_ = Scene{};
   names_ = {"only"};
