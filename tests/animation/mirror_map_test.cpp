@@ -99,6 +99,33 @@ TEST(mirror_map, a_joint_that_is_its_own_partner_by_wish_is_not_paired_by_place)
   EXPECT_EQ(map.joints[right].source, right);
 }
 
+TEST(mirror_map, joints_of_one_parent_are_paired_by_place_up_to_256_of_them) {
+  for (const std::uint32_t children : {256u, 257u}) {
+    std::vector<std::uint32_t> parents(1 + children, 0);
+    parents[0] = kNone;
+    std::vector<glm::vec3> offsets = {glm::vec3(0.0f)};
+    for (std::uint32_t c = 0; c < children; ++c) {
+      const auto away = static_cast<float>(1 + c / 2);
+      offsets.push_back({c % 2 == 0 ? away : -away, 0.5f * away, 0.0f});
+    }
+    MirrorOptions options;
+    options.plane_normal = glm::vec3(1, 0, 0);
+    Skeleton skeleton = scenes::breadth_first(parents, offsets);
+    skeleton.names.assign(1 + children, "");
+    EXPECT_EQ(paired_joints(make_mirror_map(skeleton, options)), children == 256 ? 256u : 0u);
+  }
+}
+
+TEST(mirror_map, a_joint_on_the_plane_below_one_side_keeps_its_own_motion) {
+  Skeleton skeleton = scenes::breadth_first({kNone, 0, 0, 1}, {{0, 1, 0}, {0.5f, 0, 0}, {-0.5f, 0, 0}, {-0.5f, 0, 0}});
+  skeleton.names = {"hips", "hand.l", "hand.r", "staff"};
+  const MirrorMap map = make_mirror_map(skeleton);
+  EXPECT_EQ(map.joints[1].source, 2u);
+  EXPECT_EQ(map.unpaired, (std::vector<std::uint32_t>{3}));
+  const std::vector<Transform> local = scenes::moved_from_rest(skeleton, 2);
+  EXPECT_EQ(mirrored(map, local)[3], local[3]);
+}
+
 TEST(mirror_map, a_plane_that_is_given_is_the_one_where_names_do_not_tell) {
   Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
   for (std::string& name : skeleton.names) name.clear();

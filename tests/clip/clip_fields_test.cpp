@@ -264,5 +264,19 @@ TEST(clip_fields, few_bytes_make_little_memory) {
   }
 }
 
+TEST(clip_fields, packed_rotations_that_take_no_bits_count_for_each_key) {
+  for (const std::size_t blocks : {std::size_t{1}, std::size_t{200}}) {
+    ClipFields still;
+    still.groups.push_back({{}, {}});
+    for (int k = 0; k < 200'000; ++k) still.groups[0].times_s.push_back(static_cast<float>(k));
+    const std::vector<std::uint16_t> ranges(6, 0);
+    const Tracks t = {kRotation, kLinear, 1, 1, {0}, {}, {0, 0, 0, 0}, {3}, ranges, {}};
+    still.groups[0].blocks.assign(blocks, t);
+    const auto loaded = load_clips(still.block());
+    EXPECT_EQ(loaded ? "" : loaded.error().detail,
+              blocks == 1 ? "" : "the clip has far more joints than its tracks account for");
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -238,6 +238,16 @@ TEST(correct_pose, a_partition_stays_within_the_values_and_is_whole_near_the_sam
   EXPECT_EQ(far.at(about_z(-3.0), 0), 0.0f);  // no sample reaches here
 }
 
+TEST(correct_pose, a_partition_that_is_clamped_stays_within_the_values_where_no_sample_reaches) {
+  PoseSamples samples = test::hinge_samples();
+  for (float& v : samples.values) v += 2.0f;
+  samples.radius_rad = 0.1f;
+  samples.partition = samples.clamp = true;
+  Rig far(samples);
+  EXPECT_EQ(far.at(about_z(-3.0), samples.weights[0]), 2.0f);
+  EXPECT_EQ(far.at(about_z(-3.0), samples.weights[1]), 1.0f);
+}
+
 TEST(correct_pose, clamped_results_do_not_overshoot) {
   PoseSamples samples = test::hinge_samples();
   samples.values = {0, 0, 0, 0, 1, 1, 1, 1};
