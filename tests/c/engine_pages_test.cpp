@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -225,6 +226,43 @@ TEST_F(CPages, held_inputs_keep_the_pages_of_their_layers_and_interpolated_ones_
             SINEW_UNSUPPORTED);
   sinew_interpolated_input_destroy(interpolated);
   sinew_plan_destroy(plan);
+}
+
+/// Of two layers each, all of the same clip: pages of the layers and of the next ones lie at four times.
+TEST_F(CPages, next_layers_play_their_own_pages) {
+  std::array<sinew_page*, 4> at{};
+  std::array<sinew_layer, 4> in_pages{}, in_whole{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double time_s = 0.1 + 0.35 * static_cast<double>(i);
+    ASSERT_EQ(sinew_page_create(&at[i]), SINEW_OK);
+    ASSERT_EQ(sinew_paged_clip_at(paged, time_s, 0, at[i]), SINEW_OK);
+    for (std::size_t number = 0; sinew_paged_clip_next_page(paged, &number) != 0;)
+      ASSERT_EQ(sinew_paged_clip_load_page(paged, number, bytes[number].data(), bytes[number].size(), nullptr, nullptr),
+                SINEW_OK);
+    ASSERT_EQ(sinew_paged_clip_at(paged, time_s, 0, at[i]), SINEW_OK);
+    EXPECT_EQ(sinew_page_is_missing(at[i]), 0);
+    in_pages[i] = {sinew_page_time_s(at[i]), 0, SINEW_NONE, 0.5f, SINEW_LAYER_BLEND};
+    in_whole[i] = in_pages[i];
+    in_whole[i].time_s = time_s;
+  }
+  sinew_needs needs = sinew_default_needs();
+  needs.flags |= SINEW_NEED_BETWEEN_UPDATES;
+  needs.max_layers = 2;
+  const sinew_scene all{scene};
+  const auto play = [&](const sinew_scene& shown, const std::array<sinew_layer, 4>& layers, sinew_page** pages) {
+    sinew_frame_input input = sinew_default_input();
+    input.layers = &layers[0];
+    input.next_layers = &layers[2];
+    input.layer_count = input.next_layer_count = 2;
+    input.interpolation_factor = 0.25f;
+    input.pages = pages;
+    input.next_pages = pages == nullptr ? nullptr : pages + 2;
+    Numbers numbers;
+    EXPECT_EQ(engine_play(&shown, &needs, &input, nullptr, &numbers), SINEW_OK);
+    return numbers.all();
+  };
+  EXPECT_TRUE(same_bits<float>(play(heads, in_pages, at.data()), play(all, in_whole, nullptr)));
+  for (sinew_page* one : at) sinew_page_destroy(one);
 }
 
 TEST(c_pages, tables_of_files_say_where_pages_lie) {
