@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/root_motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "runtime/c/boundary.h"
@@ -40,11 +39,29 @@ sinew_error read_parts(const sinew_root_parts* given, RootMotionParts& parts) no
 
 /// A joint in a clip, and what of it carries the character.
 struct RootTrack {
-  BoneAnimation none;  // where the clip leaves the joint alone
-  const BoneAnimation* animation = &none;
+  BoneAnimation joined;  // empty where the clip leaves the joint alone
+  const BoneAnimation* animation = &joined;
   Transform rest;
   RootMotionParts parts;
 };
+
+/// Takes the animation of a joint as it lies; of several it joins the tracks, of two for one property the last (G20).
+void take_tracks(const std::vector<BoneAnimation>& bones, std::uint32_t joint, RootTrack& root) {
+  const BoneAnimation* only = nullptr;
+  std::size_t count = 0;
+  for (const BoneAnimation& bone : bones) {
+    if (bone.joint != joint) continue;
+    only = &bone;
+    ++count;
+  }
+  if (count == 1) root.animation = only;
+  if (count < 2) return;
+  for (const BoneAnimation& bone : bones) {
+    if (bone.joint != joint) continue;
+    if (!bone.translation.empty()) root.joined.translation = bone.translation;
+    if (!bone.rotation.empty()) root.joined.rotation = bone.rotation;
+  }
+}
 
 sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
                       RootTrack& root) noexcept {
@@ -52,11 +69,11 @@ sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_
   if (const sinew_error error = read_parts(parts, root.parts); error != SINEW_OK) return error;
   const Scene& own = scene->scene;
   if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
-  const std::vector<BoneAnimation>& bones = own.animations[clip].bones;
-  const auto found = std::find_if(bones.begin(), bones.end(), [&](const auto& bone) { return bone.joint == joint; });
-  if (found != bones.end()) root.animation = &*found;
   root.rest = own.skeleton.rest[joint];
-  return SINEW_OK;
+  return c::guarded([&] {
+    take_tracks(own.animations[clip].bones, joint, root);
+    return SINEW_OK;
+  });
 }
 
 bool all_finite(const PlaybackStep& step) noexcept {

@@ -37,7 +37,7 @@ sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
 /// Where a clip carries the character to at a clip time.
 /// in   joint  the root joint;   parts  null = sinew_default_root_parts
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, joint), SINEW_NOT_FINITE,
-///      SINEW_UNSUPPORTED (turn)
+///      SINEW_UNSUPPORTED (turn), SINEW_OUT_OF_MEMORY (where several animations of the clip move the joint)
 sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
                              double time_s, sinew_dual_quat* out);
 

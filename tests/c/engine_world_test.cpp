@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "runtime/base/same_bits.h"
@@ -54,6 +55,33 @@ TEST(c_world, root_motion_is_that_of_the_cpp_interface) {
       moved += !same_bytes(world, sinew_dual_quat_identity());
     }
   EXPECT_GT(moved, 4u);
+}
+
+TEST(c_world, root_motion_joins_the_animations_of_a_joint_and_of_two_tracks_for_one_property_takes_the_last) {
+  Scene parted = random_scene(3);
+  std::vector<BoneAnimation>& bones = parted.animations[1].bones;
+  const auto whole = std::find_if(bones.begin(), bones.end(),
+                                  [](const auto& b) { return !b.translation.empty() && !b.rotation.empty(); });
+  ASSERT_NE(whole, bones.end());
+  const BoneAnimation bone = *whole;
+  *whole = {.joint = bone.joint, .translation = {Interpolation::step, {0.0f}, {glm::vec3(9.0f)}}};
+  bones.push_back({.joint = bone.joint, .translation = bone.translation});
+  bones.push_back({.joint = bone.joint, .rotation = bone.rotation});
+  const sinew_scene scene{parted};
+  sinew_root_parts parts = sinew_default_root_parts();
+  parts.turn = SINEW_ROOT_TURN_FULL;
+  sinew_dual_quat place, motion;
+  ASSERT_EQ(sinew_root_place(&scene, 1, bone.joint, &parts, 0.6, &place), SINEW_OK);
+  const Transform& rest = parted.skeleton.rest[bone.joint];
+  const RootMotionParts in_cpp{.turn = RootTurn::full};
+  EXPECT_TRUE(same_bytes(place, root_place(bone, rest, in_cpp, 0.6)));
+  sinew_clock clock;
+  ASSERT_EQ(sinew_clock_init(&clock, parted.animations[1].duration_s, SINEW_PLAY_LOOP, 1.0), SINEW_OK);
+  PlaybackClock clock_in_cpp(parted.animations[1].duration_s, PlayMode::loop);
+  sinew_step step;
+  ASSERT_EQ(sinew_clock_advance(&clock, 0.4, &step), SINEW_OK);
+  ASSERT_EQ(sinew_root_motion(&scene, 1, bone.joint, &parts, &step, &motion), SINEW_OK);
+  EXPECT_TRUE(same_bytes(motion, root_motion(bone, rest, in_cpp, clock_in_cpp.advance(0.4))));
 }
 
 TEST(c_world, root_motion_of_a_library_is_that_of_its_clips_bound_to_the_scene) {
