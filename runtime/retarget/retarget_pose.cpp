@@ -19,7 +19,7 @@ namespace sinew {
 namespace {
 
 /// Puts joints that are mapped over several into the scratch pose, as the mapped joint above sees them.
-PoseSpan with_composed(const RetargetPoseJob& job) noexcept;
+PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
 
 }  // namespace
 }  // namespace sinew
@@ -43,19 +43,17 @@ HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, co
   }
 }
 
-void retarget(const RetargetPoseJob& job) {
-  const RetargetTables& tables = *job.tables;
-  const PoseSpan from = with_composed(job);
-  std::copy(tables.rest.begin(), tables.rest.end(), job.retargeted.planes);
+void map_joints(const RetargetPass& pass, const RetargetPoseJob& job) {
+  const PoseSpan from = with_composed(job, pass);
   const auto copy = [&](const std::vector<std::uint32_t>(&joints)[2], PoseSpan::Plane first, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c)
       for (std::size_t i = 0; i < joints[0].size(); ++i)
         (job.retargeted.plane(first) + c * job.retargeted.stride)[joints[0][i]] =
             (from.plane(first) + c * from.stride)[joints[1][i]];
   };
-  copy(tables.copied_rotations, PoseSpan::rx, 4);
-  copy(tables.copied_translations, PoseSpan::tx, 3);
-  map_all<4>(tables.rotations, from, job.retargeted, PoseSpan::rx,
+  copy(pass.copied_rotations, PoseSpan::rx, 4);
+  copy(pass.copied_translations, PoseSpan::tx, 3);
+  map_all<4>(pass.rotations, from, job.retargeted, PoseSpan::rx,
              [](Lanes(&q)[4], const float* factors, std::size_t plane) HWY_ATTR {
                const Floats d;
                const auto factor = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, factors + i * plane); };
@@ -67,7 +65,7 @@ void retarget(const RetargetPoseJob& job) {
                q[2] = unit.z;
                q[3] = unit.w;
              });
-  map_all<3>(tables.translations, from, job.retargeted, PoseSpan::tx,
+  map_all<3>(pass.translations, from, job.retargeted, PoseSpan::tx,
              [](Lanes(&t)[3], const float* factors, std::size_t plane) HWY_ATTR {
                const Floats d;
                const Lanes x = t[0], y = t[1], z = t[2];
@@ -76,10 +74,15 @@ void retarget(const RetargetPoseJob& job) {
                  t[r] = add_product(add_product(add_product(factor(9 + r), x, factor(3 * r)), y, factor(3 * r + 1)), z,
                                     factor(3 * r + 2));
              });
-  map_all<3>(tables.scales, from, job.retargeted, PoseSpan::sx,
+  map_all<3>(pass.scales, from, job.retargeted, PoseSpan::sx,
              [](Lanes(&s)[3], const float* factors, std::size_t plane) HWY_ATTR {
                for (std::size_t c = 0; c < 3; ++c) s[c] = hn::Mul(s[c], hn::LoadU(Floats(), factors + c * plane));
              });
+}
+
+void retarget(const RetargetPoseJob& job) {
+  std::copy(job.tables->rest.begin(), job.tables->rest.end(), job.retargeted.planes);
+  for (const RetargetPass& pass : job.tables->passes) map_joints(pass, job);
 }
 
 }  // namespace
@@ -90,10 +93,10 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-PoseSpan with_composed(const RetargetPoseJob& job) noexcept {
-  if (job.tables->composed.empty()) return job.pose;
+PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept {
+  if (pass.composed.empty()) return job.pose;
   std::copy_n(job.pose.planes, PoseSpan::floats_for(job.pose.joint_count), job.scratch.planes);
-  for (const std::vector<StepDown>& way : job.tables->composed) {
+  for (const std::vector<StepDown>& way : pass.composed) {
     Transform seen;
     for (const StepDown& step : way) {
       const Transform own = step.is_fixed ? step.local : job.pose.get(step.joint);
@@ -162,18 +165,54 @@ Vec3<double> offset_of(const MappedJoint& joint, const Skeleton& target) noexcep
 }
 
 void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
-               RetargetTables& tables) {
+               RetargetPass& pass) {
   std::vector<StepDown> way = way_of(joint, source);
   const bool is_child = way.size() == 1;
-  if (!is_child || way.front().is_fixed) tables.composed.push_back(std::move(way));
-  add(joint, is_identity(joint.before) && is_identity(joint.after), tables.copied_rotations, tables.rotations);
+  if (!is_child || way.front().is_fixed) pass.composed.push_back(std::move(way));
+  add(joint, is_identity(joint.before) && is_identity(joint.after), pass.copied_rotations, pass.rotations);
   if (joint.moves) {
     const bool copies = joint.translation == Mat3<double>(1.0) && offset_of(joint, target) == Vec3<double>(0.0);
-    add(joint, copies, tables.copied_translations, tables.translations);
+    add(joint, copies, pass.copied_translations, pass.translations);
   }
   if (!map.by_names || !is_child) return;
-  tables.scales.targets.push_back(joint.target);
-  tables.scales.sources.push_back(joint.source);
+  pass.scales.targets.push_back(joint.target);
+  pass.scales.sources.push_back(joint.source);
+}
+
+/// The joints of each pass.
+std::vector<std::vector<const MappedJoint*>> in_passes(const SkeletonMap& map, std::size_t source_count) {
+  std::vector<std::vector<const MappedJoint*>> passes, seen;  // seen: [source joints] one that sees it
+  for (const MappedJoint& joint : map.joints) {
+    const auto is_taken = [&](const std::vector<const MappedJoint*>& by) {
+      return by[joint.source] != nullptr && by[joint.source]->above_source != joint.above_source;
+    };
+    const auto p = static_cast<std::size_t>(std::find_if_not(seen.begin(), seen.end(), is_taken) - seen.begin());
+    if (p == seen.size()) {
+      seen.emplace_back(source_count);
+      passes.emplace_back();
+    }
+    seen[p][joint.source] = &joint;
+    passes[p].push_back(&joint);
+  }
+  return passes;
+}
+
+void write_all_factors(const std::vector<const MappedJoint*>& by_target, const Skeleton& source, const Skeleton& target,
+                       RetargetPass& pass) {
+  write_factors(pass.rotations, by_target, [](const MappedJoint& joint) {
+    const Quat<double>&a = joint.before, &b = joint.after;
+    return std::array{a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w};
+  });
+  write_factors(pass.translations, by_target, [&](const MappedJoint& joint) {
+    const Mat3<double>& m = joint.translation;
+    const Vec3<double> offset = offset_of(joint, target);
+    return std::array{m[0].x, m[1].x, m[2].x, m[0].y,   m[1].y,   m[2].y,
+                      m[0].z, m[1].z, m[2].z, offset.x, offset.y, offset.z};
+  });
+  write_factors(pass.scales, by_target, [&](const MappedJoint& joint) {
+    const Vec3<double> ratio = rest_transform(target, joint.target).scale / rest_transform(source, joint.source).scale;
+    return std::array{ratio.x, ratio.y, ratio.z};
+  });
 }
 
 }  // namespace
@@ -184,24 +223,12 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
   tables.target_count = target.joint_count();
   write_rest(target, tables);
   std::vector<const MappedJoint*> by_target(target.joint_count());
-  for (const MappedJoint& joint : map.joints) {
-    by_target[joint.target] = &joint;
-    add_joint(joint, map, source, target, tables);
+  for (const MappedJoint& joint : map.joints) by_target[joint.target] = &joint;
+  for (const std::vector<const MappedJoint*>& joints : in_passes(map, source.joint_count())) {
+    RetargetPass& pass = tables.passes.emplace_back();
+    for (const MappedJoint* joint : joints) add_joint(*joint, map, source, target, pass);
+    write_all_factors(by_target, source, target, pass);
   }
-  write_factors(tables.rotations, by_target, [](const MappedJoint& joint) {
-    const Quat<double>&a = joint.before, &b = joint.after;
-    return std::array{a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w};
-  });
-  write_factors(tables.translations, by_target, [&](const MappedJoint& joint) {
-    const Mat3<double>& m = joint.translation;
-    const Vec3<double> offset = offset_of(joint, target);
-    return std::array{m[0].x, m[1].x, m[2].x, m[0].y,   m[1].y,   m[2].y,
-                      m[0].z, m[1].z, m[2].z, offset.x, offset.y, offset.z};
-  });
-  write_factors(tables.scales, by_target, [&](const MappedJoint& joint) {
-    const Vec3<double> ratio = rest_transform(target, joint.target).scale / rest_transform(source, joint.source).scale;
-    return std::array{ratio.x, ratio.y, ratio.z};
-  });
   return tables;
 }
 
@@ -211,7 +238,7 @@ ErrorCode check(const RetargetPoseJob& job) noexcept {
     return pose.joint_count == joints && pose.stride == PoseSpan::stride_for(joints) &&
            (joints == 0 || pose.planes != nullptr);
   };
-  const bool has_scratch = job.tables->composed.empty() || fits(job.scratch, job.tables->source_count);
+  const bool has_scratch = !job.tables->composes() || fits(job.scratch, job.tables->source_count);
   const bool all_fit =
       fits(job.pose, job.tables->source_count) && fits(job.retargeted, job.tables->target_count) && has_scratch;
   return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;

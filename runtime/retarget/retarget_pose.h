@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,16 +23,25 @@ struct StepDown {
   Transform local;
 };
 
-/// A SkeletonMap as retarget_pose reads it. Made once; immutable.
-struct RetargetTables {
-  std::size_t source_count = 0, target_count = 0;
-  std::vector<float> rest;                         ///< the target's rest pose, as planes of a pose
+/// Joints that are mapped together: each joint of the source is seen from one joint above.
+struct RetargetPass {
   std::vector<std::vector<StepDown>> composed;     ///< mapped joints over several: from each up
   std::vector<std::uint32_t> copied_rotations[2];  ///< targets and sources of rotations that stay as they are
   std::vector<std::uint32_t> copied_translations[2];
   RetargetedJoints rotations;     ///< factors: before and after, x y z w each
   RetargetedJoints translations;  ///< factors: three rows, then the offset
   RetargetedJoints scales;        ///< factors: x y z
+};
+
+/// A SkeletonMap as retarget_pose reads it. Made once; immutable.
+struct RetargetTables {
+  std::size_t source_count = 0, target_count = 0;
+  std::vector<float> rest;           ///< the target's rest pose, as planes of a pose
+  std::vector<RetargetPass> passes;  ///< more than one where joints see the same one from different joints above
+
+  bool composes() const noexcept {
+    return std::any_of(passes.begin(), passes.end(), [](const RetargetPass& pass) { return !pass.composed.empty(); });
+  }
 };
 
 /// cost O(J), allocates
@@ -41,7 +51,7 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
 /// eq   that of make_skeleton_map (skeleton_map.h), in float: within 1e-6 of retarget_pose (retarget_animation.h). On
 ///      its own skeleton a pose keeps its bits.
 /// in   pose     of the tables' source count
-///      scratch  of the source count, where `tables.composed` is not empty
+///      scratch  of the source count, where `tables.composes()`
 /// out  retargeted  of the target count; must not overlap
 /// err  size_mismatch     cost O(J), no allocation
 struct RetargetPoseJob {

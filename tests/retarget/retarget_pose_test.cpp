@@ -127,6 +127,31 @@ TEST(retarget_pose, joints_of_the_source_with_a_fixed_matrix_rest_whatever_the_p
   }
 }
 
+/// A second forearm follows the first one of the source, a second hand its hand but over a forearm that rests.
+TEST(retarget_pose, a_joint_of_the_source_is_seen_from_different_joints_above_at_once) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes).skeleton;
+  SkeletonMapOptions options;
+  for (std::uint32_t j = 0; j < 14; ++j)
+    if (j != 6 && j != 8 && j != 10 && j != 12) options.pairs.push_back({j, j});
+  options.pairs.insert(options.pairs.end(), {{5, 6}, {11, 12}});
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    Retargeted r(from, scenes::two_sided(RightSide::another_posture, seed).skeleton, seed);
+    r.map = make_skeleton_map(r.from, r.to, options);
+    ASSERT_EQ(r.map.joints.size(), options.pairs.size());
+    r.tables = make_retarget_tables(r.map, r.from, r.to);
+    std::vector<Transformd> exact, truth(14);
+    for (const Transform& t : r.local) exact.push_back(in_double(t));
+    retarget_pose(r.map, r.from, r.to, exact, truth);
+    ASSERT_EQ(check(r.job()), ErrorCode::ok);
+    run(r.job());
+    for (std::size_t j = 0; j < 14; ++j) {
+      const Transform found = r.out.span().get(j);
+      EXPECT_TRUE(test::is_near(Vec3<double>(found.translation), truth[j].translation, 1e-6)) << j;
+      EXPECT_LT(test::angle_between(found.rotation, truth[j].rotation), 1e-6) << j;
+    }
+  }
+}
+
 TEST(retarget_pose, on_its_own_skeleton_a_pose_keeps_its_bits) {
   const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
   Retargeted r(skeleton, skeleton, 3);
