@@ -332,6 +332,39 @@ TEST(hold_feet, the_ground_is_where_the_feet_of_a_clip_are_lowest) {
   EXPECT_NEAR(find_ground(b.feet, dips, b.source), 0.7, 1e-4) << "for a moment";
 }
 
+TEST(hold_feet, the_ground_is_that_of_the_foot_that_stands_whichever_is_lifted) {
+  Bodies b;
+  for (const std::uint32_t lifted : {left_shank, right_shank}) {
+    Animation animation;
+    add_key(b.source, 0.0, Vec3d(0.0), {}, animation);
+    animation.bones[lifted].rotation.values[0] =
+        quat_cast<float>(local_of(b.source, lifted, quat_identity<double>(), about_x(1.2)));
+    EXPECT_NEAR(find_ground(b.feet, animation, b.source), 0.0, 1e-6) << lifted;
+  }
+}
+
+TEST(hold_feet, a_foot_that_stands_and_leaves_the_ground_at_the_end_is_held_while_it_stands) {
+  Bodies b;
+  Animation animation = squat(b.source, {});
+  add_key(b.source, 1.5, Vec3d(0, 1, 0), {}, animation);
+  Animation retargeted = retarget_animation(animation, b.map, b.source, b.target);
+  hold_feet(b.feet, animation, b.source, b.target, retargeted);
+  for (const double t : {0.0, 0.5, 0.9})
+    EXPECT_TRUE(test::is_near(place_of(b.target, retargeted, left_foot, t), Vec3d(kSmall.width, kSmall.ankle, 0), 5e-4))
+        << t;
+}
+
+TEST(hold_feet, the_upper_joint_of_a_leg_is_not_the_hips) {
+  Bodies b;
+  SkeletonMap map = b.map;
+  std::erase_if(map.joints, [](const MappedJoint& joint) { return joint.target == hips; });
+  for (MappedJoint& joint : map.joints)
+    if (joint.above_target == hips) joint.above_target = joint.above_source = kNone;
+  const FeetMap feet = make_feet_map(map, b.source, b.target, {{left_thigh, left_shank, left_foot}});
+  ASSERT_EQ(feet.legs.size(), 1u);
+  EXPECT_EQ(feet.hips, kNone);
+}
+
 TEST(hold_feet, hips_are_the_first_of_the_map_that_lie_above_all_legs) {
   Bodies b;
   EXPECT_EQ(b.feet.hips, static_cast<std::uint32_t>(hips));

@@ -68,12 +68,12 @@ TEST(humanoid_bones, are_found_by_the_names_of_known_rigs) {
   }
 }
 
-/// A chain of hips, `count` joints and a neck.
-std::vector<std::uint32_t> bones_of_spine(std::uint32_t count) {
+/// A chain of hips, `count` joints and a neck, or a head without one.
+std::vector<std::uint32_t> bones_of_spine(std::uint32_t count, const char* last = "neck") {
   Skeleton skeleton = test::chain_skeleton(count + 2);
   skeleton.names.assign(count + 2, "joint");
   skeleton.names.front() = "hips";
-  skeleton.names.back() = "neck";
+  skeleton.names.back() = last;
   const std::vector<std::uint32_t> joints = find_humanoid_bones(skeleton);
   return {joints[humanoid_bone("spine")], joints[humanoid_bone("chest")], joints[humanoid_bone("upperChest")]};
 }
@@ -85,6 +85,17 @@ TEST(humanoid_bones, spines_of_any_length_begin_at_the_hips_and_end_at_the_neck)
   EXPECT_THAT(bones_of_spine(3), ElementsAre(1, 2, 3));
   EXPECT_THAT(bones_of_spine(4), ElementsAre(1, 3, 4));
   EXPECT_THAT(bones_of_spine(5), ElementsAre(1, 3, 5));
+  EXPECT_THAT(bones_of_spine(3, "head"), ElementsAre(1, 2, 3)) << "of a body without a neck";
+  EXPECT_THAT(bones_of_spine(3, "tail"), ElementsAre(kNone, kNone, kNone));
+}
+
+TEST(humanoid_bones, the_root_joint_is_the_topmost_of_those_above_the_hips) {
+  Skeleton skeleton = test::chain_skeleton(6);
+  skeleton.names = {"scene", "root", "DEF-root.001", "holder", "root", "spine"};
+  EXPECT_EQ(find_root_joint(skeleton, 3), 1u);
+  EXPECT_EQ(find_root_joint(skeleton, 4), 1u);
+  EXPECT_EQ(find_root_joint(skeleton, 1), kNone) << "hips are not above themselves";
+  EXPECT_EQ(find_root_joint(skeleton, kNone), kNone);
 }
 
 TEST(humanoid_bones, controls_and_twist_joints_are_none) {

@@ -76,6 +76,34 @@ TEST(retarget_animation, there_and_back_again_is_the_same_within_rounding) {
   }
 }
 
+/// Of the joints that the hand with the sword is seen over, each moves alone, one of its properties at a time.
+TEST(retarget_animation, each_joint_on_a_way_over_several_moves_what_is_seen_over_it) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+  Skeleton to = scenes::two_sided(RightSide::another_posture, 2).skeleton;
+  to.names[9] = to.names[11] = "something";
+  SkeletonMapOptions options;
+  options.translations = TranslationRule::by_length;
+  const SkeletonMap map = make_skeleton_map(from, to, options);
+  test::FixedRandom random(5);
+  for (const std::uint32_t joint : {9u, 11u, 13u})
+    for (int property = 0; property < 3; ++property) {
+      if (joint == 13 && property == 2) continue;  // seen over the others, it has no scale
+      Animation animation{"one", 1.0, {}, {}};
+      BoneAnimation& bone = animation.bones.emplace_back();
+      bone.joint = joint;
+      const glm::vec3 place = from.rest[joint].translation;
+      if (property == 0) bone.translation = {Interpolation::linear, {0.0f, 1.0f}, {place, 2.0f * place}};
+      if (property == 1) bone.rotation = {Interpolation::step, {0.0f}, {random.rotation()}};
+      if (property == 2) bone.scale = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(1.0f), glm::vec3(1.5f)}};
+      const Animation found = retarget_animation(animation, map, from, to);
+      const RetargetError error = measure_retarget(found, animation, map, from, to);
+      EXPECT_LT(error.angle_rad, 2e-6) << joint << " " << property;
+      EXPECT_LT(error.distance, 2e-6) << joint << " " << property;
+      const RetargetError still = measure_retarget({}, animation, map, from, to);
+      EXPECT_GT(still.angle_rad + still.distance, 0.01) << joint << " " << property;
+    }
+}
+
 TEST(retarget_animation, joints_that_add_up_are_sampled_and_the_error_is_measured) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
   Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;

@@ -33,8 +33,10 @@ Skeleton arm(std::uint64_t seed) {
   const char* names[] = {"upperarm_l", "upperarm_twist_01_l", "lowerarm_l", "lowerarm_twist_01_l", "ForeArmRoll_l",
                          "hand_l",     "strap_twist_l",       "helper_l"};
   const glm::vec3 along_upper = glm::normalize(glm::vec3(1, 2, -2)), along_lower = glm::normalize(glm::vec3(-2, 1, 2));
-  const glm::vec3 places[] = {{0, 1, 0},          along_upper * 0.1f, along_upper * 0.4f, along_lower * 0.15f,
-                              along_lower * 0.3f, along_lower * 0.3f, {0.2f, 0.2f, 0},    along_lower * 0.1f};
+  const glm::vec3 aside = along_lower * 0.15f + glm::normalize(glm::vec3(1, 0, 1)) * 0.1f;
+  const glm::vec3 places[] = {
+      {0, 1, 0}, along_upper * 0.1f, along_upper * 0.4f, along_lower * 0.15f, along_lower * 0.3f, along_lower * 0.3f,
+      aside,     along_lower * 0.1f};
   for (std::uint32_t j = 0; j < 8; ++j) {
     skeleton.names[j] = names[j];
     skeleton.rest[j] = {places[j], quat_cast<float>(random.rotation<double>()), glm::vec3(1.0f)};
@@ -69,6 +71,20 @@ TEST(twist_map, finds_joints_beside_the_bones_of_limbs_by_name_and_place) {
   EXPECT_NEAR(twists.joints[1].share, 0.5, 1e-6);
   EXPECT_EQ(twists.joints[2].joint, roll);
   EXPECT_NEAR(twists.joints[2].share, 1.0, 1e-6);
+}
+
+TEST(twist_map, of_small_and_large_bodies_is_the_same) {
+  const TwistMap twists = twists_of(arm(1));
+  for (const float scale : {0.01f, 100.0f}) {
+    Skeleton skeleton = arm(1);
+    for (Transform& rest : skeleton.rest) rest.translation *= scale;
+    const TwistMap scaled = twists_of(skeleton);
+    ASSERT_EQ(scaled.joints.size(), twists.joints.size()) << scale;
+    for (std::size_t i = 0; i < twists.joints.size(); ++i) {
+      EXPECT_EQ(scaled.joints[i].joint, twists.joints[i].joint);
+      EXPECT_NEAR(scaled.joints[i].share, twists.joints[i].share, 1e-6);
+    }
+  }
 }
 
 TEST(twist_map, a_joint_a_little_beyond_the_ends_of_its_bone_takes_all_of_the_twist_or_none) {

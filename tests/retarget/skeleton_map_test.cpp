@@ -294,7 +294,8 @@ TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
   };
   const auto by_height = found({}), by_length = found({.translations = TranslationRule::by_length}),
              kept = found({.translations = TranslationRule::keep}),
-             one_arm = found({.chains = {{kForearm, TranslationRule::by_length}, {kHand, TranslationRule::keep}}});
+             one_arm = found({.chains = {{kForearm, TranslationRule::by_length}, {kHand, TranslationRule::keep}}}),
+             whole_arm = found({.chains = {{kForearm, TranslationRule::by_length}}});
   EXPECT_NEAR(stretch(by_height, 0), 1.5, 0.01) << "the hips move";
   EXPECT_NEAR(stretch(by_height, kForearm), 1.0, 1e-6);
   for (const std::uint32_t joint : {0u, kForearm, kHand}) {
@@ -305,6 +306,7 @@ TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
   EXPECT_NEAR(stretch(one_arm, kForearm), 1.5, 1e-5);
   EXPECT_NEAR(stretch(one_arm, kForearm + 1), 1.0, 1e-6) << "the other arm";
   EXPECT_NEAR(stretch(one_arm, kHand), 1.0, 1e-6);
+  EXPECT_NEAR(stretch(whole_arm, kHand), 1.5, 1e-5) << "below the forearm";
 }
 
 /// What a file says about bones comes before names, and what it does not say is not looked for.
