@@ -52,9 +52,9 @@ bool copy_values(gltf::ComponentType type, const draco::Mesh& mesh, const draco:
     case gltf::ComponentType::i16: return copy_values<std::int16_t>(mesh, attribute, out);
     case gltf::ComponentType::u16: return copy_values<std::uint16_t>(mesh, attribute, out);
     case gltf::ComponentType::u32: return copy_values<std::uint32_t>(mesh, attribute, out);
-    case gltf::ComponentType::f32: return copy_values<float>(mesh, attribute, out);
+    case gltf::ComponentType::f32: break;
   }
-  return false;
+  return copy_values<float>(mesh, attribute, out);
 }
 
 class DracoDecoder {

@@ -60,7 +60,6 @@ void write(const JsonNode& value, const JsonValueShape& shape, Writer& out) {
     case JsonKind::object: return write_object(value, *shape.object, out);
     case JsonKind::index_map: return write_map(value, shape, out);
     case JsonKind::array: return write_array(value, shape, out);
-    case JsonKind::any:
     case JsonKind::boolean:
     case JsonKind::number:
     case JsonKind::string:

@@ -13,12 +13,12 @@
 namespace sinew {
 
 /// What a JSON property must look like. Tables of JsonProperty describe a document (gltf_shape.cpp).
-enum class JsonKind : std::uint8_t { any, boolean, number, integer, string, object, array, index_map, extensions };
+enum class JsonKind : std::uint8_t { boolean, number, integer, string, object, array, index_map, extensions };
 
 struct JsonObjectShape;
 
 struct JsonValueShape {
-  JsonKind kind = JsonKind::any;
+  JsonKind kind;
   double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();  ///< numbers
   std::span<const std::string_view> words{};  ///< strings: the allowed ones, empty = any
   std::span<const std::int64_t> numbers{};    ///< integers: the allowed ones, empty = any

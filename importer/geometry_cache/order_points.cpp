@@ -89,9 +89,9 @@ class Surface {
     const std::uint32_t face = adjacency_.neighbour[corner];
     if (face == kNone) return kNone;
     const std::uint32_t a = point(corner), b = point(next_corner(corner));
-    for (std::size_t c = 3 * std::size_t{face}; c < 3 * std::size_t{face} + 3; ++c)
-      if (point(c) != a && point(c) != b) return point(c);
-    return kNone;
+    std::size_t c = 3 * std::size_t{face};  // faces have three different points
+    while (point(c) == a || point(c) == b) ++c;
+    return point(c);
   }
 
  private:

@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "runtime/base/contract.h"
+
 namespace sinew {
 namespace {
 
@@ -184,7 +186,7 @@ std::uint32_t component_bytes(ComponentType type) noexcept {
     case ComponentType::i16:
     case ComponentType::u16: return 2;
     case ComponentType::u32:
-    case ComponentType::f32: return 4;
+    case ComponentType::f32: break;
   }
   return 4;
 }
@@ -213,9 +215,8 @@ std::vector<float> read_floats(const Document& document, std::uint32_t accessor)
 }
 
 std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t index) {
-  const Accessor& accessor = document.accessors[index];
-  if (is_unsigned(accessor.component_type)) return read<std::uint32_t>(document, index);
-  return std::vector<std::uint32_t>(static_cast<std::size_t>(accessor.count) * element_layout(accessor).components());
+  CONTRACT(is_unsigned(document.accessors[index].component_type));
+  return read<std::uint32_t>(document, index);
 }
 
 std::vector<double> read_stored(const Document& document, std::uint32_t accessor) {

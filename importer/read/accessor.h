@@ -54,7 +54,7 @@ struct Replacements {
 template <class V>
 Replacements<V> read_replacements(const gltf::Document& document, std::uint32_t accessor);
 
-/// Unsigned integers such as indices and joints, never normalised. Other component types give zeros.
+/// Unsigned integers such as indices and joints, never normalised.
 std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);
 
 /// Components as the file stores them; normalised integers are not decoded.

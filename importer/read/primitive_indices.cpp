@@ -23,9 +23,9 @@ bool count_fits(PrimitiveMode mode, std::size_t count) {
     case PrimitiveMode::line_strip: return count >= 2;
     case PrimitiveMode::triangles: return count > 0 && count % 3 == 0;
     case PrimitiveMode::triangle_strip:
-    case PrimitiveMode::triangle_fan: return count >= 3;
+    case PrimitiveMode::triangle_fan: break;
   }
-  return false;
+  return count >= 3;
 }
 
 void cut_to_multiple(Indices& list, std::size_t of) { list.resize(list.size() / of * of); }

@@ -26,9 +26,9 @@ bool type_fits(ElementType type, Attribute attribute, bool displacement) {
     case Attribute::texcoord: return type == ElementType::vec2;
     case Attribute::color: return type == ElementType::vec3 || type == ElementType::vec4;
     case Attribute::joints:
-    case Attribute::weights: return type == ElementType::vec4;
+    case Attribute::weights: break;
   }
-  return false;
+  return type == ElementType::vec4;
 }
 
 enum class Fit { no, core, quantized };
@@ -48,9 +48,9 @@ Fit component_fit(const gltf::Accessor& accessor, Attribute attribute, bool disp
       return is_signed(type) || !displacement ? Fit::quantized : Fit::no;
     case Attribute::position: return is_signed(type) || !displacement ? Fit::quantized : Fit::no;
     case Attribute::normal:
-    case Attribute::tangent: return is_signed(type) && accessor.normalized ? Fit::quantized : Fit::no;
+    case Attribute::tangent: break;
   }
-  return Fit::no;
+  return is_signed(type) && accessor.normalized ? Fit::quantized : Fit::no;
 }
 
 }  // namespace

@@ -327,9 +327,11 @@ TEST(build_meshes, G47_targets_may_omit_attributes_but_not_invent_them) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
   const std::size_t delta = file.vec3(std::vector<float>(9, .5f));
-  primitive["targets"] = Json::array({Json::object(), {{"NORMAL", delta}}, {{"POSITION", delta}}});
+  primitive["targets"] = Json::array(
+      {Json::object(), {{"NORMAL", delta}, {"JOINTS_0", delta}, {"WEIGHTS_0", delta}}, {{"POSITION", delta}}});
   const auto result = file.import();
-  EXPECT_TRUE(warns(result, "morph-no-base", "/meshes/0/primitives/0/targets/1/NORMAL"));
+  for (const std::string name : {"NORMAL", "JOINTS_0", "WEIGHTS_0"})
+    EXPECT_TRUE(warns(result, "morph-no-base", "/meshes/0/primitives/0/targets/1/" + name)) << name;
   ASSERT_THAT(only(result).morphs.targets, SizeIs(3));
   EXPECT_TRUE(only(result).morphs.targets[0].positions.empty());
   EXPECT_EQ(only(result).morphs.targets[2].positions.vertices.size(), 3u);

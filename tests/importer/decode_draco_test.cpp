@@ -301,6 +301,19 @@ TEST(decode_draco, G62_metadata_are_read_past) {
   }
 }
 
+TEST(decode_draco, a_head_that_ends_before_both_counts_is_refused) {
+  for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+    const auto stream = encode_grid(method);
+    const std::size_t head = method == draco::MESH_EDGEBREAKER_ENCODING ? 12 : 11;
+    ASSERT_TRUE(probe_draco(gltf::Bytes(stream).first(head + 2)));
+    for (const std::size_t counts : {0, 1}) {
+      const auto cut = probe_draco(gltf::Bytes(stream).first(head + counts));
+      ASSERT_FALSE(cut) << counts;
+      EXPECT_EQ(cut.error(), "the Draco stream ends early");
+    }
+  }
+}
+
 TEST(decode_draco, G68_a_head_that_claims_millions_is_refused_before_decoding) {
   auto stream = encode_grid(draco::MESH_SEQUENTIAL_ENCODING);
   // DRACO, version, type, method, flags: 11 bytes, then the face count as a varint.

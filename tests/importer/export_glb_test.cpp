@@ -182,6 +182,18 @@ TEST(export_glb, has_bounds_of_positions_and_times_alone) {
     EXPECT_EQ(root["accessors"][a].contains("min"), bounded.contains(a)) << a;
 }
 
+TEST(export_glb, an_animation_without_tracks_keeps_its_place) {
+  Scene scene = std::move(showcase::showcase()[1].scene);
+  scene.animations.insert(scene.animations.begin(), Animation{"nothing", 0.0, {}, {}, {}});
+  finish_scene(scene);
+  const ImportedFile after = round_trip(scene);
+  ASSERT_EQ(after.scene.animations.size(), scene.animations.size());
+  EXPECT_EQ(after.scene.animations[0].name, "nothing");
+  EXPECT_TRUE(after.scene.animations[0].bones.empty() && after.scene.animations[0].weights.empty());
+  ASSERT_GT(after.scene.animations.size(), 1u);
+  EXPECT_EQ(after.scene.animations[1].name, scene.animations[1].name);
+}
+
 TEST(export_glb, refuses_squad_which_gltf_cannot_say) {
   auto scenes = showcase::showcase();
   scenes[0].scene.animations[0].bones[0].rotation.interpolation = Interpolation::squad;

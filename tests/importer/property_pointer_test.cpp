@@ -192,6 +192,29 @@ TEST(property_pointer, G58_properties_that_the_runtime_does_not_have_are_ignored
   EXPECT_EQ(outcome(animated("/materials/9/alphaCutoff", 1).import()), std::string("reference at ") + kTarget);
 }
 
+TEST(property_pointer, G58_a_light_that_no_node_shows_is_moved_by_nothing) {
+  TinyGltf file = animated("/extensions/KHR_lights_punctual/lights/1/intensity", 1);
+  file.root["nodes"][2].erase("extensions");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_TRUE(warns(result, "animation-pointer", kTarget));
+  EXPECT_THAT(result->scene.lights, SizeIs(2));
+  EXPECT_THAT(result->scene.animations[0].properties, IsEmpty());
+}
+
+TEST(property_pointer, a_camera_has_no_pointer_to_what_the_other_kind_of_camera_has) {
+  Scene scene;
+  scene.cameras.resize(2);
+  scene.cameras[1].perspective = false;
+  const auto pointer_to = [&](PropertyKind kind, std::uint32_t camera) {
+    return property_pointer({kind, camera, TextureSlot::base_color}, scene);
+  };
+  EXPECT_EQ(pointer_to(PropertyKind::camera_fov_y, 0), "/cameras/0/perspective/yfov");
+  EXPECT_EQ(pointer_to(PropertyKind::camera_half_width, 0), "/cameras/0/");
+  EXPECT_EQ(pointer_to(PropertyKind::camera_fov_y, 1), "/cameras/1/");
+  EXPECT_EQ(pointer_to(PropertyKind::camera_half_width, 1), "/cameras/1/orthographic/xmag");
+}
+
 TEST(property_pointer, G58_flags_take_steps) {
   const std::string text = "/nodes/0/extensions/KHR_node_visibility/visible";
   const auto step = animated(text, 1, "STEP").import();

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -180,6 +183,23 @@ TEST(rewrite_gltf, G66_refuses_a_missing_image_unless_it_may_be_dropped) {
   EXPECT_EQ(out->drops[0].json_pointer, "/images/1");
   EXPECT_EQ(split_glb(out->file).json["images"][1], (Json{{"uri", "nowhere.png"}, {"name", "gone"}}))
       << "no placeholder";
+}
+
+TEST(rewrite_gltf, images_take_the_name_of_their_file_where_they_have_none) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("sinew-images-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  for (const char* name : {"red wall.png", "second.png"}) std::ofstream(folder / name) << "\x89PNG\r\n\x1a\n";
+  std::ofstream(folder / "model.gltf") << R"({"asset": {"version": "2.0"}, "images": [
+      {"uri": "red%20wall.png"}, {"uri": "second.png", "name": "named"}]})";
+  const auto file = import_gltf(folder / "model.gltf", carrying());
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(file) << file.error().issue.detail;
+  const auto out = rewrite_gltf(*file);
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  const Json images = split_glb(out->file).json["images"];
+  EXPECT_EQ(images[0]["name"], "red wall");
+  EXPECT_EQ(images[1]["name"], "named");
 }
 
 TEST(rewrite_gltf, lists_what_lies_outside_of_the_document) {

@@ -99,6 +99,37 @@ TEST(rewrite_keys, bytes_of_replaced_keys_go) {
   EXPECT_EQ(out.after.scene.animations[0].bones[0].translation.values.back(), glm::vec3(2, 0, 0));
 }
 
+TEST(rewrite_keys, bytes_of_replaced_keys_go_where_they_are_sparse_too) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const std::size_t times = gltf.times({0, 1, 2}), keys = gltf.root["accessors"].size();
+  const std::size_t indices = gltf.add_view(std::vector<std::uint16_t>{2}), values = gltf.add_view<float>({2, 0, 0});
+  gltf.root["accessors"].push_back({{"componentType", 5126},
+                                    {"count", 3},
+                                    {"type", "VEC3"},
+                                    {"sparse",
+                                     {{"count", 1},
+                                      {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                      {"values", {{"bufferView", values}}}}}});
+  gltf.animate("translation", times, keys);
+  const Rewritten out = rewritten_keys(gltf, [](auto& animations) { keep_ends(animations[0].bones[0].translation); });
+  EXPECT_EQ(out.json["buffers"][0]["byteLength"], 36 + 8 + 24) << "positions, two times, two keys";
+  EXPECT_EQ(out.after.scene.animations[0].bones[0].translation.values.back(), glm::vec3(2, 0, 0));
+}
+
+TEST(rewrite_keys, channels_of_weights_that_nothing_has_keep_their_keys) {
+  TinyGltf gltf = moving();
+  Json& animation = gltf.root["animations"][0];
+  const std::size_t output = gltf.scalars({0, 1, 2});
+  animation["samplers"].push_back({{"input", animation["samplers"][0]["input"]}, {"output", output}});
+  animation["channels"].push_back({{"sampler", 2}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  const Rewritten out = rewritten_keys(gltf, [](auto& animations) { keep_ends(animations[0].bones[0].translation); });
+  const Json& written = out.json["animations"][0];
+  ASSERT_EQ(written["channels"][4]["target"], (Json{{"node", 1}, {"path", "weights"}}));
+  const std::size_t sampler = written["channels"][4]["sampler"];
+  EXPECT_EQ(out.json["accessors"][written["samplers"][sampler]["output"].get<std::size_t>()]["count"], 3);
+}
+
 TEST(rewrite_keys, weights_of_a_node_and_single_ones_are_told_apart) {
   TinyGltf gltf;
   Json& primitive = gltf.add_triangle();

@@ -311,6 +311,23 @@ TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
 }
 
+TEST(rewrite_streams, bounds_of_numbers_of_every_type_are_those_of_the_vertices_that_are_left) {
+  TinyGltf gltf;
+  Json& primitive = gltf.add_triangle();
+  const std::size_t position = gltf.vec3({9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0}),
+                    ids = gltf.add<std::uint32_t>({4000000000u, 7, 3000000000u, 9}, "SCALAR", 5125, 1);
+  primitive["attributes"] = {{"POSITION", position}, {"_ID", ids}};
+  primitive["indices"] = gltf.add(std::vector<std::uint16_t>{1, 2, 3}, "SCALAR", 5123, 1);
+  gltf.root["accessors"][ids]["min"] = {7};
+  gltf.root["accessors"][ids]["max"] = {4000000000u};
+  const Json json = recoded(gltf, how(false, true)).parts.json;
+  const Json& written = json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["_ID"].get<std::size_t>()];
+  EXPECT_EQ(written["count"], 3);
+  EXPECT_EQ(written["componentType"], 5125);
+  EXPECT_EQ(written["min"][0].get<double>(), 7.0);
+  EXPECT_EQ(written["max"][0].get<double>(), 3e9);
+}
+
 TEST(rewrite_streams, accessors_have_a_stream_where_their_view_holds_all_elements) {
   const std::vector<std::byte> bytes(24);
   const auto has_stream = [&](std::size_t view_bytes, std::size_t offset, std::size_t count) {
