@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "runtime/geometry_cache/geometry_cache.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 #include "tests/geometry_cache/point_cache_files.h"
+#include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
@@ -122,6 +124,38 @@ TEST(verify_cache_command, a_thousandth_more_than_was_asked_is_rounding_and_two_
     write_file(points, mdd_file(moved, times_s));
     EXPECT_EQ(run_tool({"verify", out, "--against", obj, "--points", points, "--up", "y"}).status, status) << times;
   }
+}
+
+/// A still file: strips of so many corners, each a mesh. Each triangle of a strip gets vertices, and so a normal, of
+/// its own.
+std::string still_file(const std::vector<std::size_t>& strips) {
+  TinyGltf gltf;
+  for (const std::size_t count : strips) {
+    std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    corners.resize(3 * count);
+    gltf.root["nodes"].push_back({{"mesh", gltf.root["nodes"].size()}});
+    gltf.root["meshes"].push_back(
+        {{"primitives", {{{"attributes", {{"POSITION", gltf.vec3(corners)}}}, {"mode", 5}}}}});
+  }
+  return gltf.text();
+}
+
+TEST(verify_cache_command, a_source_of_another_shape_is_refused_with_the_first_difference) {
+  const ToolModelFile model;
+  const std::string source = model.beside("still.gltf"), out = model.beside("out.sgeo");
+  std::ofstream(source) << still_file({3, 4});
+  ASSERT_EQ(run_tool({"bake", source, "-o", out}).status, 0);
+  EXPECT_EQ(run_tool({"verify", out, "--against", source}).status, 0);
+  const auto expect_refusal = [&](const std::vector<std::size_t>& strips, const std::string& why) {
+    std::ofstream(source) << still_file(strips);
+    const CommandOutcome outcome = run_tool({"verify", out, "--against", source});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "sinew: " + source + ": verify-shape: " + why + "\n");
+  };
+  expect_refusal({3}, "it has 1 mesh, and the cache 2");
+  expect_refusal({3, 4, 4}, "it has 3 meshes, and the cache 2");
+  expect_refusal({3, 3}, "mesh 1 has 3 vertices and 1 stream, and in the cache 6 and 1");
+  expect_refusal({4, 4}, "mesh 0 has 6 vertices and 1 stream, and in the cache 3 and 1");
 }
 
 TEST(verify_cache_command, arguments_that_make_no_sense) {

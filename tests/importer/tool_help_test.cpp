@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "importer/tool/help/help_formatter.h"
+#include "importer/tool/help/man_page.h"
 #include "importer/tool/help/wrapped_text.h"
 #include "tests/importer/tool_model.h"
 
@@ -55,6 +56,11 @@ std::vector<std::string> options_of(const std::string& command) {
     for (const std::string& name : lines_of(names_of_one)) names.push_back(name);
   }
   return names;
+}
+
+TEST(man_page, writes_characters_that_are_commands_of_roff_as_themselves) {
+  const CLI::App app("Reads C:\\files - all of them", "thing");
+  EXPECT_THAT(tool::man_page(app), HasSubstr("sinew \\- Reads C:\\efiles \\- all of them\n"));
 }
 
 TEST(wrapped_text, flows_words_and_keeps_lines_that_begin_with_a_space) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One command, many files: which files folders stand for, the order of what is printed, and how much is held at a time.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -232,16 +233,21 @@ class StandardInput {
  public:
   StandardInput(const std::string& file, const std::string& text) : before_(dup(STDIN_FILENO)) {
     write(file, text);
-    std::FILE* opened = std::fopen(file.c_str(), "rb");
-    dup2(fileno(opened), STDIN_FILENO);
-    std::fclose(opened);
+    open_at_standard_input(file);
   }
+  explicit StandardInput(const std::string& folder) : before_(dup(STDIN_FILENO)) { open_at_standard_input(folder); }
   ~StandardInput() {
     dup2(before_, STDIN_FILENO);
     close(before_);
   }
 
  private:
+  static void open_at_standard_input(const std::string& path) {
+    const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    dup2(opened, STDIN_FILENO);
+    close(opened);
+  }
+
   int before_;
 };
 
@@ -256,6 +262,17 @@ TEST(many_files, a_dash_is_the_standard_input) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("\n-: 1 error: reference\n"));
   EXPECT_EQ(run_tool({"check", "-", "-"}).status, 2) << "it can be read once";
+}
+
+TEST(many_files, a_standard_input_that_cannot_be_read_is_told) {
+  const ToolModelFile model;
+  const StandardInput input(model.beside(""));
+  for (const char* command : {"check", "info", "plan", "sample"}) {
+    const CommandOutcome outcome = run_tool({command, "-"});
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("Is a directory")) << command;
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("file-unreadable")) << command;
+  }
 }
 
 TEST(many_files, time_left_has_the_unit_that_suits) {

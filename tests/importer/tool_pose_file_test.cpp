@@ -163,6 +163,38 @@ TEST(pose_input, names_the_place_of_what_it_refuses_and_says_why) {
   }
 }
 
+TEST(pose_input, numbers_too_small_for_a_double_are_zero_and_those_too_large_are_refused) {
+  const auto time_of = [](const std::string& number) -> std::optional<double> {
+    std::optional<double> time;
+    const auto read = parse_poses(R"({"clips": [{"clip": 0, "samples": [{"time": )" + number +
+                                      R"(, "nodes": [], "weights": [], "skinned": []}]}]})",
+                                  [&](std::size_t, const Pose& pose) {
+                                    time = pose.time_s;
+                                    return true;
+                                  });
+    return read ? time : std::nullopt;
+  };
+  EXPECT_EQ(time_of("0.25"), 0.25);
+  EXPECT_EQ(time_of("1e-999"), 0.0);
+  EXPECT_EQ(time_of("4.9e-324"), 4.9e-324);
+  EXPECT_EQ(time_of("1e999"), std::nullopt);
+}
+
+TEST(pose_input, a_byte_order_mark_before_the_text_is_read_past) {
+  const std::string file = temporary("mark.json"), poses = R"({"clips": []})";
+  const auto error_of = [&](const std::string& text) -> std::string {
+    std::ofstream(file, std::ios::binary) << text;
+    const auto from_file = read_poses(file), from_text = parse_poses(text);
+    EXPECT_EQ(from_file.has_value(), from_text.has_value()) << text;
+    return from_file ? "" : from_file.error().detail;
+  };
+  EXPECT_EQ(error_of(poses), "");
+  EXPECT_EQ(error_of("\xef\xbb\xbf" + poses), "");
+  EXPECT_EQ(error_of("\xef\xbb" + poses), "is not JSON");
+  EXPECT_EQ(error_of("\xef"), "is not JSON");
+  std::filesystem::remove(file);
+}
+
 /// Whole JSON does not make up for what follows it: only the end of a compressed file says that its text is right.
 TEST(pose_input, refuses_a_compressed_file_whose_checksum_is_cut_off_or_wrong) {
   const std::string file = temporary("sum.json.gz");

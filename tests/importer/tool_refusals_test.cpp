@@ -48,6 +48,8 @@ TEST_F(ToolRefusals, of_bake) {
   };
   expect(2, with({"--normals", "46deg"}), "sinew: --normals: \"46deg\" is no angle up to 45deg, such as 0.5deg\n");
   expect(2, with({"--colors", "0"}), "sinew: --colors: \"0\" is no difference above 0, such as 0.004\n");
+  expect(1, with({"--clip", "talk", "--fps", "1000000"}),
+         "sinew: model.gltf: --fps 1000000: more than 1000000 frames\n");
   expect(2, bake, "sinew: the file has 2 clips: 0 \"bend\", 1 \"talk\"; choose one with --clip\n");
   expect(0, with({"--clip", "talk"}), "sinew: model.gltf: left out: points or lines of mesh \"strip\"\n");
   write("cloth.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 // What a command must never do to the files and the terminal of its user, whatever it is given.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdio_ext.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
 
+#include "importer/tool/commands.h"
 #include "importer/visible_text.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/full_disk.h"
 
 namespace sinew::test {
 namespace {
@@ -51,6 +58,53 @@ TEST(tool_safety, an_output_appears_complete_or_not_at_all) {
   ASSERT_EQ(run_tool({"sample", model.path(), "--clip", "none", "-o", model.beside("link.json")}).status, 0);
   EXPECT_TRUE(fs::is_symlink(model.beside("link.json"))) << "the file behind a link is replaced";
   EXPECT_EQ(nlohmann::json::parse(read(model.beside("old.json")))["clips"].size(), 1u);
+}
+
+TEST(tool_safety, an_output_that_does_not_fit_on_the_disk_leaves_nothing) {
+  const ToolModelFile model;
+  const std::string out = model.beside("poses.json");
+  std::ofstream(out) << "old";
+  CommandOutcome outcome;
+  {
+    const FullDisk disk(1000);
+    outcome = run_tool({"sample", model.path(), "-o", out});
+  }
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(outcome.err, "sinew: " + out + ": cannot be written to the end\n");
+  EXPECT_EQ(read(out), "old");
+  EXPECT_THAT(names_beside(model), testing::ElementsAre("model.gltf", "poses.json"));
+}
+
+/// Runs a command whose standard output is a device that takes no byte.
+CommandOutcome run_with_full_stdout(const std::vector<std::string>& arguments) {
+  setenv("SINEW_CACHE", "none", 0);
+  std::vector<const char*> argv = {"sinew"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::fflush(stdout);
+  const int before = dup(STDOUT_FILENO), full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  dup2(full, STDOUT_FILENO);
+  close(full);
+  testing::internal::CaptureStderr();
+  CommandOutcome outcome;
+  outcome.status = static_cast<int>(tool::run_command_line(static_cast<int>(argv.size()), argv.data()));
+  outcome.err = testing::internal::GetCapturedStderr();
+  __fpurge(stdout);
+  std::clearerr(stdout);
+  dup2(before, STDOUT_FILENO);
+  close(before);
+  return outcome;
+}
+
+TEST(tool_safety, a_standard_output_that_takes_nothing_is_told) {
+  const ToolModelFile model;
+  for (const char* command : {"info", "check", "plan"}) {
+    const CommandOutcome outcome = run_with_full_stdout({command, model.path()});
+    EXPECT_EQ(outcome.status, 3) << command;
+    EXPECT_EQ(outcome.err, "sinew: stdout cannot be written\n") << command;
+  }
+  const CommandOutcome sampled = run_with_full_stdout({"sample", model.path()});
+  EXPECT_EQ(sampled.status, 3);
+  EXPECT_EQ(sampled.err, "sinew: stdout: cannot be written to the end\n");
 }
 
 TEST(tool_safety, pipes_and_devices_are_not_opened) {
