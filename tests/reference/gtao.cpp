@@ -97,8 +97,11 @@ HalfAccess horizon_access(const DepthAndNormals& image, const HorizonSettings& s
           std::clamp(s.radius * 0.5 * image.cot_y * image.height / image.distance[i] - 2.0, 0.0, 1.0);
       const double turn = ((x + y) % 4 * 4 + x % 4) / 16.0, jitter = ((y - x + 1024) % 4 + 0.5) / 4.0;
       const Light hidden = hidden_at(image, s, full_x, full_y, turn, jitter);
-      half.access.back() = std::clamp(1.0 - resolved * hidden.amount, 0.0, 1.0);
-      half.bend.back() = glm::normalize(image.normals[i] - 1.5 * resolved * hidden.directed) - image.normals[i];
+      const double open = std::clamp(1.0 - resolved * hidden.amount, 0.0, 1.0), access = std::pow(open, s.power);
+      const double contrast = open < 1.0 ? (1.0 - access) / (1.0 - open) : s.power;
+      half.access.back() = access;
+      half.bend.back() =
+          glm::normalize(image.normals[i] - 1.5 * contrast * resolved * hidden.directed) - image.normals[i];
     }
   return half;
 }

@@ -55,6 +55,7 @@ TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the
                                           OcclusionShape{.slices = 3, .steps = 2}}) {
         RenderOptions options = options_with(radius);
         options.ao.blur = blur;
+        options.ao.power = blur ? 1.7f : 1.0f;
         const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
         const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape),
                                      reference_access(image, options, shape).access);

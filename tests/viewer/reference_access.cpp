@@ -31,7 +31,8 @@ reference::PixelAccess reference_access(const reference::DepthAndNormals& image,
   reference::HalfAccess half = options.ao.method == OcclusionMethod::ssao
                                    ? reference::ssao(image, settings)
                                    : reference::horizon_access(image, {settings.radius, static_cast<int>(shape.slices),
-                                                                       static_cast<int>(shape.steps), settings.step});
+                                                                       static_cast<int>(shape.steps), settings.step,
+                                                                       static_cast<double>(options.ao.power)});
   if (options.ao.blur) {
     half = reference::blurred(image, settings, half, false);
     half = reference::blurred(image, settings, half, true);

@@ -105,6 +105,17 @@ TEST_F(ssao_pass, agrees_with_the_reference_whatever_the_samples_the_size_and_th
   }
 }
 
+TEST_F(ssao_pass, agrees_with_the_reference_where_samples_lie_behind_the_camera) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  const RenderOptions options = options_with(1.5f);
+  const View view = look_at({0.2, 0.9, 1.6}, {0.0, 0.3, 0.0}, 1.5, 0.05);
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, options);
+  const Difference d =
+      compare(render_float(built, kWidth, kHeight, view, options), reference_access(image, options).access);
+  EXPECT_GT(d.spread, 0.05);
+  EXPECT_LT(d.mean, 1e-3);
+}
+
 TEST_F(ssao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
   for (const double height : {8.0, 2.0, 0.3}) {
     BuiltScene built;
