@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Pictures of one term of the light model each, compared with the reference renderer.
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "samples/showcase/shapes.h"
+#include "tests/reference/picture.h"
 #include "tests/reference/shade.h"
 #include "tests/viewer/reference_picture.h"
 #include "viewer/app/headless.h"
@@ -220,6 +222,44 @@ TEST_F(light_picture, small_bright_light_takes_no_light_from_the_other_side) {
     for (int c = 0; c < 3; ++c) EXPECT_GT(pixel[c], glow - 0.002f);
   }
   EXPECT_GT(covered, 200);
+}
+
+/// What the terms of Environment::diffuse are multiplied by.
+std::array<double, 9> diffuse_terms(const glm::dvec3& n) {
+  return {1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
+}
+
+TEST_F(light_picture, each_term_of_diffuse_light_is_that_of_its_direction) {
+  const BuiltScene built = ball(0.0f, 1.0f);
+  const FrameResult frame = built.frame();
+  const View view = look_at({1.0, 1.4, 2.2}, {0.0, 0.0, 0.0}, 0.6, 0.05);
+  constexpr int size = 16;
+  constexpr float share = 0.3f;
+  RenderOptions options = only_ambient_light();
+  options.lighting.tone_curve = ToneCurve::none;
+  const auto drawn_with = [&](std::size_t term, float light) {
+    Environment environment = *gradient_environment({glm::vec3(0.0f), glm::vec3(0.0f)});
+    environment.diffuse[0] = glm::vec3(0.4f);
+    environment.diffuse[term] += glm::vec3(light);
+    options.lighting.environment = std::make_shared<const Environment>(environment);
+    return render_float(built, size, size, view, options);
+  };
+  const FloatPicture even = drawn_with(0, 0.0f);
+  for (std::size_t term = 0; term < 9; ++term) {
+    const FloatPicture drawn = drawn_with(term, 0.4f * share);
+    int compared = 0;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const auto seen = reference::surfaces_along(
+            built.scene, frame,
+            reference::sight_line({built.scene, frame, view, options, size, size}, x + 0.5, y + 0.5));
+        if (seen.empty()) continue;
+        const double expected = 1.0 + static_cast<double>(share) * diffuse_terms(seen[0].normal)[term];
+        EXPECT_NEAR(linear_from_srgb(drawn.at(x, y).g) / linear_from_srgb(even.at(x, y).g), expected, 0.01) << term;
+        ++compared;
+      }
+    EXPECT_GT(compared, 100);
+  }
 }
 
 TEST_F(light_picture, another_environment_is_shown_by_the_next_picture) {

@@ -261,6 +261,35 @@ TEST_F(shadows, fall_from_four_lights_of_the_scene_each_where_its_own_rays_meet_
   expect_shadows_of_all(std::vector{a, b, bulb, c, d, sun}, 0b101011);
 }
 
+TEST_F(shadows, of_a_spot_light_end_where_its_cone_is_wider_than_the_map) {
+  // The map reaches 2.93 m aside. What casts a shadow at its border must cast none beyond it.
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  built.add(square(4.0f), white);
+  built.add(showcase::box({2.55f, 0.04f, 0.0f}, {0.15f, 0.01f, 1.5f}), white);
+  add_light_at(built, {.kind = Light::Kind::spot, .intensity = 100.0f, .inner_cone_rad = 1.5f, .outer_cone_rad = 1.55f},
+               {0.0f, 0.5f, 0.0f}, {0, -1, 0});
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  const View beyond = look_at({3.6, 1.5, 0.01}, {3.6, 0.0, 0.0}, 0.5, 0.05);
+  const FloatPicture drawn = render_float(built, kWidth, kHeight, beyond, options);
+  options.shadows.on = false;
+  EXPECT_EQ(drawn.pixels, render_float(built, kWidth, kHeight, beyond, options).pixels);
+  EXPECT_GT(drawn.at(kWidth / 2, kHeight / 2).r, 0.1f) << "no light is there";
+}
+
+TEST_F(shadows, normal_maps_make_no_surface_shadow_itself) {
+  BuiltScene built;
+  Material leaning = matte({0.7f, 0.7f, 0.7f});
+  leaning.normal_texture.texture = add_plain_texture(built, {245, 128, 150, 255});
+  built.add(wall(), built.add_material(leaning));
+  RenderOptions options = key_light_alone();
+  options.lighting.to_key = {0.9f, 0.1f, 0.3f};
+  const FloatPicture drawn = render_float(built, kWidth, kHeight, view_of_wall(), options);
+  options.shadows.on = false;
+  EXPECT_EQ(drawn.pixels, render_float(built, kWidth, kHeight, view_of_wall(), options).pixels);
+}
+
 TEST_F(shadows, come_from_what_is_out_of_view) {
   BuiltScene built;
   const std::uint32_t grey = built.add_material(matte({0.7f, 0.7f, 0.7f}));
