@@ -104,6 +104,20 @@ TEST(cost_errors, tracks_that_never_turn_do_not_say_what_is_usual) {
     EXPECT_EQ(point.is_default, point.name == "exact slerp") << point.name;
 }
 
+TEST(cost_errors, the_interpolation_of_most_tracks_is_the_usual_one) {
+  Scene arm = arm_scene();
+  BoneAnimation turning;
+  const glm::quat none(0, 0, 0, 0);  // tangents
+  turning.rotation = {Interpolation::cubic_spline, {0.0f, 1.0f}, {none, about_z(0), none, none, about_z(30), none}};
+  for (const std::uint32_t joint : {0u, 1u}) {
+    turning.joint = joint;
+    arm.animations[0].bones.push_back(turning);
+  }
+  finish_scene(arm);
+  for (const Point& point : cost::study_rotation(Subject(arm, 0, Effort::quick())).group.points)
+    EXPECT_EQ(point.is_default, point.name == "cubic") << point.name;
+}
+
 /// Two numbers of samples of one method, at half size and blurred, and one more trial.
 nlohmann::json occlusion_with(nlohmann::json other) {
   const nlohmann::json usual{{"name", "24"},    {"note", ""},         {"method", "gtao"},
@@ -149,6 +163,28 @@ TEST(cost_errors, are_those_of_the_clip_that_was_chosen) {
       EXPECT_THAT(group.about, HasSubstr("the clip \"" + arm.animations[clip].name + "\"")) << group.name;
     }
   }
+}
+
+TEST(cost_studies, say_what_a_clip_or_a_skin_lacks) {
+  Scene arm = arm_scene();
+  arm.meshes[0].primitives[0].normals.clear();
+  arm.animations[0].bones[0].rotation.values[1] = arm.animations[0].bones[0].rotation.values[0];
+  arm.animations.push_back({"nothing", 1.0, {}, {}});
+  finish_scene(arm);
+  const auto why = [&](const auto& study, std::uint32_t clip) {
+    return study(cost::Subject(arm, clip, cost::Effort::quick())).group.left_out;
+  };
+  EXPECT_EQ(why(cost::study_skinned_normals, 0), "the largest skinned primitive has no normals");
+  EXPECT_THAT(why(cost::study_rotation, 0), HasSubstr("\"bend\" turns no joint from one key to another"));
+  EXPECT_EQ(why(cost::study_storage, 0), "");
+  EXPECT_THAT(why(cost::study_storage, 1), HasSubstr("\"nothing\" moves no joints"));
+}
+
+TEST(cost_occlusion, says_what_went_wrong_with_the_program_that_measures) {
+  const cost::Group group = cost::look_at_occlusion({"--no-such-option"});
+  EXPECT_EQ(group.name, "occlusion");
+  EXPECT_THAT(group.left_out, HasSubstr("sinew-occlusion-study"));
+  EXPECT_TRUE(group.points.empty());
 }
 
 }  // namespace

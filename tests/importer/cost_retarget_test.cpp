@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `sinew cost` measures of retargeting, on a body whose numbers are known by hand.
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -94,6 +95,30 @@ TEST(cost_retargeting, a_body_that_glides_strays_by_what_its_rule_makes_of_the_p
     EXPECT_EQ(work.item_count, 16u * 15u) << "poses and joints";
     work.run();
   }
+}
+
+TEST(cost_retargeting, a_joint_that_carries_the_whole_body_goes_with_it) {
+  const Scene plain = glider();
+  Scene scene;
+  std::vector<std::uint32_t> parents = {kNone};
+  for (const std::uint32_t parent : plain.skeleton.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
+  scene.skeleton = skeleton_of(parents);
+  scene.skeleton.names[0] = "root";
+  for (std::size_t j = 0; j < plain.skeleton.names.size(); ++j) {
+    scene.skeleton.names[j + 1] = plain.skeleton.names[j];
+    scene.skeleton.rest[j + 1] = plain.skeleton.rest[j];
+  }
+  BoneAnimation root;
+  root.joint = 0;
+  root.translation = {Interpolation::linear, {0, 1}, {{0, 0, 0}, {0, 0, 0.5f}}};
+  scene.animations = {{"glide", 1.0, {root}, {}}};
+  finish_scene(scene);
+  const Group group = cost::study_retargeting(Subject(scene, 0, Effort::quick())).group;
+  ASSERT_EQ(group.left_out, "");
+  const auto point =
+      std::find_if(group.points.begin(), group.points.end(), [](const Point& p) { return p.name == "hips by height"; });
+  ASSERT_NE(point, group.points.end());
+  EXPECT_NEAR(point->error, 0.0, 0.01) << "the root is carried on, scaled";
 }
 
 TEST(cost_retargeting, what_is_no_human_body_or_has_no_clip_is_left_out) {
