@@ -53,9 +53,11 @@ class HeldKeys {
     bool turns = false;  ///< one of them differs from what the pose had
   };
 
+  /// Of two of one joint the last, whose tracks count (G20).
   static BoneAnimation& bone_of(std::uint32_t joint, Animation& animation) {
-    for (BoneAnimation& bone : animation.bones)
-      if (bone.joint == joint) return bone;
+    const auto last = std::find_if(animation.bones.rbegin(), animation.bones.rend(),
+                                   [&](const BoneAnimation& bone) { return bone.joint == joint; });
+    if (last != animation.bones.rend()) return *last;
     BoneAnimation& bone = animation.bones.emplace_back();
     bone.joint = joint;
     return bone;
