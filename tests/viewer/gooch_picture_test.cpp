@@ -63,6 +63,37 @@ TEST_F(gooch_picture, outlines_are_at_silhouettes_and_creases_and_on_no_plane_ho
       EXPECT_GT(pixel.r, 0.2f) << "a line on a plane";
 }
 
+TEST_F(gooch_picture, outlines_of_steps_near_a_parallel_camera_are_as_black_as_the_steps_are_high) {
+  View view = look_at({0.0, 0.0, 0.4}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+  view.half_height_m = 1.0;  // a pixel is 0.077 m, a step of 0.45 m six of them: part of a line
+  view.far_m = 4.0;
+  BuiltScene built;
+  const std::uint32_t material = built.add_material(matte({0.8f, 0.6f, 0.4f}));
+  for (const float step : {0.0f, 1.0f, 2.0f})
+    built.add(wall(), material, translation({1.3f - 0.7f * step, -0.1f * step, -0.45f * step}));
+  expect_reference_picture(built, view, gooch(), kBounds);
+}
+
+TEST_F(gooch_picture, outlines_are_not_beside_points_that_have_no_normals) {
+  BuiltScene built;
+  const std::uint32_t material = built.add_material(matte({0.8f, 0.6f, 0.4f}));
+  const View view = look_at({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);  // the wall fills the picture
+  built.add(wall(), material);
+  const FloatPicture alone = render_float(built, 32, 26, view, gooch());
+  Primitive dots;
+  dots.topology = Topology::points;
+  for (float x = -0.8f; x < 0.9f; x += 0.4f) dots.positions.emplace_back(x, 0.1f, 0.001f);
+  for (std::uint32_t i = 0; i < dots.positions.size(); ++i) dots.indices.push_back(i);
+  built.add(dots, material);
+  const FloatPicture drawn = render_float(built, 32, 26, view, gooch());
+  int changed = 0;
+  for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+    changed += drawn.pixels[i] != alone.pixels[i];
+    EXPECT_GT(drawn.pixels[i].r, 0.2f) << "a line at pixel " << i;
+  }
+  EXPECT_EQ(changed, 5 * 4 * 4) << "nothing but the points, 4 pixels wide";
+}
+
 TEST_F(gooch_picture, normal_maps_make_creases_and_change_no_tone) {
   const View view = look_at({0.3, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.5, 0.05);
   for (const bool tangents : {false, true})
@@ -101,6 +132,19 @@ TEST_F(gooch_picture, blended_masked_and_unlit_surfaces_are_as_the_reference_has
     bounds.bound = kDecodedBound;
     expect_reference_picture(built, the_view(), options, bounds);
   }
+}
+
+TEST_F(gooch_picture, glass_is_opaque_but_for_the_holes_of_its_mask) {
+  BuiltScene built;
+  built.add(wall(), built.add_material(matte({0.9f, 0.3f, 0.1f})), translation({0.0f, 0.0f, -0.1f}));
+  Material glass = matte({0.6f, 0.9f, 1.0f});
+  glass.alpha_mode = AlphaMode::mask;
+  glass.transmission.factor = 0.8f;
+  glass.base_color_texture.texture = add_noise_texture(built);
+  built.add(wall(), built.add_material(glass));
+  PictureBounds bounds = kBounds;
+  bounds.bound = kDecodedBound;
+  expect_reference_picture(built, view_of_wall(), gooch(), bounds);
 }
 
 TEST_F(gooch_picture, exposure_tone_curve_shadows_and_environment_change_no_byte) {
