@@ -58,7 +58,7 @@ Difference from_reference(const FloatPicture& drawn, const reference::PictureOf&
   return d;
 }
 
-/// Every surface reflects, box and ball have coats, and all have a texture of occlusion.
+/// Every surface reflects, box and ball have coats, all have a texture of occlusion, and the floor has a normal map.
 BuiltScene shiny_scene() {
   BuiltScene built = box_and_sphere_on_floor();
   const std::uint32_t half_open = add_plain_texture(built, {128, 255, 255, 255});
@@ -73,6 +73,9 @@ BuiltScene shiny_scene() {
   for (Mesh& mesh : built.scene.meshes)
     mesh.primitives[0].texcoords.assign(1,
                                         std::vector<glm::vec2>(mesh.primitives[0].positions.size(), glm::vec2(0.5f)));
+  Primitive& floor = built.scene.meshes[0].primitives[0];
+  floor.tangents.assign(floor.positions.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+  built.scene.materials[0].normal_texture.texture = add_plain_texture(built, {176, 110, 235, 255});
   return built;
 }
 
@@ -82,6 +85,7 @@ TEST_F(mirrored_picture, is_that_of_the_reference_with_bent_normals) {
   const FrameResult frame = built.frame();
   for (const bool blur : {false, true}) {
     options.ao.blur = blur;
+    options.ao.power = blur ? 1.7f : 1.0f;
     reference::PictureOf picture{built.scene, frame, the_view(), options, kWidth, kHeight};
     const reference::PixelAccess open = reference_access(seen_by_reference(picture), options);
     picture.access = open.access;
