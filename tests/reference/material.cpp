@@ -26,8 +26,9 @@ glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const Te
   const glm::dvec3 stored(looked_up(scene, point, map, false));
   const double scale = static_cast<double>(map_scale);
   const glm::dvec3 local = (stored * 2.0 - 1.0) * glm::dvec3(scale, scale, 1.0);
+  const TangentFrame& frame = point.frames[map.texcoord];
   const glm::dvec3 normal =
-      glm::normalize(point.tangent * local.x + point.bitangent * local.y + point.normal * local.z);
+      glm::normalize(frame.tangent * local.x + frame.bitangent * local.y + point.normal * local.z);
   return point.front ? normal : -normal;
 }
 

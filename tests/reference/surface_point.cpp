@@ -42,30 +42,29 @@ glm::dvec3 normal_at(const Triangle& triangle, const glm::dvec3& share) {
       mixed(triangle, share, triangle.deformed.normals.empty() ? own : triangle.deformed.normals, turned));
 }
 
-/// Tangent and bitangent from the tangents of the mesh.
-void stored_frame(const Triangle& triangle, const glm::dvec3& share, SurfacePoint& point) {
+/// From the tangents of the mesh.
+TangentFrame stored_frame(const Triangle& triangle, const glm::dvec3& share, const glm::dvec3& normal) {
   const auto moved = [&](const glm::vec4& t) {
     return glm::dvec4(transform_vector(triangle.world_from_mesh, glm::dvec3(t)), t.w);
   };
   const glm::dvec4 t = mixed(triangle, share, triangle.primitive.tangents, moved);
-  point.tangent = glm::normalize(glm::dvec3(t) - point.normal * glm::dot(point.normal, glm::dvec3(t)));
-  point.bitangent = t.w * glm::cross(point.normal, point.tangent) * (triangle.mirrored ? -1.0 : 1.0);
+  const glm::dvec3 tangent = glm::normalize(glm::dvec3(t) - normal * glm::dot(normal, glm::dvec3(t)));
+  return {tangent, t.w * glm::cross(normal, tangent) * (triangle.mirrored ? -1.0 : 1.0)};
 }
 
-/// Tangent and bitangent from positions and texture coordinates: as from a stored tangent along dP/du, with the w that
+/// From positions and a set of texture coordinates: as from a stored tangent along dP/du, with the w that
 /// puts the bitangent on the side where v falls.
 /// eq   [edge 1, edge 2] = [dP/du, dP/dv] * [duv 1, duv 2]
-void derived_frame(const Triangle& triangle, SurfacePoint& point) {
-  const std::uint32_t set = point.material.normal_texture.texcoord;
-  if (triangle.primitive.texcoords.size() <= set) return;
+TangentFrame derived_frame(const Triangle& triangle, std::size_t set, const glm::dvec3& normal) {
+  if (triangle.primitive.texcoords.size() <= set) return {};
   const auto uv = [&](int c) { return glm::dvec2(triangle.primitive.texcoords[set][triangle.vertex[c]]); };
   const glm::dvec3 e1 = triangle.corner[1] - triangle.corner[0], e2 = triangle.corner[2] - triangle.corner[0];
   const glm::dvec2 d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
   const double area = d1.x * d2.y - d2.x * d1.y;
   const glm::dvec3 along_u = (e1 * d2.y - e2 * d1.y) / area, along_v = (e2 * d1.x - e1 * d2.x) / area;
-  point.tangent = glm::normalize(along_u - point.normal * glm::dot(point.normal, along_u));
-  const glm::dvec3 aside = glm::cross(point.normal, point.tangent);
-  point.bitangent = glm::dot(aside, along_v) < 0.0 ? aside : -aside;
+  const glm::dvec3 tangent = glm::normalize(along_u - normal * glm::dot(normal, along_u));
+  const glm::dvec3 aside = glm::cross(normal, tangent);
+  return {tangent, glm::dot(aside, along_v) < 0.0 ? aside : -aside};
 }
 
 /// Shares of the corners and t where the line meets the plane of the triangle.
@@ -102,12 +101,10 @@ void add_point(const Triangle& triangle, const SightLine& line, std::vector<Surf
     point.uv[set] = mixed(triangle, share, triangle.primitive.texcoords[set], in_double);
   if (!triangle.primitive.colors.empty()) point.color = mixed(triangle, share, triangle.primitive.colors, in_double);
   point.normal = normal_at(triangle, share);
-  if (point.material.normal_texture.used() || point.material.clearcoat.normal_texture.used()) {
-    if (triangle.primitive.tangents.empty())
-      derived_frame(triangle, point);
-    else
-      stored_frame(triangle, share, point);
-  }
+  if (point.material.normal_texture.used() || point.material.clearcoat.normal_texture.used())
+    for (std::size_t set = 0; set < point.frames.size(); ++set)
+      point.frames[set] = triangle.primitive.tangents.empty() ? derived_frame(triangle, set, point.normal)
+                                                              : stored_frame(triangle, share, point.normal);
   points.push_back(point);
 }
 

@@ -14,6 +14,11 @@ struct SightLine {
   glm::dvec3 from{0.0}, direction{0.0, 0.0, -1.0};
 };
 
+/// The axes of a normal map on a surface, beside its normal.
+struct TangentFrame {
+  glm::dvec3 tangent{0.0}, bitangent{0.0};
+};
+
 /// A point where a line of sight meets a triangle that is drawn.
 struct SurfacePoint {
   Material material;
@@ -21,9 +26,9 @@ struct SurfacePoint {
   bool front = true;        ///< its counter-clockwise side is seen
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0.0};  ///< unit, towards the outside; zero if the primitive has none
-  glm::dvec3 tangent{0.0}, bitangent{0.0};
   std::array<glm::dvec2, 2> uv{};
-  glm::dvec4 color{1.0};  ///< of the vertices
+  std::array<TangentFrame, 2> frames{};  ///< of each set of texture coordinates; with tangents they are the same
+  glm::dvec4 color{1.0};                 ///< of the vertices
   glm::dvec3 to_viewer{0.0};
 };
 

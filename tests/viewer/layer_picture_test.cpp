@@ -41,7 +41,7 @@ TEST_F(layer_picture, specular_scales_what_a_dielectric_reflects_and_tints_it_al
     expect_layer(material, "factor");
     material.specular.color = {1.0f, 0.2f, 0.6f};
     expect_layer(material, "colour");
-    material.specular = {.ior = 1.8f, .color = {30.0f, 2.0f, 0.0f}};  // red is clipped to all light
+    material.specular = {.ior = 1.8f, .factor = 0.6f, .color = {30.0f, 2.0f, 0.0f}};  // red is clipped, then scaled
     expect_layer(material, "colour above 1");
   }
 }
@@ -61,13 +61,15 @@ TEST_F(layer_picture, clearcoat_reflects_by_its_own_roughness_and_takes_light_fr
 }
 
 TEST_F(layer_picture, clearcoat_has_the_normals_of_the_mesh_or_of_its_own_map) {
-  for (const bool own : {false, true})
+  for (const int own_set : {-1, 0, 1})  // -1: no map of its own
     for (const bool tangents : {false, true}) {
       BuiltScene built;
       Material material = plain();
       material.clearcoat = {.factor = 1.0f, .roughness = 0.4f};
       material.normal_texture.texture = add_plain_texture(built, {196, 90, 220, 255});
-      if (own) material.clearcoat.normal_texture.texture = add_plain_texture(built, {80, 150, 230, 255});
+      if (own_set >= 0)
+        material.clearcoat.normal_texture = {.texture = add_plain_texture(built, {80, 150, 230, 255}),
+                                             .texcoord = static_cast<std::uint32_t>(own_set)};
       material.clearcoat.normal_scale = 0.7f;
       Primitive p = wall();
       if (!tangents) p.tangents.clear();
