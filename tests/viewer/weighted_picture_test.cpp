@@ -3,6 +3,7 @@
 // where surfaces intersect, which no order of whole primitives has.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/reference/picture.h"
 #include "tests/viewer/reference_picture.h"
@@ -97,7 +98,8 @@ TEST_F(weighted_picture, with_one_pane_at_each_pixel_is_the_sorted_one) {
   built.add(wall(), built.add_material(matte({0.7f, 0.4f, 0.2f})));
   built.add(wall(), built.add_material(pane({0.1f, 0.9f, 0.3f, 0.6f}, true)), translation({1.3f, 0.33f, 0.2f}));
   built.add(wall(), built.add_material(pane({0.2f, 0.3f, 0.9f, 0.02f})), translation({-1.2f, -0.33f, 0.9f}));
-  for (const bool smooth : {false, true}) {
+  for (const auto& [smooth, unlit_behind] : {std::pair(false, false), {false, true}, {true, false}}) {
+    built.scene.materials[0].unlit = unlit_behind;
     RenderOptions options = every_light();
     options.smooth_edges = smooth;
     const FloatPicture sorted = render_float(built, 32, 24, kStraight, options),
