@@ -188,6 +188,8 @@ TEST(cost_skinned_part, is_the_primitive_with_most_vertices_wherever_it_stands) 
     Scene arm = arm_scene();
     Primitive small = arm.meshes[0].primitives[0];
     small.positions.resize(2);
+    small.normals.resize(2);
+    small.indices = {0, 1, 1};
     small.influences = {{{0, 2, 1, 0}}, {0, 1}, {1, 1}};
     auto& primitives = arm.meshes[0].primitives;
     primitives.insert(larger_last ? primitives.begin() : primitives.end(), small);
