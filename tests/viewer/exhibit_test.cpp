@@ -210,7 +210,8 @@ TEST_F(exhibit, says_which_material_has_more_images_than_are_shown) {
   const auto wall = [](const std::string& transmission) {
     std::string textures;
     for (int i = 0; i < 8; ++i) textures += std::string(i > 0 ? "," : "") + R"({"source": 0})";
-    return R"({"asset": {"version": "2.0"}, "images": [{"uri": "data:image/png;base64,AAAA"}], "textures": [)" + textures +
+    return R"({"asset": {"version": "2.0"}, "images": [{"uri": "data:image/png;base64,AAAA"}], "textures": [)" +
+           textures +
            R"(], "extensionsUsed": ["KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission"],
               "materials": [{"name": "wall", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
                 "normalTexture": {"index": 1}, "extensions": {
