@@ -127,10 +127,10 @@ bool is_defined(const gltf::Document& document, List list, std::string_view path
     case List::nodes: return member(&document.nodes[target.index].extensions, "KHR_node_visibility") != nullptr;
     case List::cameras: return camera_defines(document.cameras[target.index], path, target.kind);
     case List::lights: return light_defines(document, target.index, target.kind);
-    case List::materials:
-    case List::meshes: break;  // what meshes have are weights, which no row names
+    case List::materials: return material_defines(document.materials[target.index], target);
+    case List::meshes: break;  // "weights" have no row
   }
-  return material_defines(document.materials[target.index], target);
+  return true;
 }
 
 /// Accepts "weights" and "weights/3" of a node or mesh, and whole properties of a node.

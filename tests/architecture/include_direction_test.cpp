@@ -146,7 +146,7 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("importer/read/x.cpp", "\"importer/ambient/ray_scene.h\""), 1u);
   EXPECT_EQ(count("importer/ambient/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);
   EXPECT_EQ(count("viewer/app/main.cpp", "\"importer/import_gltf.h\""), 0u);
-  EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel.h\""), 1u);
+  EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel/panel.h\""), 1u);
   EXPECT_EQ(count("samples/x/main.cpp", "\"tests/support/near.h\""), 1u);
   EXPECT_EQ(count("runtime/pose/x.cpp", "<vulkan/vulkan.h>"), 1u);
   EXPECT_EQ(count("importer/tool/x.cpp", "\"tiny_gltf.h\""), 1u);

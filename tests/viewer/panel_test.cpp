@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/panel.h"
+#include "viewer/app/panel/panel.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

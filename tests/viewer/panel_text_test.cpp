@@ -11,8 +11,8 @@
 
 #include "tests/viewer/imgui_fixture.h"
 #include "viewer/app/keys.h"
-#include "viewer/app/panel.h"
-#include "viewer/app/plan_panel.h"
+#include "viewer/app/panel/panel.h"
+#include "viewer/app/panel/plan_panel.h"
 
 namespace sinew::viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "viewer/app/panel_backend.h"
+#include "viewer/app/panel/panel_backend.h"
 #include "viewer/app/settings.h"
 #include "viewer/app/shown_scene.h"
 #include "viewer/device/swapchain.h"

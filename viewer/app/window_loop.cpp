@@ -15,7 +15,7 @@
 #include "viewer/app/frame.h"
 #include "viewer/app/framed_camera.h"
 #include "viewer/app/live_plan.h"
-#include "viewer/app/panel.h"
+#include "viewer/app/panel/panel.h"
 #include "viewer/app/reload/go_over.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/validation_outcome.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/panel.h"
+#include "viewer/app/panel/panel.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -9,7 +9,7 @@
 #include <imgui.h>
 
 #include "viewer/app/keys.h"
-#include "viewer/app/plan_panel.h"
+#include "viewer/app/panel/plan_panel.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/panel_backend.h"
+#include "viewer/app/panel/panel_backend.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "viewer/app/panel.h"
+#include "viewer/app/panel/panel.h"
 
 namespace sinew::viewer {
 

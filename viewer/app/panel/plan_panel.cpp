@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/plan_panel.h"
+#include "viewer/app/panel/plan_panel.h"
 
 #include <algorithm>
 #include <cstdio>
