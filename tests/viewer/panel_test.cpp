@@ -240,6 +240,12 @@ TEST_F(PanelTest, sliders_go_from_end_to_end) {
   EXPECT_EQ(playback.speed(), 4.0);
   slide("speed", left, playback);
   EXPECT_EQ(playback.speed(), -2.0);
+  ASSERT_TRUE(hover(id_of("speed", "sinew (h hides this)"), "speed", playback));
+  for (const bool down : {true, false}) {
+    ImGui::GetIO().MouseDown[1] = down;
+    frame(playback);
+  }
+  EXPECT_EQ(playback.speed(), 1.0) << "by a right click";
   const std::tuple<const char*, float*, float, float> sliders[] = {
       {"exposure", &settings_.exposure_ev, -6.0f, 6.0f},
       {"turn", &settings_.environment_turn_deg, -180.0f, 180.0f},
@@ -312,6 +318,10 @@ TEST_F(PanelTest, cameras_variants_and_clips_are_those_of_the_file) {
   choose_number("clip", 1, clip_label(scene_, 1));
   EXPECT_EQ(settings_.variant, 1u);
   EXPECT_EQ(playback.clip(), 1u);
+  choose("camera", camera_label(scene_, kNone).c_str(), playback);
+  EXPECT_EQ(settings_.camera, kNone);
+  choose("variant", variant_label(scene_, kNone).c_str(), playback);
+  EXPECT_EQ(settings_.variant, kNone);
 }
 
 TEST_F(PanelTest, every_section_opens_without_a_device) {
