@@ -40,13 +40,14 @@ std::vector<Way> ways() {
   RenderOptions plain;
   plain.shadows = {true, {glm::vec3(-3.0f), glm::vec3(3.0f)}};
   plain.ground = ground_for({{-2, 0, -2}, {2, 2, 2}});
-  RenderOptions gooch = plain, smooth = plain, automatic = plain, alone = plain;
+  RenderOptions gooch = plain, smooth = plain, automatic = plain, evening = plain, alone = plain;
   gooch.shading = Shading::gooch;
   smooth.smooth_edges = true;
   smooth.transparency = Transparency::weighted;
   smooth.ground.look = GroundLook::grid;
   automatic.lighting.auto_exposure = true;
   automatic.backdrop = Backdrop::sharp;
+  evening.lighting.environment = gradient_environment({.sky = {0.9f, 0.3f, 0.1f}});
   alone.ao.on = alone.shadows.on = false;
   alone.lighting.environment = nullptr;
   return {{"one light", plain, 1},
@@ -54,6 +55,7 @@ std::vector<Way> ways() {
           {"weighted, smooth", smooth},
           {"gooch", gooch},
           {"automatic exposure", automatic, 2},
+          {"another environment", evening},
           {"nothing besides", alone},
           {"one light again", plain, 1}};
 }
