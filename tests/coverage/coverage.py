@@ -48,7 +48,7 @@ def counts_of(build, notes, root):
     for document in done.stdout.splitlines():
         for file in json.loads(document)['files']:
             path = os.path.relpath(os.path.join(build, file['file']), root)
-            if path.startswith(PRODUCT):
+            if path.startswith(PRODUCT) and os.path.exists(os.path.join(root, path)):  # an object stays when its source moves away
                 text = text_of(os.path.join(root, path))
                 places = {f['name']: (f['start_line'], f['start_column']) for f in file['functions']}
                 found += [(path, line['line_number'], line['count'], places.get(line.get('function_name')), decisions(line['branches']))

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "tests/viewer/cache_files.h"
 
@@ -15,6 +16,17 @@ std::string fault_of(const std::string& path) {
   const auto file = open_cache_file(path);
   EXPECT_FALSE(file.has_value());
   return file ? std::string() : file.error();
+}
+
+/// Of a file that is there and that cannot be opened, since this process may have no more.
+std::string fault_without_files(const std::string& path) {
+  rlimit before{};
+  EXPECT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{0, before.rlim_max};
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  std::string fault = fault_of(path);
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  return fault;
 }
 
 TEST(cache_file, is_read_up_to_its_frames) {
@@ -42,6 +54,8 @@ TEST(cache_file, refuses_what_it_cannot_read_in_one_sentence_with_file_and_rule)
   EXPECT_THAT(fault_of("/nothing/here.sgeo"),
               testing::AllOf(HasSubstr("/nothing/here.sgeo: "), HasSubstr("o such file")));
   EXPECT_THAT(fault_of("/tmp"), HasSubstr("/tmp: "));
+  EXPECT_THAT(fault_without_files(WrittenFile("flag.sgeo", flag_bytes(2)).path()),
+              HasSubstr("flag.sgeo: Too many open files"));
   const WrittenFile empty("empty.sgeo", {});
   EXPECT_THAT(fault_of(empty.path()), HasSubstr("empty.sgeo: byte 0: cache-"));
 

@@ -303,6 +303,27 @@ TEST_F(headless_run, small_meshes_are_held_between_updates_only_where_pictures_a
   }
 }
 
+TEST_F(headless_run, nothing_is_held_while_the_camera_moves_with_the_clip) {
+  const Exhibit exhibit = gliding_box();
+  Options options = small_picture();
+  options.updates = Updates::held;
+  options.file_camera = "on box";
+  options.fps = 25.0;
+  options.frames = FrameRange{0, 3};
+  options.headless = (folder_ / "moving").string();
+  options.plan = true;
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
+  const std::string plan = testing::internal::GetCapturedStdout();
+  EXPECT_NE(plan.find("every frame: the camera moves with the clip"), std::string::npos) << plan;
+  Options one = small_picture();
+  one.file_camera = "on box";
+  for (int n = 0; n <= 3; ++n) {
+    one.time_s = n / 25.0;
+    EXPECT_EQ(bytes_of(fs::path(options.headless) / ("0000" + std::to_string(n) + ".png")), written(one, exhibit)) << n;
+  }
+}
+
 TEST(picture_time, goes_on_by_the_rate_and_starts_again_after_the_end) {
   EXPECT_EQ(picture_time_s(0, 30.0, 2.0), 0.0);
   EXPECT_EQ(picture_time_s(7, 4.0, 2.0), 1.75);

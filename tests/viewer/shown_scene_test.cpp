@@ -14,8 +14,8 @@
 namespace sinew::viewer {
 namespace {
 
-/// A box that glides 4 m along x in 2 s; with a camera on it, or without.
-Exhibit gliding_box(bool camera) {
+/// A box that glides 4 m along x in 2 s; with a camera on it, or without, and among other joints that do the same.
+Exhibit gliding_box(bool camera, std::uint32_t others = 0) {
   showcase::SceneBuilder builder;
   const std::uint32_t joint = builder.add_joint("box", kNone, {});
   builder.add_instance(joint, builder.add_mesh({"box", {showcase::box({0, 0, 0}, glm::vec3(0.5f))}, {}, {}}));
@@ -23,7 +23,12 @@ Exhibit gliding_box(bool camera) {
   bone.joint = joint;
   bone.translation.times_s = {0.0f, 2.0f};
   bone.translation.values = {{0, 0, 0}, {4, 0, 0}};
-  builder.add_animation({"glide", 2.0, {bone}, {}});
+  std::vector<BoneAnimation> bones = {bone};
+  for (std::uint32_t i = 0; i < others; ++i) {
+    bone.joint = builder.add_joint("other", kNone, {});
+    bones.push_back(bone);
+  }
+  builder.add_animation({"glide", 2.0, bones, {}});
   Exhibit exhibit;
   exhibit.scene = builder.finish();
   if (camera) exhibit.scene.cameras = {{.name = "on box", .joint = joint}};
@@ -94,6 +99,21 @@ TEST_F(shown_scene, leaves_out_what_is_out_of_view_and_waits_for_what_comes_into
   submit(kAhead);
   EXPECT_TRUE(shown_->newest().instances[0].visible) << "in this very frame";
   EXPECT_NEAR(place_m(), 2.0, 1e-6);
+}
+
+TEST_F(shown_scene, waits_for_what_comes_into_view_where_the_worker_is_busy_too) {
+  show(gliding_box(false, 20'000));
+  for (int round = 0; round < 4; ++round) {
+    for (const double time_s : {0.1, 0.2, 0.3}) {  // one frame runs, one waits, and there is no room for another
+      shown_->playback().seek(time_s);
+      submit(kAway, true);
+    }
+    shown_->playback().seek(1.0);
+    submit(kAhead, true);
+    EXPECT_TRUE(shown_->newest().instances[0].visible) << "in this very frame";
+    EXPECT_NEAR(place_m(), 2.0, 1e-6);
+    EXPECT_TRUE(shown_->settled());
+  }
 }
 
 TEST_F(shown_scene, evaluates_what_casts_a_shadow_into_view) {

@@ -205,7 +205,8 @@ eventually "and back over the seam, where frames are read again, is the very sam
 quit
 
 # A file that changes while it is shown. Each state is written beside and moved over the file at once, as programs save.
-triangle='"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+triangle='"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"camera":0,"translation":[0.4,0.8,2.5]}],
+"cameras":[{"type":"perspective","perspective":{"yfov":0.9,"znear":0.1}}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],
 "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]'
 save() {
@@ -218,7 +219,7 @@ save_color() {
 says() { [ "$(grep -c "$1" "$pictures/messages")" = "$2" ]; }
 save_color 0.8,0.1,0.1
 : > "$pictures/messages"
-"$viewer" --validate --watch --size 640x400 "$pictures/face.gltf" 2> "$pictures/messages" &
+"$viewer" --validate --watch --camera 0 --size 640x400 "$pictures/face.gltf" 2> "$pictures/messages" &
 pid=$!
 eventually "a window that watches its file opens" find_window
 xdotool windowfocus "$window"
@@ -242,7 +243,7 @@ sleep 0.3
 xdotool mousemove --window "$window" 400 200
 sleep 0.3
 xdotool mouseup 1
-eventually "dragging turns the camera" differs_now red
+eventually "dragging turns on from the camera of the file" differs_now red
 eventually "and it stays there" still turned
 save_color 0.1,0.1,0.8
 eventually "a changed file is shown from there" differs_now turned
@@ -251,6 +252,18 @@ eventually "and changed back it is the very same picture" equals_now turned
 grep -v 'shown as before$\|: read again$' "$pictures/messages" && fail "the validation layer has nothing to say"
 : > "$pictures/messages"
 quit
+
+# A cache that breaks while it plays: a byte of its last frame. The window says so once, and goes on.
+cp "$(dirname "$0")/../golden/cloth.sgeo" "$pictures/broken.sgeo"
+printf '\377' | dd of="$pictures/broken.sgeo" bs=1 seek=$(($(stat -c %s "$pictures/broken.sgeo") - 40)) conv=notrunc 2> /dev/null
+timeout 120 "$viewer" --exit-after 3 --size 320x240 "$pictures/broken.sgeo" 2> "$pictures/messages"
+code=$?
+[ "$code" = 1 ] && says 'broken.sgeo: cache-checksum: a frame is not as it was written' 1 || fail "a broken frame is named, once, and the exit code is 1, was $code"
+passed "a broken frame is named once"
+
+timeout 120 "$viewer" --exit-after 1 --size 64x64 --ao rays "$pictures/face.gltf" 2> "$pictures/messages"
+[ $? = 0 ] && says 'face.gltf: ambient access of 1 pose' 1 || fail "rays are cast for the window"
+passed "rays are cast for the window"
 
 timeout 120 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"
 code=$?

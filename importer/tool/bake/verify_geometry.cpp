@@ -126,10 +126,11 @@ std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<T
     take = std::move(*truth);
   }
   Check check(in, take ? &*take : nullptr);
-  if (const auto damaged = check.run())
+  if (const auto damaged = check.run()) {
+    const std::uint64_t byte = in.cache.frames()[*damaged].offset;
     return fail_with(ExitCode::input_at_fault,
-                     fmt::format("{}: byte {}: cache-frame: frame {} is not as it was written", file,
-                                 in.cache.frames()[*damaged].offset, *damaged));
+                     fmt::format("{}: byte {}: cache-frame: frame {} is not as it was written", file, byte, *damaged));
+  }
   print_result("{}: {} decoded, every checksum is right\n", file, counted(in.cache.frame_count(), "frame"));
   if (!take) {
     if (!brief) print_result_text(geometry_table(in.cache));
