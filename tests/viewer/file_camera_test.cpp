@@ -53,6 +53,7 @@ TEST(file_camera, orthographic_ones_show_width_and_height_fully) {
   camera.half_width = -3.0f;
   camera.half_height = -2.0f;  // valid, if unusual: glTF only forbids zero
   EXPECT_NEAR(view_of_camera(camera, Affine{}, 1.5, {}).half_height_m, 2.0, 1e-12);
+  EXPECT_NEAR(view_of_camera(camera, Affine{}, 0.5, {}).half_height_m, 6.0, 1e-12);
 }
 
 TEST(file_camera, orthographic_ones_have_a_far_plane_behind_everything) {

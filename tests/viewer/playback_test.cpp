@@ -111,6 +111,21 @@ TEST(playback, repeats_or_turns_back_or_stops_at_the_end) {
   EXPECT_EQ(playback.mode(), PlayMode::loop);
 }
 
+TEST(playback, starts_again_from_the_end_that_is_behind_it) {
+  const Scene scene = scene_with_clips({2.0});
+  for (const double speed : {1.0, -1.0}) {
+    Playback playback(scene);
+    playback.set_mode(PlayMode::once);
+    playback.set_speed(speed);
+    playback.seek(1.0);
+    playback.advance(9.0);
+    EXPECT_EQ(playback.time_s(), speed > 0.0 ? 2.0 : 0.0);
+    playback.toggle();
+    playback.advance(0.5);
+    EXPECT_EQ(playback.time_s(), speed > 0.0 ? 0.5 : 1.5);
+  }
+}
+
 TEST(playback, choosing_a_clip_starts_it_and_keeps_speed_and_mode) {
   const Scene scene = scene_with_clips({2.0, 3.0});
   Playback playback(scene);

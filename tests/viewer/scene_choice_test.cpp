@@ -44,6 +44,19 @@ TEST(scene_choice, the_message_names_the_clips_that_there_are) {
   EXPECT_EQ(describe_missing_clip(Scene{}, "Fly"), "--clip Fly: no such clip; the scene has none");
 }
 
+TEST(scene_choice, the_message_names_twelve_clips_and_tells_whether_there_are_more) {
+  for (const std::uint32_t count : {11u, 12u, 13u}) {
+    Scene scene;
+    std::string named;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      scene.animations.emplace_back().name = "c";
+      if (i < 12) named += (i > 0 ? ", " : "") + std::to_string(i) + " \"c\"";
+    }
+    EXPECT_EQ(describe_missing_clip(scene, "Fly"),
+              "--clip Fly: no such clip; the scene has " + named + (count > 12 ? ", ..." : ""));
+  }
+}
+
 TEST(scene_choice, labels_are_never_empty) {
   const Scene scene = scene_with({"Walk", ""});
   EXPECT_EQ(clip_label(scene, 0), "Walk");

@@ -104,6 +104,16 @@ TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {
   expect_bone(made.subspan(SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});
 }
 
+TEST(skeleton_lines, joints_of_every_skin_and_those_between_two_skins_are_shown) {
+  Scene scene = chain();
+  scene.skins.resize(2);
+  for (const std::size_t upper : {0u, 1u}) {
+    scene.skins[upper].joints = {1};
+    scene.skins[1 - upper].joints = {3};
+    EXPECT_EQ(SkeletonLines(scene).bone_count(), 2u);
+  }
+}
+
 TEST(skeleton_lines, a_bone_without_length_has_no_outline) {
   Scene scene;
   scene.skeleton.parents = {kNone, 0};
