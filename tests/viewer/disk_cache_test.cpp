@@ -94,6 +94,16 @@ TEST(disk_cache, without_a_folder_or_where_none_can_be_is_empty) {
   EXPECT_FALSE(blocked.load("a", 1));
 }
 
+TEST(disk_cache, leaves_nothing_unfinished_where_a_file_cannot_take_its_place) {
+  const Folder folder;
+  fs::create_directories(folder.path() / "a" / "inside");
+  const DiskCache cache(folder.path());
+  cache.store("a", 1, some_bytes());
+  EXPECT_FALSE(cache.load("a", 1));
+  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "inside"));
+}
+
 void expect_same_light(const Environment& a, const Environment& b) {
   EXPECT_TRUE(same_bits(a.diffuse, b.diffuse));
   ASSERT_EQ(a.reflected.size(), b.reflected.size());

@@ -192,6 +192,23 @@ TEST(panorama, small_bright_light_keeps_its_energy_on_a_coarse_cube) {
   EXPECT_NEAR(light, 16.0 * 1000.0 * texel * texel, 0.15 * 16.0 * 1000.0 * texel * texel);
 }
 
+TEST(load_environment, each_file_has_its_own_light_though_the_light_of_one_is_kept) {
+  const std::filesystem::path folder = own_path("kept");
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (const float light : {0.5f, 2.0f, 0.5f}) {
+    const std::string path = (folder / "sky.exr").string();
+    std::ofstream(path, std::ios::binary) << exr(8, 4, std::vector<Imf::Rgba>(32, Imf::Rgba(light, light, light)));
+    for (int run = 0; run < 2; ++run) {
+      const auto sky = load_environment(path, DiskCache(folder / "cache"));
+      ASSERT_TRUE(sky) << sky.error();
+      EXPECT_NEAR((*sky)->diffuse[0].x, light, 1e-3f) << run;
+      EXPECT_NEAR((*sky)->reflected.back().texels[0].x, light, 1e-2f) << run;
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
 TEST(load_environment, knows_its_names_and_reads_files) {
   EXPECT_EQ(load_environment("studio").value(), studio_environment());
   EXPECT_EQ(load_environment("plain").value(), plain_environment());
