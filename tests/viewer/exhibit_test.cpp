@@ -12,6 +12,7 @@
 #include <string>
 
 #include "tests/geometry_cache/takes.h"
+#include "tests/scenes/hand_scenes.h"
 #include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
@@ -58,6 +59,8 @@ TEST_F(exhibit, has_the_name_of_its_file_and_tells_of_other_scenes) {
   first.scene = 0;
   EXPECT_TRUE(load(kTwoScenes, first));
   EXPECT_THAT(said_, IsEmpty()) << "it was asked for";
+  EXPECT_TRUE(load(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"name": "only"}]})"));
+  EXPECT_THAT(said_, IsEmpty()) << "there is no other";
 }
 
 TEST_F(exhibit, of_a_scene_that_the_file_has_not_names_those_that_it_has) {
@@ -264,6 +267,19 @@ TEST_F(exhibit, says_what_the_viewer_leaves_out) {
   EXPECT_THAT(said_, testing::Not(testing::Contains(HasSubstr("TEXCOORD"))));
   EXPECT_TRUE(load(set(2)));
   EXPECT_THAT(said_, testing::Contains(about_sets));
+}
+
+TEST(add_missing_centers, makes_them_where_the_scene_itself_says_so_else_where_the_user_does) {
+  const Skinning linear = Skinning::linear, centers = Skinning::center_of_rotation;
+  for (const std::vector<Skinning>& own : {std::vector<Skinning>{}, {linear}, {linear, centers}})
+    for (const Skinning skinning : {linear, Skinning::dual_quaternion, centers}) {
+      Exhibit shown;
+      shown.scene = test::arm_scene();
+      shown.instance_skinning = own;
+      add_missing_centers(shown, skinning);
+      EXPECT_EQ(shown.scene.meshes[0].primitives[0].centers_of_rotation.empty(),
+                own.empty() ? skinning != centers : own.size() < 2);
+    }
 }
 
 TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
