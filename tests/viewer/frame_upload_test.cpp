@@ -209,6 +209,28 @@ TEST_F(frame_upload_slots, each_attribute_that_changes_its_place_alone_is_seen) 
   EXPECT_EQ(written({v, v, r, r, 1}, {v, v, r, r, 1}), 0u);
 }
 
+TEST_F(frame_upload_slots, an_attribute_that_comes_alone_into_a_buffer_with_room_is_copied) {
+  const Vertices all = {vectors(1, 4), vectors(2, 4), rows(3, 4), rows(4, 4), 1};
+  for (int missing = 0; missing < 4; ++missing) {
+    FrameUpload upload(*test_device(), scene, 1);
+    Frame frame;
+    Vertices& some = frame.primitives[0] = all;
+    if (missing == 0) some.positions.clear();
+    if (missing == 1) some.normals.clear();
+    if (missing == 2) some.tangents.clear();
+    if (missing == 3) some.colors.clear();
+    frame.primitives[4] = {vectors(5, 40), {}, {}, {}, 1};
+    update(upload, frame, 1);
+    frame.primitives[0] = all;
+    frame.primitives[4] = {};
+    update(upload, frame, 2);
+    EXPECT_EQ(upload.last_update().written, 1u) << missing;
+    const FrameVertices& slot = upload.vertices(0);
+    EXPECT_TRUE(holds(slot, slot.primitives[0].normals, all.normals)) << missing;
+    EXPECT_TRUE(holds(slot, slot.primitives[0].colors, all.colors)) << missing;
+  }
+}
+
 TEST_F(frame_upload_slots, a_larger_frame_takes_a_new_buffer_and_is_copied_whole_and_a_smaller_one_stays) {
   FrameUpload upload(*test_device(), scene, 1);
   Frame frame;

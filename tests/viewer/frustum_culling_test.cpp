@@ -6,6 +6,7 @@
 #include "runtime/plan/run_plan.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/viewer/device_fixture.h"
+#include "tests/viewer/flyer.h"
 #include "viewer/app/headless.h"
 
 namespace sinew::viewer {
@@ -48,6 +49,22 @@ TEST(frustum_culling, leaves_out_what_the_clip_never_brings_into_view) {
   EXPECT_EQ(culling.of(0, look_at({0.0, 1.0, 300.0}, {0.0, 1.0, 0.0}, 0.8, 0.05), 1.5), culling.all_in_view());
   EXPECT_EQ(culling.of(0, view_of_none(), 1.5), (CulledInstances{{1, 1, 1}, true}));
   EXPECT_EQ(culling.of(kNone, view_of_none(), 1.5), (CulledInstances{{1, 1, 1}, true}));
+}
+
+TEST(frustum_culling, each_clip_and_the_rest_pose_reach_as_far_as_they_do) {
+  Scene scene = flyer(true);  // its rest pose is 3 m above its first clip
+  scene.animations.push_back(scene.animations[0]);
+  for (glm::vec3& place : scene.animations[1].bones[0].translation.values) place = {0.0f, 6.0f, 0.0f};
+  scene.clips.clear();
+  finish_scene(scene);
+  FrustumCulling culling(scene, viewer_needs());
+  const std::uint32_t clips[] = {0, 1, kNone};
+  const double heights_m[] = {0.5, 6.5, 3.5};
+  for (const std::size_t seen : {2u, 0u, 1u})
+    for (const std::size_t played : {0u, 2u, 1u}) {
+      const View view = look_at({0.5, heights_m[seen], 4.0}, {0.5, heights_m[seen], 0.0}, 0.4, 0.05);
+      EXPECT_EQ(culling.of(clips[played], view, 1.5).every_instance, seen != played) << seen << played;
+    }
 }
 
 TEST(frustum_culling, keeps_what_casts_a_shadow_into_view) {
