@@ -72,6 +72,16 @@ TEST_F(framed_camera, goes_along_from_where_the_user_moved_it) {
   EXPECT_NEAR(target().x, 4.0, 1e-6);
 }
 
+TEST_F(framed_camera, frames_what_it_follows_wherever_that_is_now) {
+  camera_.frame(Framing::follow, *shown_, kAspect);
+  for (const double time_s : {1.0, 0.5}) {
+    follow_at(time_s);
+    camera_.orbit.target.x += 1.0;
+    camera_.frame(Framing::follow, *shown_, kAspect);
+    EXPECT_NEAR(target().x, 2.0 * time_s, 1e-6);
+  }
+}
+
 TEST_F(framed_camera, frames_another_clip_anew) {
   camera_.frame(Framing::follow, *shown_, kAspect);
   camera_.orbit.target.x += 1.0;

@@ -90,6 +90,19 @@ TEST_F(shown_scene, is_settled_with_the_pose_of_its_time_and_no_other) {
   EXPECT_NEAR(place_m(), 0.0, 1e-6) << "the rest pose";
 }
 
+TEST_F(shown_scene, the_first_pose_of_another_plan_is_drawn_and_not_the_first_of_the_last_one) {
+  show(gliding_box(false));
+  const auto drawn_m = [&] {
+    return shown_->upload(0, kNone).frame->vertices(0).instances[0].world_from_mesh.row[0].w;
+  };
+  EXPECT_NEAR(drawn_m(), 0.0f, 1e-6f);
+  for (const double time_s : {1.0, 0.5}) {
+    shown_->playback().seek(time_s);
+    shown_->plan_for({.stage_times = time_s > 0.7});
+    EXPECT_NEAR(drawn_m(), static_cast<float>(2.0 * time_s), 1e-6f);
+  }
+}
+
 TEST_F(shown_scene, leaves_out_what_is_out_of_view_and_waits_for_what_comes_into_it) {
   show(gliding_box(false));
   shown_->playback().seek(0.5);
