@@ -3,12 +3,16 @@
 // options say, each made here by itself.
 #include "viewer/app/headless_run.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "runtime/plan/run_plan.h"
 #include "samples/showcase/scene_builder.h"
@@ -37,12 +41,13 @@ Material glowing(const char* name, const glm::vec3& color) {
   return material;
 }
 
-/// A box that glides 2 m to the right beside one that stands, with a camera on the one that glides.
+/// A box that glides 2 m to the right beside one that stands, with a camera on the one that glides and one far before
+/// both, which glides as well.
 Exhibit gliding_box() {
   showcase::SceneBuilder builder;
   const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})),
                       blue = builder.add_material(glowing("blue", {0, 0, 1}));
-  const std::uint32_t joint = builder.add_joint("box", kNone, {});
+  const std::uint32_t joint = builder.add_joint("box", kNone, {}), eye = builder.add_joint("eye", kNone, {});
   Mesh mesh{"box", {showcase::box({0, 0, 0}, {0.5f, 0.3f, 0.2f})}, {}, {}};
   mesh.primitives[0].material = red;
   builder.add_instance(joint, builder.add_mesh(std::move(mesh)));
@@ -51,12 +56,16 @@ Exhibit gliding_box() {
   bone.joint = joint;
   bone.translation.times_s = {0.0f, static_cast<float>(kDuration_s)};
   bone.translation.values = {{0, 0, 0}, {2, 0.5f, 0}};
-  builder.add_animation({"glide", kDuration_s, {bone}, {}});
+  BoneAnimation seen_from = bone;
+  seen_from.joint = eye;
+  seen_from.translation.values = {{0, 0, 70}, {1, 0, 70}};
+  builder.add_animation({"glide", kDuration_s, {bone, seen_from}, {}});
   Exhibit exhibit;
   exhibit.scene = builder.finish();
   exhibit.scene.variants = {"red", "blue"};
   exhibit.scene.meshes[0].primitives[0].variant_materials = {{1, blue}};
-  exhibit.scene.cameras = {{.name = "on box", .joint = joint, .fov_y_rad = 1.2f}};
+  exhibit.scene.cameras = {{.name = "on box", .joint = joint, .fov_y_rad = 1.2f},
+                           {.name = "far", .joint = eye, .fov_y_rad = 0.17f}};
   exhibit.name = "gliding box";
   return exhibit;
 }
@@ -303,23 +312,25 @@ TEST_F(headless_run, small_meshes_are_held_between_updates_only_where_pictures_a
   }
 }
 
-TEST_F(headless_run, nothing_is_held_while_the_camera_moves_with_the_clip) {
+TEST_F(headless_run, small_meshes_are_not_held_while_the_camera_moves) {
   const Exhibit exhibit = gliding_box();
   Options options = small_picture();
+  options.file_camera = "far";
+  options.width = 192;
+  options.height = 128;
+  options.smooth_edges = true;
+  Options one = options;
   options.updates = Updates::held;
-  options.file_camera = "on box";
   options.fps = 25.0;
-  options.frames = FrameRange{0, 3};
-  options.headless = (folder_ / "moving").string();
+  options.frames = FrameRange{0, 4};
+  options.headless = (folder_ / "held").string();
   options.plan = true;
   testing::internal::CaptureStdout();
-  EXPECT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
+  ASSERT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
   const std::string plan = testing::internal::GetCapturedStdout();
   EXPECT_NE(plan.find("every frame: the camera moves with the clip"), std::string::npos) << plan;
-  Options one = small_picture();
-  one.file_camera = "on box";
-  for (int n = 0; n <= 3; ++n) {
-    one.time_s = n / 25.0;
+  for (std::uint32_t n = 0; n <= 4; ++n) {
+    one.time_s = picture_time_s(n, options.fps, kDuration_s);
     EXPECT_EQ(bytes_of(fs::path(options.headless) / ("0000" + std::to_string(n) + ".png")), written(one, exhibit)) << n;
   }
 }
@@ -347,6 +358,24 @@ TEST_F(headless_run, prints_the_plan_of_the_last_picture_with_times_that_are_not
                           "drawing, on the CPU\n  upload ", "modes of the picture\n  samples ",
                           "passes, on the GPU\n  shadow ", "edges are not smoothed"})
     EXPECT_NE(plan.find(row), std::string::npos) << row << plan;
+}
+
+TEST(png_writer, is_finished_when_the_last_picture_is_written_and_not_when_it_is_begun) {
+  const fs::path pipe = fs::temp_directory_path() / ("sinew-png-writer-" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::atomic<bool> begun = false;
+  std::thread reader([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    begun = true;  // until somebody reads, the writer waits
+    EXPECT_FALSE(bytes_of(pipe).empty());
+  });
+  PngWriter writer;
+  writer.write(pipe, Picture{1, 1, {1, 2, 3, 4}});
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(writer.finish().empty());
+  EXPECT_TRUE(begun);
+  reader.join();
+  fs::remove(pipe);
 }
 
 TEST_F(headless_run, says_what_cannot_be_written) {
