@@ -76,6 +76,16 @@ TEST(library_symbols, the_runtime_defines_no_weak_symbol_that_an_engine_could_re
   EXPECT_GT(strong, 100u);
 }
 
+#ifdef SINEW_IMPORTER_ARCHIVE
+// Classes of tinygltf are inline, and Debian's libdraco and engines have other versions of them: of two with one name
+// the linker takes the first it meets, and the destructor of the one would end the other.
+TEST(library_symbols, the_importer_shares_no_class_with_another_copy_of_tinygltf) {
+  const std::string table = output_of("nm -C --defined-only " SINEW_IMPORTER_ARCHIVE);
+  ASSERT_THAT(table, testing::HasSubstr(" sinew_tinygltf::Model::"));
+  EXPECT_THAT(table, testing::Not(testing::HasSubstr(" tinygltf::")));
+}
+#endif
+
 TEST(library_symbols, only_the_job_thread_asks_for_onetbb) {
   const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVE);
   ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));
