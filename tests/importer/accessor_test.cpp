@@ -164,6 +164,16 @@ TEST(accessor, G24_sparse_replaces_elements_of_its_base) {
   EXPECT_THAT(read_floats(fixture.document, 0), ElementsAre(10, 20, 3, 4, 50, 60));
 }
 
+TEST(accessor, G24_sparse_indices_and_values_may_begin_anywhere_in_their_views) {
+  Fixture fixture(std::vector<float>{1, 2, 3, 4, 5, 6}, ComponentType::f32, ElementType::vec2, 3);
+  make_sparse(fixture, {1, 1, 0, 2}, {7, 10, 20, 50, 60});
+  fixture.accessor().sparse.count = 2;
+  fixture.accessor().sparse.indices_offset = 4;
+  fixture.accessor().sparse.values_offset = 4;
+  EXPECT_EQ(fixture.checked(), "ok");
+  EXPECT_THAT(read_floats(fixture.document, 0), ElementsAre(10, 20, 3, 4, 50, 60));
+}
+
 TEST(accessor, G28_no_view_is_zeros_before_sparse) {
   Fixture fixture(std::vector<float>{}, ComponentType::f32, ElementType::scalar, 3);
   fixture.accessor().buffer_view = kNone;

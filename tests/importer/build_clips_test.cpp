@@ -80,6 +80,17 @@ TEST(build_clips, G05_cubic_rotations_are_left_as_stored) {
   EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/sampler"));
 }
 
+TEST(build_clips, G05_tangents_of_rotations_have_any_length) {
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object()});
+  const std::size_t input = file.times({0, 1});
+  file.animate("rotation", input, file.vec4({0, 0, 0, 0, 0, 0, 0, 1, 3, 0, 0, 4, 0, 5, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}),
+               "CUBICSPLINE");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(result->warnings, IsEmpty());
+}
+
 TEST(build_clips, G52_cubic_rotations_without_a_length_that_float_can_square_become_unit) {
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "importer/read/primitive_indices.h"
@@ -238,6 +239,9 @@ TEST(build_meshes, P13_tangents_are_made_only_for_a_normal_map_that_has_its_coor
             0u);
   EXPECT_EQ(tangents(R"({"normalTexture":{"index":0,"texCoord":1}})"), 0u) << "which the mesh does not have";
   EXPECT_EQ(tangents(R"({"normalTexture":{"index":0}})"), 3u);
+  const std::string moved = R"("extensions":{"KHR_texture_transform":{"texCoord":)";
+  EXPECT_EQ(tangents((R"({"normalTexture":{"index":0,"texCoord":1,)" + moved + "0}}}}").c_str()), 3u);
+  EXPECT_EQ(tangents((R"({"normalTexture":{"index":0,)" + moved + "1}}}}").c_str()), 0u);
   EXPECT_EQ(tangents(R"({"normalTexture":{"index":0}})", false), 0u);
 }
 
@@ -277,6 +281,19 @@ TEST(build_meshes, attribute_formats_and_counts_are_checked) {
                    return f.vec3({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0, 0, 1});
                  }),
             place("not-finite", "NORMAL"));
+  const auto infinite = [](TinyGltf& f) { return f.vec3({0, 0, 0, 0, INFINITY, 0, 0, 0, 0}); };
+  EXPECT_EQ(rule("COLOR_0", infinite), place("not-finite", "COLOR_0"));
+  EXPECT_EQ(rule("COLOR_1", infinite), place("not-finite", "COLOR_1")) << "which nothing shows";
+}
+
+TEST(build_meshes, sets_of_joints_or_weights_alone_are_named_and_ignored) {
+  for (const std::string name : {"JOINTS_", "WEIGHTS_"}) {
+    TinyGltf file;
+    Json& attributes =
+        file.add_skinned_triangle(std::vector<std::uint8_t>(12), std::vector<float>(12, .25f))["attributes"];
+    attributes[name + "1"] = attributes[name + "0"];
+    EXPECT_TRUE(warns(file.import(), "mesh-joint-sets", kAttributes)) << name;
+  }
 }
 
 TEST(build_meshes, G59_quantised_attributes_are_read_and_need_their_extension) {
@@ -367,13 +384,14 @@ TEST(build_meshes, N26_weights_and_displacements_too_small_to_show_are_zero_from
   primitive["targets"] =
       Json::array({{{"POSITION", file.vec3({1e-30f, -1e-41f, 0, 1e-21f, 2, 1e-38f, 1e-20f, 0, 0})}}});
   file.root["meshes"][0]["weights"] = {1e-39};
+  file.root["nodes"].push_back({{"mesh", 0}, {"weights", {1e-39}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const auto& moved = only(result).morphs.targets[0].positions;
   EXPECT_THAT(moved.vertices, ElementsAre(1, 2));
   EXPECT_THAT(moved.deltas, ElementsAre(glm::vec3(0, 2, 0), glm::vec3(1e-20f, 0, 0)));
   EXPECT_EQ(result->scene.meshes[0].default_weights[0], 0.0f);
-  EXPECT_EQ(result->scene.instances[0].rest_weights[0], 0.0f);
+  for (const MeshInstance& instance : result->scene.instances) EXPECT_EQ(instance.rest_weights[0], 0.0f);
 }
 
 TEST(build_meshes, primitives_with_fewer_targets_are_filled_up) {

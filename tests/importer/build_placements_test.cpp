@@ -47,11 +47,11 @@ TEST(build_cameras, right_values_are_read_without_a_word) {
   EXPECT_EQ(wide.near_m, 0.25f);
   EXPECT_EQ(wide.far_m, 4.0f);
   EXPECT_EQ(read_camera("perspective", Json::object()).camera.far_m, 0.0f) << "infinite";
-  const auto [flat, nothing] = read_camera("orthographic", {{"znear", 0}, {"xmag", -2}});
+  const auto [flat, nothing] = read_camera("orthographic", {{"znear", 0}, {"xmag", -2}, {"ymag", -5}});
   EXPECT_EQ(nothing, Details{});
   EXPECT_FALSE(flat.perspective);
   EXPECT_EQ(flat.half_width, 2.0f) << "a negative one mirrors nothing here";
-  EXPECT_EQ(flat.half_height, 3.0f);
+  EXPECT_EQ(flat.half_height, 5.0f);
   EXPECT_EQ(flat.near_m, 0.0f);
   EXPECT_EQ(flat.far_m, 8.0f);
 }

@@ -226,6 +226,9 @@ TEST(decode_meshopt, G61_reads_version_1_and_the_color_filter) {
   const std::vector<std::uint8_t> red{0x40, 0x7f, 0xc1, 0xff};
   EXPECT_EQ(decoded<std::uint8_t>(compressed(encode_vertices(red, 4), 1, 4, "ATTRIBUTES", "COLOR")),
             (std::vector<std::uint8_t>{254, 1, 0, 255}));
+  const std::vector<std::uint16_t> wide_red{0x4000, 0x7fff, 0xc001, 0xffff};
+  EXPECT_EQ(decoded<std::uint16_t>(compressed(encode_vertices(wide_red, 8), 1, 8, "ATTRIBUTES", "COLOR")),
+            (std::vector<std::uint16_t>{65534, 1, 0, 65535}));
 }
 
 TEST(decode_meshopt, refuses_triangles_that_are_not_whole) {

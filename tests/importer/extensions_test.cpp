@@ -129,6 +129,22 @@ TEST(extensions, variants_name_other_materials) {
         << m;
 }
 
+TEST(extensions, the_first_variant_with_a_normal_map_has_its_tangents_made) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>{0, 0, 1, 0, 0, 1}, "VEC2", 5126, 2);
+  primitive["material"] = 0;
+  const Json mapped = Json::array({{{"material", 0}, {"variants", {0}}}, {{"material", 1}, {"variants", {1}}}});
+  primitive["extensions"]["KHR_materials_variants"]["mappings"] = mapped;
+  file.root["materials"] = Json::array({Json::object(), {{"normalTexture", {{"index", 0}}}}});
+  file.root["textures"] = Json::array({Json::object()});
+  file.root["extensions"]["KHR_materials_variants"]["variants"] = Json::array({{{"name", "a"}}, {{"name", "b"}}});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(result->scene.meshes[0].primitives[0].tangents, SizeIs(3));
+}
+
 TEST(extensions, G57_what_only_refines_surfaces_is_read_past) {
   for (const char* name :
        {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_volume",

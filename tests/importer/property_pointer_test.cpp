@@ -166,6 +166,20 @@ TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_
   }
 }
 
+/// Each of these is in the file, and goes with one object alone, whatever else there is.
+TEST(property_pointer, G58_a_property_needs_its_own_object_and_no_other) {
+  const std::string material = "/materials/0/";
+  for (const auto& [text, owner] : {std::pair(material + "normalTexture/scale", "normalTexture"),
+                                    {material + "occlusionTexture/strength", "occlusionTexture"}})
+    for (const char* removed : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+      TinyGltf file = animated(text, 1);
+      file.root["materials"][0].erase(removed);
+      const auto result = file.import();
+      ASSERT_EQ(outcome(result), "ok") << text;
+      EXPECT_EQ(result->scene.animations[0].properties.empty(), std::string(owner) == removed) << text << removed;
+    }
+}
+
 TEST(property_pointer, G58_a_texture_that_nothing_places_has_no_place_to_animate) {
   const char* text = "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset";
   for (const bool is_placed : {true, false}) {
@@ -305,6 +319,28 @@ TEST(property_pointer, G58_default_weights_of_a_mesh_move_the_nodes_without_thei
   const auto own = twice("/meshes/0/weights/0", pointing_at("/nodes/1/weights/0"), 1).import();
   ASSERT_THAT(own->scene.animations[0].weights, SizeIs(2));
   EXPECT_FALSE(warns(own, "animation-duplicate", "/animations/0/channels/1/target")) << "the node's own go first";
+}
+
+TEST(property_pointer, G58_weights_that_another_node_moves_are_free) {
+  TinyGltf file = animated("/nodes/1/weights/0", 1);
+  Json& animation = file.root["animations"][0];
+  animation["samplers"].push_back(
+      {{"input", animation["samplers"][0]["input"]}, {"output", file.scalars({1, 2, 3, 4})}});
+  animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_THAT(result->scene.animations[0].weights, SizeIs(2));
+  EXPECT_EQ(result->scene.animations[0].weights[0].instance, 0u);
+  EXPECT_EQ(result->scene.animations[0].weights[1].instance, 1u);
+}
+
+TEST(property_pointer, G58_a_default_weight_moves_nodes_that_move_only_others) {
+  const auto result = twice("/meshes/0/weights/0", pointing_at("/nodes/1/weights/1"), 1).import();
+  ASSERT_EQ(outcome(result), "ok");
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> moved;
+  for (const WeightAnimation& track : result->scene.animations[0].weights)
+    moved.emplace_back(track.instance, track.first_target);
+  EXPECT_THAT(moved, ElementsAre(std::pair(0u, 0u), std::pair(1u, 0u), std::pair(1u, 1u)));
 }
 
 TEST(property_pointer, one_track_on_very_many_nodes_does_not_take_memory_without_bound) {
