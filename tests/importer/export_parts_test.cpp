@@ -226,6 +226,14 @@ TEST(export_parts, texture_coordinates_that_morph) {
   EXPECT_EQ(moved[1].deltas, face.morphs.targets[0].texcoords[1].deltas);
 }
 
+TEST(export_parts, the_copyright_that_is_given) {
+  const auto asset_of = [](const ExportOptions& options) {
+    return split_glb(*export_glb(face_scene(), options)).json["asset"];
+  };
+  EXPECT_EQ(asset_of({.copyright = "2026 somebody"})["copyright"], "2026 somebody");
+  EXPECT_FALSE(asset_of({}).contains("copyright"));
+}
+
 TEST(export_parts, flat_normals_are_made_by_who_reads_the_file) {
   Scene scene = face_scene();
   scene.meshes[0].primitives[0].flat_normals = true;

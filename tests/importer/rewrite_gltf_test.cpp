@@ -202,6 +202,14 @@ TEST(rewrite_gltf, images_take_the_name_of_their_file_where_they_have_none) {
   EXPECT_EQ(images[1]["name"], "named");
 }
 
+TEST(rewrite_gltf, images_keep_the_type_that_their_uri_says_where_their_bytes_say_none) {
+  TinyGltf gltf;
+  gltf.root["images"] = {{{"uri", "data:image/png;base64,AAAA"}}, {{"uri", "data:image/jpeg;base64,iVBORw0KGgo="}}};
+  const Json images = rewritten(gltf).json["images"];
+  EXPECT_EQ(images[0]["mimeType"], "image/png");
+  EXPECT_EQ(images[1]["mimeType"], "image/png") << "by its bytes";
+}
+
 TEST(rewrite_gltf, lists_what_lies_outside_of_the_document) {
   TinyGltf gltf;
   gltf.root["bufferViews"] = {{{"buffer", 0}, {"byteLength", 4}}};
@@ -310,6 +318,18 @@ TEST(rewrite_gltf, G62_draco_becomes_plain_accessors_within_the_limits_of_gltf) 
   ASSERT_EQ(primitive.vertex_count(), 3u);
   for (const glm::vec4& color : primitive.colors)
     for (int c = 0; c < 4; ++c) EXPECT_TRUE(color[c] >= 0.0f && color[c] <= 1.0f) << color[c];
+}
+
+TEST(rewrite_gltf, G62_decoded_elements_begin_where_their_own_view_does) {
+  TinyGltf gltf = draco_document(kRounded);
+  Json& position = gltf.root["accessors"][gltf.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>()];
+  position["bufferView"] = gltf.add_view(std::vector<float>(12));  // a copy for readers without the extension
+  position["byteOffset"] = 12;
+  const GlbParts out = rewritten(gltf);
+  const Json& primitive = out.json["meshes"][0]["primitives"][0];
+  const Json& written = out.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(written.value("byteOffset", 0), 0);
+  EXPECT_EQ(out.view(written["bufferView"].get<std::size_t>()).size(), 36u);
 }
 
 TEST(rewrite_gltf, G62_a_compressed_strip_is_written_as_the_triangles_that_it_becomes) {

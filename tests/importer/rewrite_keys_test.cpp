@@ -99,6 +99,19 @@ TEST(rewrite_keys, bytes_of_replaced_keys_go) {
   EXPECT_EQ(out.after.scene.animations[0].bones[0].translation.values.back(), glm::vec3(2, 0, 0));
 }
 
+TEST(rewrite_keys, accessors_that_nothing_named_before_stay_as_they_are) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const std::size_t spare = gltf.vec3({7, 8, 9});
+  gltf.root["accessors"][spare]["name"] = "of the author";
+  gltf.animate("translation", gltf.times({0, 1, 2}), gltf.vec3({0, 0, 0, 1, 0, 0, 2, 0, 0}));
+  const Json accessors =
+      rewritten_keys(gltf, [](auto& animations) { keep_ends(animations[0].bones[0].translation); }).json["accessors"];
+  ASSERT_EQ(accessors.size(), 4u) << "positions, the author's, two times, two keys";
+  EXPECT_EQ(accessors[1]["name"], "of the author");
+  EXPECT_EQ(accessors[1]["count"], 1);
+}
+
 TEST(rewrite_keys, bytes_of_replaced_keys_go_where_they_are_sparse_too) {
   TinyGltf gltf;
   gltf.add_triangle();
@@ -154,6 +167,26 @@ TEST(rewrite_keys, weights_of_a_node_and_single_ones_are_told_apart) {
   EXPECT_EQ(weights[0].weights.values, (std::vector<float>{0.25f, 0.25f, 0.5f, 0.5f}));
   EXPECT_EQ(weights[1].weights.values, (std::vector<float>{0.75f, 1.0f}));
   EXPECT_EQ(weights[1].first_target, 1u);
+}
+
+TEST(rewrite_keys, weights_of_two_nodes_that_show_one_mesh_stay_apart) {
+  TinyGltf gltf;
+  Json& primitive = gltf.add_triangle();
+  primitive["targets"] = {{{"POSITION", gltf.vec3({0, 0, 1, 0, 0, 0, 0, 0, 0})}}};
+  gltf.root["nodes"].push_back({{"mesh", 0}});
+  const std::size_t times = gltf.times({0, 1});
+  gltf.animate("weights", times, gltf.scalars({0, 1}));
+  Json& animation = gltf.root["animations"][0];
+  animation["samplers"].push_back({{"input", times}, {"output", gltf.scalars({0.5, 0.25})}});
+  animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  const Rewritten out = rewritten_keys(gltf, [](auto& animations) {
+    ASSERT_EQ(animations[0].weights.size(), 2u);
+    animations[0].weights[1].weights.values = {0.75f, 0.125f};
+  });
+  const auto& weights = out.after.scene.animations[0].weights;
+  ASSERT_EQ(weights.size(), 2u);
+  EXPECT_EQ(weights[0].weights.values, (std::vector<float>{0, 1}));
+  EXPECT_EQ(weights[1].weights.values, (std::vector<float>{0.75f, 0.125f}));
 }
 
 /// Rewrites with animations behind the file's.

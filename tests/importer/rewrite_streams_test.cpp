@@ -392,6 +392,23 @@ TEST(rewrite_streams, G37_two_sets_of_weights_stay_floats_and_far_joints_stay_wi
   EXPECT_EQ(first(out.before).influences.weights, first(out.after).influences.weights);
 }
 
+/// The bytes of the accessor of one attribute of the first primitive.
+std::vector<std::byte> bytes_of(const GlbParts& parts, const char* attribute) {
+  const Json& accessor =
+      parts.json["accessors"][parts.json["meshes"][0]["primitives"][0]["attributes"][attribute].get<std::size_t>()];
+  std::vector<std::byte> view = parts.view(accessor["bufferView"].get<std::size_t>());
+  view.erase(view.begin(), view.begin() + accessor.value("byteOffset", 0));
+  return view;
+}
+
+TEST(rewrite_streams, the_heaviest_weight_takes_what_rounding_left) {
+  TinyGltf gltf;
+  gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {.2f, .5f, .3f, 0, 0, .5f, .5f, 0, .1f, .1f, .1f, .7f});
+  const std::vector<std::byte> bytes = bytes_of(recoded(gltf, how(true, false)).parts, "WEIGHTS_0");
+  const int expected[] = {51, 127, 77, 0, 0, 127, 128, 0, 26, 26, 26, 177};
+  for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_EQ(static_cast<int>(bytes.at(i)), expected[i]) << i;
+}
+
 TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {
   for (const bool meshopt : {false, true}) {
     RewriteOptions options = how(true, meshopt);
