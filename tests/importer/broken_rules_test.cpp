@@ -248,6 +248,14 @@ TEST(broken_rules, G68_a_flood_of_errors_is_cut_and_ends) {
   EXPECT_EQ(all.back().detail.find("not listed"), std::string::npos);
 }
 
+TEST(broken_rules, decoded_values_that_are_no_numbers_are_not_called_out_of_range) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const TriangleValues values{{"POSITION", {0, 0, 0, 1, 0, 0, 0, 1, 0}}, {"COLOR_0", {0, nan, 0, 0, 1, 0, 0, 0, 1}}};
+  const auto issues = issues_of(draco_document(values).import());
+  EXPECT_EQ(said(issues, *find_rule("draco-range"), "/meshes/0/primitives/0"), "") << list(issues);
+  EXPECT_NE(said(issues, *find_rule("not-finite"), "/meshes/0/primitives/0/attributes/COLOR_0"), "") << list(issues);
+}
+
 TEST(broken_rules, many_warnings_of_a_rule_do_not_hide_its_error) {
   TinyGltf file;
   const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -107,6 +107,7 @@ TEST(make_tangents, without_texture_area_are_still_perpendicular_units) {
     p.texcoords[0].assign(4, {0.5f, 0.5f});
     make_tangents(p, 0);
     EXPECT_TRUE(well_formed(p));
+    for (const glm::vec4& tangent : p.tangents) EXPECT_EQ(tangent.w, 1.0f) << "nothing is mirrored";
     // The cross product with the axis that the normal is farthest from, of unit length.
     const glm::vec3 axis = n.x == 0.0f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     EXPECT_TRUE(is_near(glm::vec3(p.tangents[0]), glm::cross(n, axis), kEps)) << n.x;
