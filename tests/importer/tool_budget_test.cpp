@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "importer/import_gltf.h"
+#include "importer/tool/certificate_table.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/model_size.h"
 #include "runtime/asset_file/read_assets.h"
@@ -21,6 +22,7 @@
 #include "runtime/compress/compile_clip_within.h"
 #include "runtime/lod/clip_bounds.h"
 #include "tests/asset_file/played_frames.h"
+#include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
 #include "tests/support/corpus.h"
@@ -81,6 +83,24 @@ TEST(convert_budget, prints_a_certificate_for_every_clip_and_writes_a_file_that_
     EXPECT_TRUE(clip.certificate()->is_met());
     EXPECT_EQ(after->scene.animations[i].duration_s, before->scene.animations[i].duration_s);
   }
+}
+
+TEST(convert_budget, certificates_compare_what_was_written_with_what_was_read) {
+  TinyGltf gltf;
+  gltf.root["nodes"] = Json::array({Json::object()});
+  gltf.animate("translation", gltf.times({0, 1, 2}), gltf.vec3({0, 0, 0, 0.5004f, 0, 0, 1, 0, 0}));
+  const ToolModelFile model;
+  const std::string in = model.beside("bent.gltf"), out = model.beside("straight.glb");
+  std::ofstream(in) << gltf.text();
+  const CommandOutcome outcome = run_tool({"convert", in, out, "--budget", "1mm"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto before = import_gltf(in), after = import_gltf(out);
+  ASSERT_TRUE(before && after);
+  EXPECT_LT(after->scene.animations[0].bones[0].translation.key_count(), 3u);
+  const std::vector<Clip> clips{compile_and_measure(
+      before->scene, after->scene.animations[0], before->scene.animations[0], virtual_vertices(before->scene), 1e-3)};
+  EXPECT_GT(clips[0].certificate()->measured_m, 1e-4);
+  EXPECT_THAT(outcome.out, HasSubstr(tool::certificate_table(clips, before->scene.skeleton.names)));
 }
 
 TEST(convert_budget, of_zero_changes_nothing) {
@@ -182,6 +202,19 @@ TEST(compile_command, pages_play_what_whole_clips_play) {
   ASSERT_TRUE(from_pages && from_whole);
   EXPECT_EQ(hashes_of_frames(*from_pages), hashes_of_frames(*from_whole));
   EXPECT_EQ(run_tool({"compile", model.path(), "-o", paged, "--page", "0"}).status, 2);
+}
+
+TEST(compile_command, zstd_takes_fewer_bytes_for_the_same_assets) {
+  const ToolModelFile model;
+  const std::string plain = model.beside("plain.sinew"), packed = model.beside("packed.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", plain}).status, 0);
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", packed, "--zstd", "3"}).status, 0);
+  const std::string plain_bytes = content_of(plain), packed_bytes = content_of(packed);
+  EXPECT_LT(packed_bytes.size(), plain_bytes.size());
+  const auto a = read_scene(*AssetFile::open(std::as_bytes(std::span(plain_bytes)))),
+             b = read_scene(*AssetFile::open(std::as_bytes(std::span(packed_bytes))));
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(hashes_of_frames(*a), hashes_of_frames(*b));
 }
 
 TEST(compile_command, levels_of_detail_are_stored_with_what_they_cost) {

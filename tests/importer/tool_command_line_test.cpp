@@ -164,6 +164,17 @@ TEST(command_line, verify_holds_for_what_sample_wrote_and_falls_when_the_file_ch
   EXPECT_EQ(run_tool({"verify", model.path(), model.beside("golden.json"), "--tolerance", "10"}).status, 0);
 }
 
+TEST(command_line, verify_finds_poses_in_a_folder_also_where_they_are_compressed) {
+  const ToolModelFile model;
+  const std::string folder = model.beside("poses");
+  std::filesystem::create_directory(folder);
+  EXPECT_EQ(run_tool({"verify", model.path(), folder}).status, 4) << "there are none";
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", folder + "/model.json.gz"}).status, 0);
+  const CommandOutcome outcome = run_tool({"verify", model.path(), folder});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("compared with " + folder + "/model.json.gz"));
+}
+
 TEST(command_line, verify_exact_compares_the_bits_of_everything_and_tells_which_kind_differs) {
   const ToolModelFile model;
   const std::string golden = model.beside("golden.json");

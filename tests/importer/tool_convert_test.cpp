@@ -255,6 +255,19 @@ TEST(convert, mirrors_clips_key_by_key_and_names_joints_without_a_partner) {
   EXPECT_EQ(c.translation.values, a.translation.values);
 }
 
+TEST(convert, a_joint_without_name_and_partner_is_told_by_its_node) {
+  const ToolModelFile model;
+  write_one_arm(model);
+  auto json = nlohmann::json::parse(kOneArm);
+  json["nodes"][3].erase("name");
+  json["nodes"].push_back({{"name", "floor"}});  // a root, and so before the arms in the order of joints
+  json["scenes"][0]["nodes"].push_back(4);
+  std::ofstream(model.beside("arm.gltf")) << json;
+  const CommandOutcome outcome = run_tool({"convert", model.beside("arm.gltf"), model.beside("o.glb"), "--mirror"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("; without a partner: node 3\n"));
+}
+
 TEST(convert, mirrored_clips_get_fewer_keys_and_are_measured_against_the_mirrored_truth) {
   const ToolModelFile model;
   write_one_arm(model);

@@ -12,6 +12,8 @@
 
 #include "importer/tool/poses/pose_input.h"
 #include "importer/tool/poses/pose_json.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/full_disk.h"
 
 namespace sinew::tool {
 namespace {
@@ -246,6 +248,31 @@ TEST(pose_input, refuses_a_compressed_file_that_is_cut_short_or_missing) {
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().rule, "pose-file");
   ASSERT_FALSE(read_poses(file));
+}
+
+/// Bytes that no compression makes fewer.
+std::string noise(std::size_t count) {
+  test::FixedRandom random(1);
+  std::string bytes(count, ' ');
+  for (char& byte : bytes) byte = static_cast<char>(random.below(256));
+  return bytes;
+}
+
+TEST(streamed_file, whatever_is_lost_on_a_full_disk_is_told_at_the_end_and_leaves_nothing) {
+  const std::string bytes = noise(100'000);
+  for (const char* name : {"full.json", "full.json.gz"})
+    for (const bool at_places : {false, true}) {
+      const std::string file = temporary(name);
+      {
+        const test::FullDisk disk(1000);
+        StreamedFile stream(file);
+        ASSERT_TRUE(stream.opened());
+        at_places ? stream.write_at(0, bytes) : stream.write(bytes);
+        at_places ? stream.write_at(500, "end") : stream.write("end");
+        EXPECT_FALSE(stream.finish()) << file << at_places;
+      }
+      EXPECT_FALSE(std::filesystem::exists(file)) << file << at_places;
+    }
 }
 
 TEST(pose_text, values_that_leave_open_what_holds_are_refused) {

@@ -16,6 +16,7 @@
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/two_sided.h"
 #include "tests/support/corpus.h"
 #include "tests/support/tiny_assets.h"
 
@@ -405,6 +406,37 @@ TEST(retarget, translations_follow_the_rule_that_is_asked_for) {
   EXPECT_THAT(outcome.out, HasSubstr("\"upperarm_l\" follows")) << "joints are still mapped by their bones";
   EXPECT_TRUE(import_gltf(model.beside("kept.glb"))->scene.animations[0].bones[0].translation.empty());
   EXPECT_EQ(run_tool({"retarget", "a.glb", "--onto", "b.glb", "-o", "c.glb", "--translations", "half"}).status, 2);
+}
+
+/// Arms of another posture point where those of the clips do, or turn by as much from where they rest.
+TEST(retarget, limbs_follow_directions_or_keep_their_rest_as_asked) {
+  Scene from, to;
+  from.skeleton = scenes::two_sided(scenes::RightSide::mirrored_axes, 1).skeleton;
+  to.skeleton = scenes::two_sided(scenes::RightSide::another_posture, 2).skeleton;
+  to.skeleton.names = {"pelvis", "spine_01", "thigh_l",    "thigh_r",    "head",   "upperarm_l", "upperarm_r",
+                       "foot_l", "foot_r",   "lowerarm_l", "lowerarm_r", "hand_l", "hand_r",     "prop"};
+  BoneAnimation arm;
+  arm.joint = 6;
+  arm.rotation = {Interpolation::linear, {0, 1}, {from.skeleton.rest[6].rotation, quat_identity<float>()}};
+  from.animations = {{"wave", 1.0, {arm}, {}}};
+  const ToolModelFile model;
+  ASSERT_TRUE(export_glb(from, model.beside("clips.glb")));
+  ASSERT_TRUE(export_glb(to, model.beside("body.glb")));
+  const auto rotations = [&](std::vector<std::string> more) {
+    std::vector<std::string> line{"retarget", model.beside("clips.glb"), "--onto", model.beside("body.glb"),
+                                  "-o",       model.beside("out.glb")};
+    line.insert(line.end(), more.begin(), more.end());
+    const CommandOutcome outcome = run_tool(line);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return import_gltf(model.beside("out.glb"))->scene.animations.at(0).bones.at(0).rotation.values;
+  };
+  const auto expected = [&](LimbDirections limbs) {
+    const SkeletonMap map = make_skeleton_map(from.skeleton, to.skeleton, {.limbs = limbs});
+    return retarget_animation(from.animations[0], map, from.skeleton, to.skeleton).bones.at(0).rotation.values;
+  };
+  ASSERT_NE(expected(LimbDirections::of_source), expected(LimbDirections::of_rest));
+  EXPECT_EQ(rotations({}), expected(LimbDirections::of_source));
+  EXPECT_EQ(rotations({"--keep-rest"}), expected(LimbDirections::of_rest));
 }
 
 }  // namespace
