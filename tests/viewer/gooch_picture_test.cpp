@@ -162,6 +162,22 @@ TEST_F(gooch_picture, exposure_tone_curve_shadows_and_environment_change_no_byte
   EXPECT_EQ(plain.pixels, render_float(built, 24, 20, the_view(), options).pixels);
 }
 
+TEST_F(gooch_picture, the_backdrop_is_the_environment_as_in_physical_shading) {
+  BuiltScene built;
+  built.add(showcase::sphere({0.0f, 0.4f, 0.0f}, 0.5f), built.add_material(matte({0.8f, 0.2f, 0.1f})));
+  for (const Backdrop backdrop : {Backdrop::blurred, Backdrop::sharp}) {
+    RenderOptions options = gooch();
+    options.backdrop = backdrop;
+    options.lighting.environment = studio_environment();
+    const FloatPicture drawn = render_float(built, 24, 20, the_view(), options);
+    options.shading = Shading::physical;
+    const FloatPicture physical = render_float(built, 24, 20, the_view(), options);
+    for (int x = 0; x < 24; ++x)
+      for (const int y : {0, 19}) EXPECT_EQ(drawn.at(x, y), physical.at(x, y)) << x << ' ' << y;
+    EXPECT_NE(drawn.at(0, 0), drawn.at(23, 19)) << "it is not plain";
+  }
+}
+
 TEST_F(gooch_picture, smooth_edges_are_black_where_a_surface_covers_less_than_the_middle_of_a_pixel) {
   View view = look_at({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, 0.6, 0.05);
   view.half_height_m = 2.0;

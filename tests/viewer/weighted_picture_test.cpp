@@ -73,6 +73,11 @@ TEST_F(weighted_picture, of_gooch_shading_is_of_its_tones) {
   RenderOptions options = weighted();
   options.shading = Shading::gooch;
   expect_reference_picture(panes_before_a_wall(), kStraight, options, {.bound = 0.003});
+  BuiltScene alone;
+  alone.add(wall(), alone.add_material(pane({0.2f, 0.3f, 0.9f, 0.6f})));
+  alone.add(wall(), alone.add_material(pane({0.9f, 0.2f, 0.1f, 0.4f})), translation({0.4f, 0.3f, 0.5f}));
+  options.lighting.exposure = 3.0f;  // which changes no tone
+  expect_reference_picture(alone, kStraight, options, {.bound = 0.003});
 }
 
 TEST_F(weighted_picture, leaves_surfaces_that_light_passes_through_behind_those_that_blend) {
