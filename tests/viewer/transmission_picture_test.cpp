@@ -139,6 +139,16 @@ TEST_F(transmission_picture, rough_surfaces_in_pictures_of_any_size) {
   }
 }
 
+TEST_F(transmission_picture, rough_surfaces_blur_as_far_in_long_pictures_as_in_others) {
+  PictureBounds bounds = kBounds;
+  bounds.width = 64;
+  bounds.height = 10;
+  const View close = look_at({0.3, 0.1, 2.4}, {0.3, 0.1, 0.0}, 0.25, 0.05);
+  for (const float roughness : {0.5f, 1.0f})
+    expect_reference_picture(pane_before_wall(glass({0.9f, 0.5f, 0.2f, 1.0f}, roughness)), close, every_light(),
+                             bounds);
+}
+
 TEST_F(transmission_picture, rough_surfaces_cover_by_their_alpha) {
   Material unlit = plain();
   unlit.unlit = true;
