@@ -178,6 +178,19 @@ TEST_F(occlusion_study,
   EXPECT_LT(study.at_vertices[3].error, 0.3 * study.error_without) << "the mesh is fine enough here";
 }
 
+TEST_F(occlusion_study, bakes_no_mesh_whose_many_rays_would_take_minutes) {
+  BuiltScene built;
+  Primitive dust = square(1.0f);
+  dust.positions.resize(20001, glm::vec3(0.0f));
+  dust.normals.resize(20001, {0, 1, 0});
+  built.add(dust, built.add_material(matte({1, 1, 1})));
+  const View view = look_at({0.0, 3.0, 0.1}, {0.0, 0.0, 0.0}, 0.9, 0.05);
+  const OcclusionEffort effort{16, 12, 4, 0, false};
+  const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, {}, effort);
+  EXPECT_TRUE(study.at_vertices.empty());
+  EXPECT_GT(study.pixels, 0u);
+}
+
 TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_device_fills) {
   const BuiltScene built = box_and_sphere_on_floor();
   constexpr int kWidth = 63, kHeight = 48;
@@ -229,6 +242,22 @@ TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_mo
   ASSERT_GT(compared, 100);
   EXPECT_LT(off / compared, 0.02);
   EXPECT_GT(hidden_more / compared, 0.01);
+}
+
+TEST(exhaustive_access, holes_between_surfaces_hide_nothing) {
+  BuiltScene built;
+  built.add(square(0.3f), built.add_material(matte({1, 1, 1})), translation({0.0f, -0.3f, 0.0f}));
+  const RayCaster rays(built.scene, built.frame());
+  const View view = look_at({0.4, 2.0, 0.7}, {0.0, -0.3, 0.0}, 0.6, 0.05);
+  const SeenPixels seen = seen_pixels(rays, view, 32, 24);
+  int surfaces = 0, holes = 0;
+  const std::vector<double> access = exhaustive_access(seen, view, 1.0, 0.1);
+  for (std::size_t i = 0; i < access.size(); ++i) {
+    ++(seen.pixels[i] ? surfaces : holes);
+    EXPECT_NEAR(access[i], 1.0, 1e-9) << i;
+  }
+  EXPECT_GT(surfaces, 50);
+  EXPECT_GT(holes, 100);
 }
 
 /// Root mean square difference where a surface is seen.
