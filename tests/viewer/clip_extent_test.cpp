@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "runtime/plan/run_plan.h"
 #include "tests/viewer/flyer.h"
 
 namespace sinew::viewer {
@@ -38,6 +39,23 @@ TEST(clip_extent, of_no_clip_are_those_of_the_rest_pose) {
   const ClipExtent bounds = clip_extent(scene, kNone);
   EXPECT_EQ(bounds.reached.lower, glm::vec3(0, 3, 0));
   EXPECT_EQ(bounds.reached.upper, glm::vec3(1, 4, 0));
+}
+
+TEST(clip_extent, is_not_that_of_what_is_not_shown) {
+  const Scene scene = flyer(true);
+  const Plan plan = compile_plan(scene, {});
+  FrameBuffer buffer(plan);
+  ASSERT_EQ(run_plan(plan, {}, buffer), ErrorCode::ok);
+  for (const bool visible : {true, false}) {
+    FrameResult frame = buffer.result();
+    std::vector<InstanceResult> instances(frame.instances.begin(), frame.instances.end());
+    instances[0].visible = visible;
+    frame.instances = instances;
+    Outline outline;
+    outline.add(scene, frame, {glm::vec3(-9.0f), glm::vec3(9.0f)});
+    EXPECT_EQ(bounds_of(scene, frame).empty(), !visible);
+    EXPECT_EQ(outline.points().empty(), !visible);
+  }
 }
 
 TEST(clip_extent, follow_the_joints_where_nothing_is_drawn) {

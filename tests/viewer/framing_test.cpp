@@ -42,6 +42,8 @@ TEST(framing, without_a_clip_or_meshes_there_is_still_something_to_frame) {
   const Scene skeleton = flyer(false), still = flyer(true);
   EXPECT_NEAR(framed(Framing::follow, skeleton, 0, 0.0).place_at(1.0).x, 5.0, 1e-4);
   EXPECT_FALSE(framed(Framing::pose, skeleton, 0, 2.0).outline.points().empty());
+  const Aabb followed = box_of(framed(Framing::follow, skeleton, 0, 0.0).outline.points());
+  EXPECT_NEAR(glm::length(followed.upper - followed.lower), 0.0f, 1e-5f) << "joints are framed in place as well";
   const Framed rest = framed(Framing::follow, still, kNone, 0.0);
   EXPECT_EQ(rest.path.size(), 1u);
   EXPECT_NEAR(rest.place_at(5.0).x, 0.5, 1e-6);

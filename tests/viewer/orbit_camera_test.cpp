@@ -85,6 +85,17 @@ Extent extent_of(const View& view, double aspect, std::span<const glm::vec3> poi
   return extent;
 }
 
+TEST(orbit_camera, zooms_from_where_it_is_placed_however_far_that_is) {
+  for (const double distance : {1e-5, 1.0, 1e5}) {
+    OrbitCamera camera;
+    camera.place({0.0, 0.0, distance}, {0.0, 0.0, 0.0});
+    camera.zoom(2.0);
+    EXPECT_NEAR(camera.distance_m / distance, 0.81, 1e-9) << distance;
+    camera.zoom(-1000.0);
+    EXPECT_NEAR(camera.distance_m / distance, 1000.0, 1e-6) << distance;
+  }
+}
+
 TEST(orbit_camera, framing_puts_points_in_the_middle) {
   const glm::vec3 points[] = {{0, 0, 0}, {4, 1, 0}, {1, 3, 2}, {0, 1, 5}};
   OrbitCamera camera;
