@@ -90,12 +90,15 @@ TEST_F(exhibit, of_a_file_that_cannot_be_read_says_why) {
 
 TEST_F(exhibit, without_a_file_is_one_of_the_built_in_scenes) {
   Options options;
-  options.environment = "none";
+  options.environment = "plain";
   const auto say = [this](const std::string& line) { said_.push_back(line); };
   const auto all = load_exhibits(options, say, {});
   ASSERT_TRUE(all) << all.error().message;
   EXPECT_THAT(said_, IsEmpty());
-  EXPECT_FALSE(all->front().name.empty() || all->front().note.empty());
+  for (const Exhibit& shown : *all) {
+    EXPECT_FALSE(shown.name.empty() || shown.note.empty());
+    EXPECT_EQ(shown.environment, plain_environment()) << shown.name;
+  }
   options.scene = static_cast<std::uint32_t>(all->size()) - 1;
   EXPECT_TRUE(load_exhibits(options, say, {})) << "the last one";
   options.scene = static_cast<std::uint32_t>(all->size());
