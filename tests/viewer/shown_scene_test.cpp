@@ -9,6 +9,7 @@
 
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
+#include "tests/viewer/cache_files.h"
 #include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
@@ -161,6 +162,55 @@ TEST_F(shown_scene, the_coming_view_of_a_camera_is_the_view_of_the_pose_that_com
   settled();
   EXPECT_EQ(eye_of(shown_->view_of(0, 1.5)), eye_of(coming));
   EXPECT_NEAR(eye_of(coming).x, 2.0, 1e-6);
+}
+
+TEST_F(shown_scene, each_camera_has_a_view_of_its_own_as_the_clip_animates_it) {
+  Exhibit exhibit = gliding_box(true);
+  Scene& scene = exhibit.scene;
+  scene.cameras.push_back({.name = "wide", .joint = scene.cameras[0].joint, .fov_y_rad = 1.2f});
+  WeightTrack zoom;
+  zoom.interpolation = Interpolation::linear;
+  zoom.target_count = 1;
+  zoom.times_s = {0.0f, 2.0f};
+  zoom.values = {0.5f, 1.0f};
+  scene.animations[0].properties.push_back({{PropertyKind::camera_fov_y, 0}, zoom});
+  scene.clips.clear();
+  finish_scene(scene);
+  show(std::move(exhibit));
+  shown_->playback().seek(1.0);
+  submit(kAhead);
+  settled();
+  for (const std::uint32_t camera : {0u, 1u, 0u}) {
+    EXPECT_NEAR(shown_->view_of(camera, 1.5).fov_y_rad, camera == 0 ? 0.75 : 1.2, 1e-6);
+    EXPECT_NEAR(shown_->coming_view_of(camera, 1.5).fov_y_rad, camera == 0 ? 0.75 : 1.2, 1e-6);
+  }
+}
+
+TEST_F(shown_scene, the_extent_is_that_of_the_clip_or_of_the_rest_pose) {
+  show(gliding_box(false));
+  for (const std::uint32_t clip : {0u, kNone, 0u}) {
+    shown_->playback().choose(clip);
+    EXPECT_EQ(shown_->bounds().reached.upper, clip_extent(exhibit_.scene, clip).reached.upper);
+  }
+}
+
+TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
+  const Bytes bytes = with_damage(flag_bytes(), 10);
+  CacheAlone alone = flag_alone(bytes);
+  Exhibit exhibit;
+  exhibit.scene = std::move(alone.scene);
+  exhibit.cache = std::move(alone.cache);
+  show(std::move(exhibit));
+  shown_->playback().seek(0.1);
+  submit(kAhead);
+  settled();
+  EXPECT_EQ(shown_->cache_facts()->fault, "");
+  shown_->playback().seek(0.4);
+  submit(kAhead);
+  settled();
+  EXPECT_NE(shown_->cache_fault().find("flag: cache-checksum: "), std::string::npos);
+  EXPECT_EQ(shown_->cache_facts()->fault, shown_->cache_fault());
+  shown_.reset();  // before the bytes
 }
 
 TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time_stands_still) {
