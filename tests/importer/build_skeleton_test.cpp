@@ -137,6 +137,17 @@ TEST(build_skins, G32_joints_under_different_roots_are_a_warning) {
   EXPECT_THAT(file.import()->warnings, IsEmpty());
 }
 
+TEST(build_skeleton, a_matrix_stays_where_only_weights_are_animated) {
+  TinyGltf file;
+  file.add_triangle()["targets"] = {{{"POSITION", 0}}};
+  file.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // which shears
+  file.animate("weights", file.times({0, 1}), file.scalars({0, 1}));
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_EQ(result->scene.skeleton.fixed_matrix_of.at(0), 0u);
+  EXPECT_EQ(result->scene.animations.at(0).weights.size(), 1u);
+}
+
 TEST(build_instances, G34_one_mesh_may_have_several_skins_and_a_skin_without_joints_in_the_mesh_is_dropped) {
   TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, .5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});

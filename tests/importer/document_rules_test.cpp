@@ -283,6 +283,20 @@ TEST(document_rules, G66_each_part_of_an_accessor_reads_its_buffer) {
   EXPECT_EQ(missing(0, 0, 1), "buffer-missing at /buffers/1");
 }
 
+TEST(document_rules, bounds_of_floats_are_compared_as_floats) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  const std::size_t position = file.vec3({0.1f, 0, 0, 1, 0.7f, 0, 0.5f, 0, 0.3f});
+  primitive["attributes"]["POSITION"] = position;
+  file.root["accessors"][position]["min"] = {0.1, 0, 0};
+  file.root["accessors"][position]["max"] = {1, 0.7, 0.3};
+  ImportOptions thorough;
+  thorough.thorough = true;
+  const auto result = file.import(thorough);
+  ASSERT_EQ(outcome(result), "ok");
+  for (const ImportIssue& warning : result->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
+}
+
 TEST(document_rules, a_sparse_accessor_without_replacements_is_its_base) {
   const auto result = import_gltf(bytes_of(R"({"asset": {"version": "2.0"},
       "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}],

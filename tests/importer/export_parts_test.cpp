@@ -226,6 +226,25 @@ TEST(export_parts, texture_coordinates_that_morph) {
   EXPECT_EQ(moved[1].deltas, face.morphs.targets[0].texcoords[1].deltas);
 }
 
+TEST(export_parts, the_root_of_a_skin_and_the_scene_that_is_shown) {
+  Scene scene = arm_scene();
+  scene.skins.at(0).skeleton_root = 1;
+  scene.scenes = {{"first", {0}}, {"second", {0}}};
+  scene.default_scene = 1;
+  finish_scene(scene);
+  expect_equal(scene, round_trip(scene, false).scene);
+}
+
+TEST(export_parts, positions_of_a_target_have_bounds_also_where_it_moves_none) {
+  Scene scene = face_scene();
+  scene.meshes[0].primitives[0].morphs.targets[1].positions = {};
+  finish_scene(scene);
+  const Json file = split_glb(*export_glb(scene)).json;
+  const std::size_t still = file["meshes"][0]["primitives"][0]["targets"][1]["POSITION"];
+  EXPECT_EQ(file["accessors"][still].value("min", Json()), (Json{0.0, 0.0, 0.0}));
+  EXPECT_EQ(file["accessors"][still].value("max", Json()), (Json{0.0, 0.0, 0.0}));
+}
+
 TEST(export_parts, the_copyright_that_is_given) {
   const auto asset_of = [](const ExportOptions& options) {
     return split_glb(*export_glb(face_scene(), options)).json["asset"];

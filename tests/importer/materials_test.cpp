@@ -319,5 +319,15 @@ TEST(read_textures, prefer_the_webp_image) {
   EXPECT_EQ(log.take_warnings().at(0).json_pointer, "/textures/1/extensions/EXT_texture_webp/source");
 }
 
+TEST(read_textures, of_images_that_are_not_decoded_take_the_first_kind) {
+  gltf::Document document;
+  document.images.resize(2);
+  document.textures = {texture(-1, -1)};
+  document.textures[0].extensions =
+      Json::parse(R"({"MSFT_texture_dds": {"source": 1}, "KHR_texture_basisu": {"source": 0}})");
+  IssueLog log;
+  EXPECT_EQ(read_textures(document, log)[0].image, 0u) << "KHR_texture_basisu";
+}
+
 }  // namespace
 }  // namespace sinew

@@ -279,6 +279,18 @@ TEST(rewrite_gltf, shared_bytes_stay_shared_and_bytes_without_a_view_go) {
   EXPECT_EQ(out.view(2)[0], std::byte{4});
 }
 
+TEST(rewrite_gltf, a_view_within_another_cuts_nothing_off) {
+  TinyGltf gltf;
+  gltf.root["buffers"] = {{{"byteLength", 9}, {"uri", "data:;base64,AAECAwQFBgcI"}}};
+  gltf.root["bufferViews"] = {{{"buffer", 0}, {"byteLength", 9}},
+                              {{"buffer", 0}, {"byteLength", 1}, {"byteOffset", 1}},
+                              {{"buffer", 0}, {"byteLength", 4}, {"byteOffset", 4}}};
+  const GlbParts out = rewritten(gltf);
+  EXPECT_EQ(out.json["buffers"][0]["byteLength"], 9);
+  for (const auto& [view, first] : {std::pair(0u, 0), {1u, 1}, {2u, 4}})
+    for (int i = 0; const std::byte byte : out.view(view)) EXPECT_EQ(byte, std::byte(first + i++)) << view;
+}
+
 TEST(rewrite_gltf, completes_what_gltf_demands) {
   TinyGltf gltf;
   gltf.add_triangle();

@@ -112,6 +112,64 @@ TEST(rewrite_keys, accessors_that_nothing_named_before_stay_as_they_are) {
   EXPECT_EQ(accessors[1]["count"], 1);
 }
 
+/// Everything that names an accessor or a view names it by its new number.
+TEST(rewrite_keys, where_entries_go_all_that_is_behind_them_is_found_again) {
+  TinyGltf gltf;
+  gltf.animate("translation", gltf.times({0, 1, 2}), gltf.vec3({0, 0, 0, 1, 0, 0, 2, 0, 0}));
+  Json& primitive = gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  primitive["indices"] = gltf.add(std::vector<std::uint16_t>{2, 1, 0}, "SCALAR", 5123, 1);
+  const Json places{{"bufferView", gltf.add_view(std::vector<std::uint16_t>{2})}, {"componentType", 5123}},
+      values{{"bufferView", gltf.add_view<float>({7, 8, 9})}};
+  const Json sparse{{"count", 1}, {"indices", places}, {"values", values}};
+  gltf.root["accessors"].push_back({{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"sparse", sparse}});
+  primitive["targets"] = {{{"POSITION", gltf.root["accessors"].size() - 1}}};
+  std::vector<float> binds(32, 0.0f);
+  for (const std::size_t i : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) binds[i] = 1.0f;
+  binds[12] = 3.0f;
+  gltf.root["skins"][0]["inverseBindMatrices"] = gltf.add(binds, "MAT4", 5126, 16);
+  const Json copies{{"attributes", {{"TRANSLATION", gltf.vec3({1, 2, 3, 4, 5, 6})}}}};
+  gltf.root["nodes"].push_back({{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", copies}}}});
+  gltf.root["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  Rewritten out = rewritten_keys(gltf, [](auto& animations) { keep_ends(animations[0].bones[0].translation); });
+  ASSERT_EQ(out.after.scene.instances[1].copies.size(), 2u);
+  out.after.scene.animations = out.before.scene.animations;
+  out.after.scene.clips = out.before.scene.clips;
+  expect_equal(out.before.scene, out.after.scene);
+}
+
+TEST(rewrite_keys, of_two_channels_with_one_target_the_ignored_one_keeps_its_keys) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const std::size_t keys = gltf.vec3({0, 0, 0, 1, 0, 0, 2, 0, 0});
+  gltf.animate("translation", gltf.times({0, 1, 2}), keys);
+  Json& animation = gltf.root["animations"][0];
+  animation["channels"].push_back(animation["channels"][0]);
+  const Json json = rewritten_keys(gltf, [](auto& animations) { keep_ends(animations[0].bones[0].translation); }).json;
+  const auto key_count = [&](std::size_t channel) {
+    const Json& written = json["animations"][0];
+    const Json& sampler = written["samplers"][written["channels"][channel]["sampler"].get<std::size_t>()];
+    return json["accessors"][sampler["output"].get<std::size_t>()]["count"].get<std::size_t>();
+  };
+  EXPECT_EQ(key_count(0), 2u);
+  EXPECT_EQ(key_count(1), 3u);
+}
+
+TEST(rewrite_keys, added_weights_move_the_node_that_shows_their_mesh) {
+  TinyGltf gltf;
+  gltf.add_triangle()["targets"] = {{{"POSITION", gltf.vec3({0, 0, 1, 0, 0, 0, 0, 0, 0})}}};
+  gltf.root["nodes"] = Json::array({Json::object(), {{"mesh", 0}}, {{"mesh", 0}}});
+  const Animation smile{"smile", 1.0, {}, {{1, {Interpolation::linear, {0, 1}, {0.25f, 0.5f}, 1}}}};
+  RewriteOptions options;
+  const Animation added[] = {smile};
+  options.added_animations = added;
+  const auto out = rewrite(gltf, options);
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  const auto after = import_gltf(out->file, "after.glb");
+  ASSERT_TRUE(after && after->scene.animations.at(0).weights.size() == 1);
+  EXPECT_EQ(after->scene.animations[0].weights[0].instance, 1u);
+  EXPECT_EQ(after->scene.animations[0].weights[0].weights.values, smile.weights[0].weights.values);
+}
+
 TEST(rewrite_keys, bytes_of_replaced_keys_go_where_they_are_sparse_too) {
   TinyGltf gltf;
   gltf.add_triangle();

@@ -123,10 +123,11 @@ TEST(vrm, version_0_has_the_defaults_of_its_engine) {
   file.root["extensionsUsed"] = {"VRM"};
   file.root["extensions"]["VRM"] = Json::parse(R"({"humanoid": {"humanBones": [{"bone": "hips", "node": 0}]},
     "blendShapeMaster": {"blendShapeGroups": [{"name": "Joy", "presetName": "joy", "binds": [{"mesh": 0, "index": 0}]}]},
-    "secondaryAnimation": {"boneGroups": [{"bones": [1]}]}})");
+    "secondaryAnimation": {"boneGroups": [{"bones": [1], "center": 2}]}})");
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const VrmCharacter& vrm = *result->vrm;
+  EXPECT_EQ(vrm.springs.at(0).center, joint_of(*result, 2));
   EXPECT_EQ(vrm.expressions.at(0).morphs.at(0).weight, 1.0f);
   const VrmSpringJoint joint = vrm.springs.at(0).joints.at(0);
   EXPECT_EQ(joint.stiffness, 1.0f);
