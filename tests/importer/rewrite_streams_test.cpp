@@ -406,7 +406,7 @@ TEST(rewrite_streams, the_heaviest_weight_takes_what_rounding_left) {
   gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {.2f, .5f, .3f, 0, 0, .5f, .5f, 0, .1f, .1f, .1f, .7f});
   const std::vector<std::byte> bytes = bytes_of(recoded(gltf, how(true, false)).parts, "WEIGHTS_0");
   const int expected[] = {51, 127, 77, 0, 0, 127, 128, 0, 26, 26, 26, 177};
-  for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_EQ(static_cast<int>(bytes.at(i)), expected[i]) << i;
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(static_cast<int>(bytes.at(i)), expected[i]) << i;
 }
 
 TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {
