@@ -4,8 +4,10 @@
 #include "viewer/study/occlusion_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -14,6 +16,7 @@
 #include "tests/reference/ray_cast.h"
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
+#include "viewer/passes/frame_renderer.h"
 #include "viewer/study/exhaustive_access.h"
 
 namespace sinew::viewer {
@@ -290,6 +293,17 @@ TEST_F(occlusion_study, horizons_are_compared_with_rays_only_where_a_surface_is_
     EXPECT_NEAR(trial.error, error_of(exhaustive_access(seen, view, 0.6f, trial.thickness), truth), 1e-9);
     EXPECT_GT(trial.error, 0.001);
   }
+}
+
+TEST(occlusion_time, is_that_of_its_three_passes_and_of_no_other) {
+  const auto times = std::to_array<PassTime>({{name_of(Pass::normal_depth), 1.0},
+                                              {name_of(Pass::ssao), 2.0},
+                                              {name_of(Pass::blur_horizontal), 4.0},
+                                              {name_of(Pass::blur_vertical), 8.0},
+                                              {name_of(Pass::opaque), 16.0}});
+  EXPECT_EQ(occlusion_time_ms(times), 14.0);
+  EXPECT_EQ(occlusion_time_ms(std::span(times).first(1)), 0.0) << "the picture has none";
+  EXPECT_FALSE(occlusion_time_ms({}).has_value()) << "the device has no clock";
 }
 
 TEST(occlusion_effort, the_quick_one_is_a_quarter_of_the_picture_and_half_of_the_rays) {

@@ -95,14 +95,7 @@ class Drawing {
 
   Picture draw(const FrameResult& frame, const View& view) { return headless_.render(frame, view, options_); }
 
-  /// Time of the ambient occlusion passes in the last picture; negative without timestamps.
-  double milliseconds() const {
-    double sum = 0.0;
-    for (const PassTime& time : headless_.pass_times())
-      for (const Pass pass : {Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical})
-        if (time.pass == name_of(pass)) sum += time.milliseconds;
-    return headless_.pass_times().empty() ? -1.0 : sum;
-  }
+  std::optional<double> milliseconds() const { return occlusion_time_ms(headless_.pass_times()); }
 
  private:
   Headless headless_;
@@ -168,6 +161,15 @@ std::vector<VertexTrial> study_vertices(Device& device, const Scene& scene, cons
 
 }  // namespace
 
+std::optional<double> occlusion_time_ms(std::span<const PassTime> times) {
+  if (times.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const PassTime& time : times)
+    for (const Pass pass : {Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical})
+      if (time.pass == name_of(pass)) sum += time.milliseconds;
+  return sum;
+}
+
 std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count) {
   std::vector<double> access;
   for (const auto& pixel : seen.pixels) access.push_back(pixel ? rays.open_share(*pixel, radius_m, ray_count) : -1.0);
@@ -207,7 +209,7 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
     std::shuffle(order.begin(), order.end(), random);
     for (const std::size_t i : order) {
       drawings[i]->draw(frame, view);
-      if (const double ms = drawings[i]->milliseconds(); ms >= 0.0) study.trials[i].milliseconds.push_back(ms);
+      if (const auto ms = drawings[i]->milliseconds()) study.trials[i].milliseconds.push_back(*ms);
     }
   }
   return study;

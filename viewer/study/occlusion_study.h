@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "viewer/study/seen_pixels.h"
 
 namespace sinew::viewer {
+
+struct PassTime;
 
 /// One way to compute ambient occlusion, measured.
 struct OcclusionTrial {
@@ -65,6 +69,9 @@ struct OcclusionEffort {
 /// cost seconds to half a minute on a software device
 OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
                                const AmbientOcclusion& settings, const OcclusionEffort& effort);
+
+/// Time of the passes of ambient occlusion in a picture; nothing without timestamps.
+std::optional<double> occlusion_time_ms(std::span<const PassTime> times);
 
 /// Ambient access of every pixel by ray casting; negative where nothing is visible.
 std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count);
