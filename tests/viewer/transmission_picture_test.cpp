@@ -87,7 +87,9 @@ TEST_F(transmission_picture, unlit_colours_are_seen_through_it) {
   for (const Backdrop backdrop : {Backdrop::plain, Backdrop::sharp}) {
     RenderOptions options = every_light();
     options.backdrop = backdrop;
-    expect_reference_picture(pane_before_wall(glass(), behind), before_pane(), options, kBounds);
+    for (const float roughness : {0.0f, 0.4f})
+      expect_reference_picture(pane_before_wall(glass({0.9f, 0.5f, 0.2f, 1.0f}, roughness), behind), before_pane(),
+                               options, kBounds);
   }
 }
 
@@ -102,6 +104,7 @@ TEST_F(transmission_picture, back_faces_of_two_sided_surfaces_filter_first) {
 TEST_F(transmission_picture, other_layers_and_the_texture_scale_what_passes) {
   Material material = glass();
   material.transmission.factor = 1.0f;
+  material.metallic = 0.3f;  // metal lets nothing pass
   material.sheen = {.color = {0.5f, 0.2f, 0.1f}, .roughness = 0.5f};
   material.clearcoat = {.factor = 0.7f, .roughness = 0.3f};
   for (const TextureUse& placed : placed_textures()) {
