@@ -2,7 +2,9 @@
 #include "tests/viewer/float_picture.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -31,6 +33,25 @@ TestDevice& only() {
   return device;
 }
 
+/// Draws one frame into an image of this format and reads its pixels.
+void render_pixels(const BuiltScene& built, DrawnScene drawn, VkExtent2D extent, VkFormat format,
+                   const OcclusionShape& occlusion, FrameInputs inputs, std::span<std::byte> pixels) {
+  Device& device = *test_device();
+  FrameUpload frame(device, built.scene, 1);
+  frame.update(0, built.frame());
+  drawn.frame = &frame;
+  inputs.scenes = {&drawn, 1};
+  FrameRenderer renderer(device, format, 1, occlusion);
+  const GpuImage image(device,
+                       {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  const Buffer read(device, pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::read_back);
+  device.run_now([&](VkCommandBuffer commands) {
+    renderer.record(commands, {image.handle(), image.view(), extent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}, inputs);
+    read_back(commands, image.handle(), extent, read.handle());
+  });
+  std::memcpy(pixels.data(), read.mapped(), pixels.size());
+}
+
 }  // namespace
 
 Device* test_device() { return only().device.get(); }
@@ -39,29 +60,27 @@ const std::string& no_device_reason() { return only().reason; }
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion,
                           const VertexAccess* access, const AccessBlend& blend, const TextureFilter& filter) {
-  constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
-  Device& device = *test_device();
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  const SceneUpload scene(device, built.scene, 1, access, filter);
-  FrameUpload frame(device, built.scene, 1);
-  frame.update(0, built.frame());
-  FrameRenderer renderer(device, format, 1, occlusion);
-  const GpuImage image(device,
-                       {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-  const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                      MemoryUse::read_back);
-  const DrawnScene drawn{&scene, &frame, kNone, blend};
+  const SceneUpload scene(*test_device(), built.scene, 1, access, filter);
   FrameInputs inputs = extras;
-  inputs.scenes = {&drawn, 1};
   inputs.view = view;
   inputs.options = options;
-  device.run_now([&](VkCommandBuffer commands) {
-    renderer.record(commands, {image.handle(), image.view(), extent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}, inputs);
-    read_back(commands, image.handle(), extent, pixels.handle());
-  });
   FloatPicture picture{width, height, std::vector<glm::vec4>(extent.width * extent.height)};
-  std::memcpy(picture.pixels.data(), pixels.mapped(), picture.pixels.size() * sizeof(glm::vec4));
+  render_pixels(built, {&scene, nullptr, kNone, blend}, extent, VK_FORMAT_R32G32B32A32_SFLOAT, occlusion, inputs,
+                std::as_writable_bytes(std::span(picture.pixels)));
   return picture;
+}
+
+std::vector<std::uint8_t> render_bytes(const BuiltScene& built, int width, int height, const View& view,
+                                       const RenderOptions& options, VkFormat format) {
+  const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  const SceneUpload scene(*test_device(), built.scene, 1);
+  FrameInputs inputs;
+  inputs.view = view;
+  inputs.options = options;
+  std::vector<std::uint8_t> bytes(std::size_t{4} * extent.width * extent.height);
+  render_pixels(built, {&scene}, extent, format, {}, inputs, std::as_writable_bytes(std::span(bytes)));
+  return bytes;
 }
 
 reference::DepthAndNormals empty_image(int width, int height, const View& view) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ FloatPicture render_float(const BuiltScene& built, int width, int height, const 
                           const RenderOptions& options, const FrameInputs& extras = {},
                           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
                           const AccessBlend& blend = {}, const TextureFilter& filter = {});
+
+/// The bytes of a picture in an 8-bit format.
+std::vector<std::uint8_t> render_bytes(const BuiltScene& built, int width, int height, const View& view,
+                                       const RenderOptions& options, VkFormat format);
 
 /// Distances and normals as the GPU drew them, read from the pictures of Show::depth and Show::normals.
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
