@@ -55,6 +55,35 @@ std::vector<glm::vec4> greys(const std::vector<double>& values) {
   return pixels;
 }
 
+/// A corridor seen from its open end, with a post one pixel wide before its back wall, at an odd column of 64 x 48
+/// pixels: half-size texels miss it.
+BuiltScene post_in_a_corridor(float pixel_m) {
+  BuiltScene built;
+  const std::uint32_t grey = built.add_material(matte({0.5f, 0.5f, 0.5f}));
+  for (const float side : {-1.0f, 1.0f})
+    built.add(showcase::box({0.0f, 0.0f, 0.0f}, {0.2f, 2.0f, 1.0f}), grey, translation({0.5f * side, 0.0f, 1.0f}));
+  built.add(showcase::box({0.0f, 0.0f, 0.0f}, {2.0f, 2.0f, 0.1f}), grey, translation({0.0f, 0.0f, -0.1f}));
+  built.add(showcase::box({0.0f, 0.0f, 0.0f}, {0.5f * pixel_m, 2.0f, 0.01f}), grey,
+            translation({1.5f * pixel_m, 0.0f, 0.3f}));
+  return built;
+}
+
+TEST_F(ssao_pass, what_no_texel_shows_has_the_access_of_the_nearest_one) {
+  constexpr double kFov_rad = 0.5, kPost_m = 4.69;
+  const auto pixel_m = static_cast<float>(2.0 * kPost_m * std::tan(0.5 * kFov_rad) / 48.0);
+  const BuiltScene built = post_in_a_corridor(pixel_m);
+  const View view = look_at({0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, kFov_rad, 0.05);
+  for (const OcclusionMethod method : {OcclusionMethod::ssao, OcclusionMethod::gtao}) {
+    RenderOptions options = options_with(1.0f);
+    options.ao.method = method;
+    const FloatPicture picture = render_float(built, 64, 48, view, options);
+    for (int y = 16; y < 32; y += 2) {  // rows that have texels
+      EXPECT_LT(picture.at(33, y).r, 0.85f) << y;
+      EXPECT_NEAR(picture.at(33, y).r, picture.at(32, y).r, 1e-6f) << y;
+    }
+  }
+}
+
 TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
   const BuiltScene built = box_and_sphere_on_floor();
   for (const bool blur : {false, true}) {
