@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -58,6 +59,7 @@ TEST(export_parts, each_setting_of_a_material_alone) {
                                 m.alpha_mode = AlphaMode::mask;
                                 m.alpha_cutoff = 0.25f;
                               },
+                              [](Material& m) { m.alpha_cutoff = 0.25f; },
                               [](Material& m) { m.double_sided = true; },
                               [](Material& m) { m.unlit = true; },
                               [](Material& m) { m.specular.ior = 2.0f; },
@@ -173,6 +175,32 @@ TEST(export_parts, each_property_that_a_clip_moves_alone) {
   }
 }
 
+TEST(export_parts, every_clip_moves_its_own_properties) {
+  Scene scene = movable();
+  for (const float end : {0.5f, 0.75f})
+    scene.animations.push_back({"move",
+                                0.5,
+                                {},
+                                {},
+                                {{{PropertyKind::light_intensity, 0, TextureSlot::base_color},
+                                  {Interpolation::linear, {0.0f, 0.5f}, {0.25f, end}, 1}}}});
+  finish_scene(scene);
+  expect_equal(scene, round_trip(scene).scene);
+}
+
+TEST(export_parts, key_times_that_tracks_share_are_written_once) {
+  Scene scene = prop_scene();
+  BoneAnimation bone;
+  bone.joint = 0;
+  bone.translation = {Interpolation::linear, {0.0f, 0.5f}, {glm::vec3(0.0f), glm::vec3(1.0f)}};
+  bone.scale = {Interpolation::linear, {0.0f, 0.5f}, {glm::vec3(1.0f), glm::vec3(2.0f)}};
+  scene.animations = {{"move", 0.5, {bone}, {}}};
+  finish_scene(scene);
+  const Json samplers = split_glb(*export_glb(scene)).json["animations"][0]["samplers"];
+  EXPECT_EQ(samplers[0]["input"], samplers[1]["input"]);
+  EXPECT_NE(samplers[0]["output"], samplers[1]["output"]);
+}
+
 TEST(export_parts, weights_of_a_node_are_said_where_they_are_not_those_of_the_mesh) {
   Scene scene = face_scene();
   const auto node_of = [](const Scene& s) { return split_glb(*export_glb(s)).json["nodes"][0]; };
@@ -243,6 +271,77 @@ TEST(export_parts, positions_of_a_target_have_bounds_also_where_it_moves_none) {
   const std::size_t still = file["meshes"][0]["primitives"][0]["targets"][1]["POSITION"];
   EXPECT_EQ(file["accessors"][still].value("min", Json()), (Json{0.0, 0.0, 0.0}));
   EXPECT_EQ(file["accessors"][still].value("max", Json()), (Json{0.0, 0.0, 0.0}));
+}
+
+TEST(export_parts, bounds_of_a_target_are_those_of_all_its_vertices) {
+  Scene scene = face_scene();
+  scene.meshes[0].primitives[0].morphs.targets[1].positions = {{0, 1, 2}, {{1, 2, 3}, {4, 3, 2}, {2, 5, 4}}};
+  finish_scene(scene);
+  const Json file = split_glb(*export_glb(scene)).json;
+  const std::size_t moved = file["meshes"][0]["primitives"][0]["targets"][1]["POSITION"];
+  EXPECT_FALSE(file["accessors"][moved].contains("sparse"));
+  EXPECT_EQ(file["accessors"][moved]["min"], (Json{0.0, 0.0, 0.0})) << "the last vertex stays";
+  EXPECT_EQ(file["accessors"][moved]["max"], (Json{4.0, 5.0, 4.0}));
+}
+
+TEST(export_parts, a_primitive_that_shows_nothing_has_as_many_targets_as_the_others) {
+  Scene scene = face_scene();
+  Primitive nothing;
+  nothing.morphs.targets.resize(2);
+  scene.meshes[0].primitives.push_back(nothing);
+  finish_scene(scene);
+  const Json file = split_glb(*export_glb(scene)).json;
+  for (const Json& primitive : file["meshes"][0]["primitives"]) EXPECT_EQ(primitive["targets"].size(), 2u);
+}
+
+TEST(export_parts, factors_of_emission_are_at_most_one) {
+  for (const float largest : {1.0f, 1.25f, 2.0f, 3.0f}) {
+    Scene scene = prop_scene();
+    Material& material = scene.materials.emplace_back();
+    material.emissive = {0.5f, largest, 0.25f};
+    material.emissive_strength = 1.5f;
+    const Json written = split_glb(*export_glb(scene)).json["materials"].back();
+    const double strength = written["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+    EXPECT_LE(written["emissiveFactor"][1], 1.0) << largest;
+    EXPECT_EQ(strength * written["emissiveFactor"][1].get<double>(), 1.5 * static_cast<double>(largest));
+    EXPECT_EQ(strength * written["emissiveFactor"][0].get<double>(), 0.75);
+  }
+}
+
+TEST(export_parts, encoded_images_stay_as_they_are_where_a_file_may_have_them) {
+  Scene scene = prop_scene();
+  for (const char* type : {"image/webp", "image/jpeg", "image/webp", "image/tiff"}) {
+    add_texture(scene);
+    scene.images.back().mime_type = type;
+    scene.images.back().encoded.assign(5, std::byte{7});
+  }
+  add_texture(scene);
+  scene.images.back() = {.name = "missing", .width = 0, .height = 0, .rgba = {}, .missing_reason = "not there"};
+  const GlbParts parts = split_glb(*export_glb(scene));
+  const Json& file = parts.json;
+  std::vector<std::string> types;
+  for (const Json& image : file["images"]) types.push_back(image["mimeType"]);
+  EXPECT_THAT(types, testing::ElementsAre("image/webp", "image/jpeg", "image/webp", "image/png", "image/png"));
+  const auto bytes_of = [&](std::size_t image) { return parts.view(file["images"][image]["bufferView"]); };
+  for (const std::size_t kept : {0u, 1u, 2u}) EXPECT_EQ(bytes_of(kept), scene.images[kept].encoded);
+  for (const std::size_t png : {3u, 4u})  // its pixel, and a placeholder of one pixel: width and height follow "IHDR"
+    EXPECT_TRUE(bytes_of(png).at(19) == std::byte{1} && bytes_of(png).at(23) == std::byte{1}) << png;
+  EXPECT_EQ(file["extensionsRequired"], Json{"EXT_texture_webp"});
+  EXPECT_EQ(file["textures"][0]["extensions"]["EXT_texture_webp"]["source"], 0);
+  EXPECT_EQ(file["textures"][1]["source"], 1);
+}
+
+TEST(export_parts, variants_of_the_second_primitive_alone) {
+  Scene scene = face_scene();
+  scene.materials.resize(2);
+  scene.variants = {"day", "night"};
+  Primitive& second = scene.meshes[0].primitives.emplace_back(scene.meshes[0].primitives[0]);
+  second.variant_materials = {{0, 1}, {1, 0}};
+  finish_scene(scene);
+  const Json primitives = split_glb(*export_glb(scene)).json["meshes"][0]["primitives"];
+  EXPECT_FALSE(primitives[0].contains("extensions"));
+  EXPECT_EQ(primitives[1]["extensions"]["KHR_materials_variants"]["mappings"].size(), 2u);
+  expect_equal(scene, round_trip(scene, false).scene);
 }
 
 TEST(export_parts, the_copyright_that_is_given) {

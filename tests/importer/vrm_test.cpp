@@ -136,6 +136,57 @@ TEST(vrm, version_0_has_the_defaults_of_its_engine) {
   EXPECT_EQ(joint.hit_radius_m, 0.0f);
 }
 
+TEST(vrm, version_0_springs_have_their_comment_as_name_and_hang_down) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRM"};
+  file.root["extensions"]["VRM"] = Json::parse(R"({"humanoid": {"humanBones": [{"bone": "hips", "node": 0}]},
+    "blendShapeMaster": {"blendShapeGroups": [{"name": "one", "presetName": "JOY"}, {"name": "two", "presetName": "Blink_L"}]},
+    "secondaryAnimation": {"boneGroups": [{"comment": "hair", "bones": [1]}]}})");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_EQ(result->vrm->springs.at(0).name, "hair");
+  EXPECT_EQ(result->vrm->springs[0].joints.at(0).gravity_direction, glm::vec3(0, -1, 0));
+  EXPECT_EQ(result->vrm->expressions.at(0).name, "happy") << "presets are written in capitals, too";
+  EXPECT_EQ(result->vrm->expressions.at(1).name, "blinkLeft");
+}
+
+TEST(vrm, an_animation_says_that_it_is_one) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRMC_vrm_animation"};
+  file.root["extensions"]["VRMC_vrm_animation"] = Json::parse(R"({"specVersion": "1.0",
+    "humanoid": {"humanBones": {"hips": {"node": 1}}},
+    "expressions": {"preset": {"happy": {"node": 2}}, "custom": {"wink": {"node": 3}}}})");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const VrmCharacter& vrm = *result->vrm;
+  EXPECT_TRUE(vrm.is_animation);
+  EXPECT_EQ(vrm.version, "1.0");
+  EXPECT_EQ(vrm.bones.at(0).joint, joint_of(*result, 1));
+  ASSERT_THAT(vrm.expressions, SizeIs(2));
+  EXPECT_TRUE(vrm.expressions[0].name == "happy" && vrm.expressions[0].is_preset);
+  EXPECT_TRUE(vrm.expressions[1].name == "wink" && !vrm.expressions[1].is_preset);
+}
+
+TEST(vrm, each_number_of_a_spring_is_its_own_and_the_version_is_that_of_the_character) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRMC_vrm", "VRMC_springBone", "VRMC_node_constraint"};
+  file.root["extensions"]["VRMC_vrm"] =
+      Json::parse(R"({"specVersion": "1.0", "humanoid": {"humanBones": {"hips": {"node": 0}}}})");
+  file.root["extensions"]["VRMC_springBone"] = Json::parse(R"({"specVersion": "1.1", "springs": [{"joints":
+    [{"node": 1, "hitRadius": 0.125, "stiffness": 0.25, "gravityPower": 0.5, "dragForce": 0.75}]}]})");
+  file.root["nodes"][3]["extensions"]["VRMC_node_constraint"] =
+      Json::parse(R"({"specVersion": "1.2", "constraint": {"rotation": {"source": 0}}})");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_EQ(result->vrm->version, "1.0");
+  EXPECT_FALSE(result->vrm->is_animation);
+  const VrmSpringJoint joint = result->vrm->springs.at(0).joints.at(0);
+  EXPECT_EQ(joint.hit_radius_m, 0.125f);
+  EXPECT_EQ(joint.stiffness, 0.25f);
+  EXPECT_EQ(joint.gravity_power, 0.5f);
+  EXPECT_EQ(joint.drag_force, 0.75f);
+}
+
 TEST(vrm, a_number_out_of_its_range_is_told_with_the_range) {
   TinyGltf file = character();
   file.root["extensionsUsed"] = {"VRM"};
