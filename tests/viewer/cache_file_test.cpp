@@ -54,8 +54,6 @@ TEST(cache_file, refuses_what_it_cannot_read_in_one_sentence_with_file_and_rule)
   EXPECT_THAT(fault_of("/nothing/here.sgeo"),
               testing::AllOf(HasSubstr("/nothing/here.sgeo: "), HasSubstr("o such file")));
   EXPECT_THAT(fault_of("/tmp"), HasSubstr("/tmp: "));
-  EXPECT_THAT(fault_without_files(WrittenFile("flag.sgeo", flag_bytes(2)).path()),
-              HasSubstr("flag.sgeo: Too many open files"));
   const WrittenFile empty("empty.sgeo", {});
   EXPECT_THAT(fault_of(empty.path()), HasSubstr("empty.sgeo: byte 0: cache-"));
 
@@ -72,6 +70,11 @@ TEST(cache_file, refuses_what_it_cannot_read_in_one_sentence_with_file_and_rule)
   bytes.resize(bytes.size() / 2);
   const WrittenFile cut("cut.sgeo", bytes);
   EXPECT_THAT(fault_of(cut.path()), HasSubstr("cache-size"));
+}
+
+TEST(cache_file, says_what_the_system_says_of_a_file_that_does_not_open) {
+  EXPECT_THAT(fault_without_files(WrittenFile("flag.sgeo", flag_bytes(2)).path()),
+              HasSubstr("flag.sgeo: Too many open files"));
 }
 
 }  // namespace
