@@ -226,7 +226,9 @@ TEST_F(frame_upload_slots, an_attribute_that_comes_alone_into_a_buffer_with_room
     update(upload, frame, 2);
     EXPECT_EQ(upload.last_update().written, 1u) << missing;
     const FrameVertices& slot = upload.vertices(0);
+    EXPECT_TRUE(holds(slot, slot.primitives[0].positions, all.positions)) << missing;
     EXPECT_TRUE(holds(slot, slot.primitives[0].normals, all.normals)) << missing;
+    EXPECT_TRUE(holds(slot, slot.primitives[0].tangents, all.tangents)) << missing;
     EXPECT_TRUE(holds(slot, slot.primitives[0].colors, all.colors)) << missing;
   }
 }
