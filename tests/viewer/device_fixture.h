@@ -6,6 +6,10 @@
 
 namespace sinew::viewer {
 
+/// Graphics cards move vertices to a grid of this many pixels before they interpolate; Mesa's software driver
+/// interpolates from where they are.
+inline double vertex_grid_px() { return test_device()->is_software() ? 0.0 : 1.0 / 256.0; }
+
 /// Base of tests that draw. They are skipped, with the reason, without a Vulkan device, and fail if a validation
 /// message occurs. Without the validation layer none does: tests that claim silence skip then.
 class DeviceTest : public testing::Test {
