@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/root_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "runtime/animation/joint_tracks.h"
 #include "runtime/c/boundary.h"
 #include "runtime/c/handles.h"
 #include "runtime/clip/decompile_clip.h"
@@ -45,22 +47,18 @@ struct RootTrack {
   RootMotionParts parts;
 };
 
-/// Takes the animation of a joint as it lies; of several it joins the tracks, of two for one property the last (G20).
-void take_tracks(const std::vector<BoneAnimation>& bones, std::uint32_t joint, RootTrack& root) {
-  const BoneAnimation* only = nullptr;
-  std::size_t count = 0;
-  for (const BoneAnimation& bone : bones) {
-    if (bone.joint != joint) continue;
-    only = &bone;
-    ++count;
+/// Takes the animation of a joint as it lies, or the tracks of several.
+void take_tracks(const Animation& clip, std::uint32_t joint, RootTrack& root) {
+  const auto is_own = [&](const BoneAnimation& bone) { return bone.joint == joint; };
+  const auto first = std::ranges::find_if(clip.bones, is_own);
+  if (first == clip.bones.end()) return;
+  if (std::find_if(first + 1, clip.bones.end(), is_own) == clip.bones.end()) {
+    root.animation = &*first;
+    return;
   }
-  if (count == 1) root.animation = only;
-  if (count < 2) return;
-  for (const BoneAnimation& bone : bones) {
-    if (bone.joint != joint) continue;
-    if (!bone.translation.empty()) root.joined.translation = bone.translation;
-    if (!bone.rotation.empty()) root.joined.rotation = bone.rotation;
-  }
+  const JointTracks tracks = tracks_of_joint(clip, joint);
+  if (tracks.translation != nullptr) root.joined.translation = *tracks.translation;
+  if (tracks.rotation != nullptr) root.joined.rotation = *tracks.rotation;
 }
 
 sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
@@ -71,7 +69,7 @@ sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_
   if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
   root.rest = own.skeleton.rest[joint];
   return c::guarded([&] {
-    take_tracks(own.animations[clip].bones, joint, root);
+    take_tracks(own.animations[clip], joint, root);
     return SINEW_OK;
   });
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/truth_pose.h"
 #include "runtime/retarget/dense_times.h"
 #include "runtime/retarget/foot_contact.h"
@@ -40,8 +41,8 @@ class HeldKeys {
   void write(Animation& animation) {
     for (Leg& leg : legs_)
       for (std::size_t i = 0; i < 3 && leg.turns; ++i)
-        bone_of(leg.joints[i], animation).rotation = std::move(leg.tracks[i]);
-    if (hips_move_) bone_of(hips_, animation).translation = std::move(hips_track_);
+        last_bone_of(animation, leg.joints[i]).rotation = std::move(leg.tracks[i]);
+    if (hips_move_) last_bone_of(animation, hips_).translation = std::move(hips_track_);
   }
 
  private:
@@ -52,16 +53,6 @@ class HeldKeys {
     std::array<QuatTrack, 3> tracks;
     bool turns = false;  ///< one of them differs from what the pose had
   };
-
-  /// Of two of one joint the last, whose tracks count (G20).
-  static BoneAnimation& bone_of(std::uint32_t joint, Animation& animation) {
-    const auto last = std::find_if(animation.bones.rbegin(), animation.bones.rend(),
-                                   [&](const BoneAnimation& bone) { return bone.joint == joint; });
-    if (last != animation.bones.rend()) return *last;
-    BoneAnimation& bone = animation.bones.emplace_back();
-    bone.joint = joint;
-    return bone;
-  }
 
   std::vector<Leg> legs_;
   std::uint32_t hips_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/retarget/rest_transform.h"
 
@@ -36,24 +37,6 @@ Seen seen(const MappedJoint& joint, const Skeleton& source, const Local& local) 
 Vec3d mapped_place(const MappedJoint& joint, const Vec3d& rest, const Vec3d& place) noexcept {
   const Vec3d offset = rest - joint.translation * joint.source_place;
   return joint.translation * place + offset;
-}
-
-/// Tracks of each joint of an animation; of two for one property the last one counts (G20).
-struct JointTracks {
-  const Vec3Track* translation = nullptr;
-  const QuatTrack* rotation = nullptr;
-  const Vec3Track* scale = nullptr;
-};
-
-std::vector<JointTracks> tracks_by_joint(const Animation& animation, std::size_t joint_count) {
-  std::vector<JointTracks> tracks(joint_count);
-  for (const BoneAnimation& bone : animation.bones) {
-    JointTracks& of_joint = tracks[bone.joint];
-    if (!bone.translation.empty()) of_joint.translation = &bone.translation;
-    if (!bone.rotation.empty()) of_joint.rotation = &bone.rotation;
-    if (!bone.scale.empty()) of_joint.scale = &bone.scale;
-  }
-  return tracks;
 }
 
 glm::quat in_float(const Quatd& q) noexcept { return quat_cast<float>(q); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/math/swing_twist.h"
 #include "runtime/retarget/dense_times.h"
@@ -19,13 +20,6 @@ Quat<double> shared(const TwistJoint& twist, const Quat<double>& driver) noexcep
   const double half_angle = twist.share * std::atan2(sign * half.sine, sign * half.cosine);
   const Vec3<double> v = twist.axis * std::sin(half_angle);
   return normalised(quat_xyzw(v.x, v.y, v.z, std::cos(half_angle)) * twist.rest);
-}
-
-BoneAnimation* find_bone(Animation& animation, std::uint32_t joint) {
-  BoneAnimation* last = nullptr;  // of two with a rotation the last one counts
-  for (BoneAnimation& bone : animation.bones)
-    if (bone.joint == joint && !bone.rotation.empty()) last = &bone;
-  return last;
 }
 
 QuatTrack shared_track(const TwistJoint& twist, const QuatTrack& driver) {
@@ -62,13 +56,10 @@ void run(const ShareTwistJob& job) noexcept {
 
 void share_twist(const TwistMap& twists, Animation& animation) {
   for (const TwistJoint& twist : twists.joints) {
-    const BoneAnimation* driver = find_bone(animation, twist.driver);
+    const QuatTrack* driver = tracks_of_joint(animation, twist.driver).rotation;
     if (driver == nullptr) continue;
-    QuatTrack track = shared_track(twist, driver->rotation);
-    std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return bone.joint == twist.joint; });
-    BoneAnimation& bone = animation.bones.emplace_back();
-    bone.joint = twist.joint;
-    bone.rotation = std::move(track);
+    QuatTrack track = shared_track(twist, *driver);  // before the animation grows
+    last_bone_of(animation, twist.joint).rotation = std::move(track);
   }
 }
 

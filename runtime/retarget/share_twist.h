@@ -32,7 +32,7 @@ void run(const ShareTwistJob& job) noexcept;
 /// The same for a retargeted animation: twist joints whose driver moves get rotation keys at its key times and, unless
 /// those step, 60 times a second between them.
 /// in   animation   of the target
-/// out  animation   tracks of the twist joints, in place of what they had
+/// out  animation   rotations of the twist joints, in place of those they had
 /// cost O(duration * twist joints), allocates
 void share_twist(const TwistMap& twists, Animation& animation);
 

@@ -203,6 +203,27 @@ TEST(share_twist, an_animation_has_the_shares_of_its_poses) {
   }
 }
 
+TEST(share_twist, only_rotations_of_twist_joints_are_replaced_the_last_where_there_are_two) {
+  const Skeleton skeleton = arm(7);
+  BoneAnimation turned, moved, turned_too;
+  turned.joint = hand;
+  moved.joint = turned_too.joint = roll;
+  turned.rotation = {Interpolation::step, {0.25f}, {{0, 1, 0, 0}}};
+  turned_too.rotation = {Interpolation::step, {0.5f}, {{0, 0, 1, 0}}};
+  moved.translation = moved.scale = {Interpolation::linear, {0.5f}, {{1, 2, 3}}};
+  moved.rotation = turned_too.rotation;
+  Animation animation{"snap", 1.0, {moved, turned, turned_too}, {}};
+  share_twist(twists_of(skeleton), animation);
+  ASSERT_EQ(animation.bones.size(), 4u) << "that of the other joint of the lower arm is new";
+  EXPECT_EQ(animation.bones[0].translation.values, moved.translation.values);
+  EXPECT_EQ(animation.bones[0].scale.values, moved.scale.values);
+  TruthPose found;
+  evaluate_truth(animation, skeleton, 0.5, found);
+  std::vector<Transformd> expected = found.local;
+  share_twist(twists_of(skeleton), expected);
+  EXPECT_LE(rotation_angle_between(found.local[roll].rotation, expected[roll].rotation), 1e-6);
+}
+
 TEST(share_twist, keys_that_step_stay_as_many_and_what_is_not_driven_rests) {
   const Skeleton skeleton = arm(7);
   Animation animation{"snap", 1.0, {}, {}};
