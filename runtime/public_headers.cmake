@@ -171,8 +171,6 @@ if(SINEW_IMPORTER)
     importer/vrm.h)
 endif()
 
-set(sinew_public_headers ${sinew_public_headers} CACHE INTERNAL "")
-
 # Programs outside of this tree read the headers from build/include, and an installed package holds that folder: there they include
 # each other as <sinew/...>, so that an engine may have a folder `runtime` of its own.
 list(TRANSFORM sinew_public_headers PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sinew_public_sources)

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Every internal header compiles alone, with no more than what its target gives to those who link it; samples/link_from_an_engine does
-# the same to those that are installed. A header x.h beside an x.cpp is compiled there: include_direction_test holds that it is
-# included first, standard_includes_test that what a precompiled header would bring is included. For the others sources are
-# generated, one per header, which includes it twice. They are built by the test, not by default.
+# Every header compiles alone, with no more than what its target gives to those who link it. A header x.h beside an x.cpp is compiled
+# there: include_direction_test holds that it is included first. For the others sources are generated, one per header, which includes it
+# twice. standard_includes_test holds that what a precompiled header brings to both is included. They are built by the test, not by
+# default.
 function(sinew_headers_alone folder)
   cmake_parse_arguments(arg "" "" "EXCLUDE;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   set(sources)
-  if(SINEW_IMPORTER)
-    list(REMOVE_ITEM headers ${sinew_public_headers})
-  endif()
   foreach(header IN LISTS headers)
     set(skip FALSE)
     foreach(pattern IN LISTS arg_EXCLUDE)
@@ -38,6 +35,7 @@ function(sinew_headers_alone folder)
   target_include_directories(sinew-headers-alone-${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(sinew-headers-alone-${name} PRIVATE ${arg_LIBRARIES} sinew_flags)
   target_compile_options(sinew-headers-alone-${name} PRIVATE -O0)   # nothing of them is ever run
+  sinew_precompile(sinew-headers-alone-${name})
   add_test(NAME architecture/header_alone.${name}
     COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target sinew-headers-alone-${name})
   set_tests_properties(architecture/header_alone.${name} PROPERTIES RESOURCE_LOCK build_folder TIMEOUT 600 COST 20)
