@@ -39,10 +39,10 @@ class PanelTest : public ImguiTest {
   }
 
   // Opens a list of choices and presses one of them.
-  void choose(const char* list, const char* item, Playback& playback) {
+  PanelWishes choose(const char* list, const char* item, Playback& playback) {
     click(list, playback);
     frame(playback);
-    click(item, "##Combo_00", playback);
+    return click(item, "##Combo_00", playback);
   }
 
   // Holds a slider and goes to that end of the screen.
@@ -224,8 +224,17 @@ TEST_F(PanelTest, switches_change_the_settings) {
   click("ao", playback);
   EXPECT_EQ(settings_.show, Show::ao);
   EXPECT_TRUE(click("frame all", playback).frame_all);
-  choose("frame", "follow", playback);
+  EXPECT_TRUE(choose("frame", "follow", playback).frame_all) << "at once";
   EXPECT_EQ(settings_.framing, Framing::follow);
+}
+
+TEST_F(PanelTest, rays_that_were_asked_for_and_not_cast_are_in_the_list_while_they_are_chosen) {
+  Playback playback(scene_);
+  settings_.occlusion_method = OcclusionMethod::rays;  // by the command line of a program without Embree
+  choose("occlusion", "rays: at vertices", playback);
+  EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::rays);
+  choose("occlusion", "ssao: points", playback);
+  EXPECT_EQ(settings_.occlusion_method, OcclusionMethod::ssao);
 }
 
 TEST_F(PanelTest, sliders_go_from_end_to_end) {

@@ -199,7 +199,7 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   skinning_choice(facts, settings);
   updates_choice(facts, settings);
   int occlusion = settings.ambient_occlusion ? 1 + static_cast<int>(settings.occlusion_method) : 0;
-  if (facts.has_access)
+  if (facts.has_access || settings.occlusion_method == OcclusionMethod::rays)  // asked for, though none could be cast
     choice("occlusion", {"none", "ssao: points", "gtao: horizons", "rays: at vertices"}, occlusion);
   else
     choice("occlusion", {"none", "ssao: points", "gtao: horizons"}, occlusion);
