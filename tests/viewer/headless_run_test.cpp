@@ -1,135 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Pictures that the program writes without a window: byte for byte those of the view, the time and the look that the
 // options say, each made here by itself.
-#include "viewer/app/headless_run.h"
-
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
-#include "runtime/plan/run_plan.h"
-#include "samples/showcase/scene_builder.h"
-#include "samples/showcase/shapes.h"
-#include "tests/viewer/device_fixture.h"
+#include "tests/viewer/flyer.h"
+#include "tests/viewer/headless_run_fixture.h"
 #include "viewer/app/file_camera.h"
-#include "viewer/app/headless.h"
 #include "viewer/app/orbit_camera.h"
-#include "viewer/app/png_writer.h"
-#include "viewer/app/settings.h"
-#include "viewer/app/skeleton_lines.h"
 
 namespace sinew::viewer {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr double kAspect = 1.5;
-constexpr double kDuration_s = 1.6;
-
-Material glowing(const char* name, const glm::vec3& color) {
-  Material material;
-  material.name = name;
-  material.unlit = true;
-  material.base_color = glm::vec4(color, 1.0f);
-  return material;
-}
-
-/// A box that glides 2 m to the right beside one that stands, with a camera on the one that glides and one far before
-/// both, which glides as well.
-Exhibit gliding_box() {
-  showcase::SceneBuilder builder;
-  const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})),
-                      blue = builder.add_material(glowing("blue", {0, 0, 1}));
-  const std::uint32_t joint = builder.add_joint("box", kNone, {}), eye = builder.add_joint("eye", kNone, {});
-  Mesh mesh{"box", {showcase::box({0, 0, 0}, {0.5f, 0.3f, 0.2f})}, {}, {}};
-  mesh.primitives[0].material = red;
-  builder.add_instance(joint, builder.add_mesh(std::move(mesh)));
-  builder.add_prop("still", showcase::box({0, 0, -2}, glm::vec3(0.6f)), blue);
-  BoneAnimation bone;
-  bone.joint = joint;
-  bone.translation.times_s = {0.0f, static_cast<float>(kDuration_s)};
-  bone.translation.values = {{0, 0, 0}, {2, 0.5f, 0}};
-  BoneAnimation seen_from = bone;
-  seen_from.joint = eye;
-  seen_from.translation.values = {{0, 0, 70}, {1, 0, 70}};
-  builder.add_animation({"glide", kDuration_s, {bone, seen_from}, {}});
-  Exhibit exhibit;
-  exhibit.scene = builder.finish();
-  exhibit.scene.variants = {"red", "blue"};
-  exhibit.scene.meshes[0].primitives[0].variant_materials = {{1, blue}};
-  exhibit.scene.cameras = {{.name = "on box", .joint = joint, .fov_y_rad = 1.2f},
-                           {.name = "far", .joint = eye, .fov_y_rad = 0.17f}};
-  exhibit.name = "gliding box";
-  return exhibit;
-}
-
-Options small_picture() {
-  Options options;
-  options.width = 48;
-  options.height = 32;
-  options.ambient_occlusion = options.shadows = false;
-  options.ground = GroundLook::none;
-  options.smooth_edges = false;
-  return options;
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {(std::istreambuf_iterator<char>(in)), {}};
-}
-
-class headless_run : public DeviceTest {
- protected:
-  void SetUp() override {
-    DeviceTest::SetUp();
-    fs::create_directories(folder_);
-  }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    DeviceTest::TearDown();
-  }
-
-  /// What the program writes.
-  std::string written(Options options, const Exhibit& exhibit, std::uint32_t clip = 0) {
-    options.headless = (folder_ / "a.png").string();
-    EXPECT_EQ(write_pictures(*test_device(), options, exhibit, clip), 0);
-    return bytes_of(options.headless);
-  }
-  /// The picture of this view, evaluated and drawn here.
-  std::string drawn(Options options, const Exhibit& exhibit, const View& view, double time_s, std::uint32_t clip = 0) {
-    options.headless = "a.png";
-    const Settings settings = settings_from(options, exhibit.scene);
-    const Plan plan = compile_plan(exhibit.scene, needs_of(exhibit, {settings.skinning, Updates::every}));
-    FrameBuffer frame(plan);
-    const ClipLayer layer{clip, time_s};
-    FrameInput input;
-    if (clip != kNone) input.layers = {&layer, 1};
-    EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
-    const ClipExtent extent = clip_extent(exhibit.scene, clip);
-    RenderOptions look = render_options(settings, exhibit.environment, extent, eye_of(view));
-    look.transparent_background = options.transparent;
-    SkeletonLines skeleton(exhibit.scene);
-    const auto lines = skeleton.make(frame.result().model, skeleton.axis_length_m(extent.largest));
-    Headless renderer(*test_device(), exhibit.scene, options.width, options.height, {}, exhibit.access.get(),
-                      options.filter);
-    const AccessBlend access = exhibit.access ? access_blend(*exhibit.access, clip, time_s) : AccessBlend{};
-    PngWriter writer;
-    writer.write(folder_ / "b.png",
-                 renderer.render(frame.result(), view, look, settings.skeleton ? lines : std::span<const LineVertex>(),
-                                 settings.variant, access));
-    EXPECT_TRUE(writer.finish().empty());
-    return bytes_of(folder_ / "b.png");
-  }
-
-  fs::path folder_ = fs::temp_directory_path() / ("sinew-headless-run-" + std::to_string(getpid()));
-};
+class headless_run : public HeadlessRunTest {};
 
 View orbiting(const Exhibit& exhibit, std::span<const glm::vec3> points, double fov_y_rad,
               const glm::vec3& moved = glm::vec3(0.0f)) {
@@ -138,11 +25,6 @@ View orbiting(const Exhibit& exhibit, std::span<const glm::vec3> points, double 
   camera.frame(points, kAspect);
   camera.target += glm::dvec3(moved);
   return camera.view(clip_extent(exhibit.scene, 0).reached);
-}
-
-View placed(const Exhibit& exhibit, const PlacedCamera& camera, double fov_y_rad) {
-  const glm::dvec3 eye(camera.eye);
-  return look_at(eye, camera.target, fov_y_rad, near_plane_for(eye, clip_extent(exhibit.scene, 0).reached));
 }
 
 TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_exhibit_or_the_one_that_is_asked_for) {
@@ -229,6 +111,17 @@ TEST_F(headless_run, shows_what_is_asked_for_over_and_in_the_picture) {
   }
 }
 
+TEST_F(headless_run, axes_of_joints_are_as_long_as_the_largest_pose_asks_for_however_far_the_clip_goes) {
+  Exhibit exhibit;
+  exhibit.scene = flyer(true);
+  Options options = small_picture();
+  options.skeleton = true;
+  options.width = 240;
+  options.height = 160;
+  options.camera = PlacedCamera{{0.5f, 0.5f, 3.0f}, {0.5f, 0.5f, 0.0f}};
+  EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, placed(exhibit, *options.camera, exhibit.fov_y_rad), 0));
+}
+
 TEST_F(headless_run, ambient_access_at_vertices_is_that_of_the_time) {
   Exhibit exhibit = gliding_box();
   VertexAccess access;
@@ -256,6 +149,25 @@ TEST_F(headless_run, ambient_access_at_vertices_is_that_of_the_time) {
   }
 }
 
+TEST_F(headless_run, what_the_clip_or_a_shadow_brings_into_view_is_drawn) {
+  const Exhibit exhibit = gliding_box();
+  Options options = small_picture();
+  options.time_s = kDuration_s;
+  options.camera = PlacedCamera{{2, 0.5f, 1.6f}, {2, 0.5f, 0}};  // sees no more of the box than the clip's end
+  const auto seen = [&] { return placed(exhibit, *options.camera, exhibit.fov_y_rad); };
+  const std::string end = written(options, exhibit);
+  EXPECT_EQ(end, drawn(options, exhibit, seen(), kDuration_s));
+  EXPECT_NE(end, written(options, exhibit, kNone));
+  options.camera = PlacedCamera{{1.4f, -0.35f, -0.5f}, {1.4f, -0.6f, -0.75f}};  // the ground alone
+  options.fov_y_deg = 20.0;
+  options.ground = GroundLook::shadows;
+  const std::string bright = written(options, exhibit);
+  options.shadows = true;
+  const std::string dark = written(options, exhibit);
+  EXPECT_NE(dark, bright);
+  EXPECT_EQ(dark, drawn(options, exhibit, placed(exhibit, *options.camera, 0.349065850398866), kDuration_s));
+}
+
 TEST_F(headless_run, the_rest_pose_is_shown_without_a_clip) {
   const Exhibit exhibit = gliding_box();
   Options options = small_picture();
@@ -265,74 +177,6 @@ TEST_F(headless_run, the_rest_pose_is_shown_without_a_clip) {
   const ClipExtent extent = clip_extent(exhibit.scene, kNone);
   camera.frame(extent.outline.points(), kAspect);
   EXPECT_EQ(written(options, exhibit, kNone), drawn(options, exhibit, camera.view(extent.reached), 0.0, kNone));
-}
-
-TEST_F(headless_run, sequences_are_numbered_and_each_picture_is_that_of_its_time) {
-  const Exhibit exhibit = gliding_box();
-  Options options = small_picture();
-  options.frames = FrameRange{3, 7};
-  options.fps = 4.0;
-  options.headless = (folder_ / "new" / "frames").string();
-  ASSERT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
-  Options one = small_picture();
-  for (std::uint32_t n = 3; n <= 7; ++n) {
-    one.time_s = picture_time_s(n, 4.0, kDuration_s);
-    EXPECT_EQ(bytes_of(fs::path(options.headless) / ("0000" + std::to_string(n) + ".png")), written(one, exhibit)) << n;
-  }
-  EXPECT_EQ(std::distance(fs::directory_iterator(options.headless), {}), 5);
-  options.framing = Framing::pose;  // that of the first picture
-  options.frames = FrameRange{4, 4};
-  ASSERT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
-  one.framing = Framing::pose;
-  one.time_s = 1.0;
-  EXPECT_EQ(bytes_of(fs::path(options.headless) / "00004.png"), written(one, exhibit));
-}
-
-TEST_F(headless_run, small_meshes_are_held_between_updates_only_where_pictures_are_near_in_time) {
-  const Exhibit exhibit = gliding_box();
-  Options options = small_picture();
-  options.updates = Updates::held;
-  options.camera = PlacedCamera{{0, 0, 70}, {0, 0, 0}};
-  options.fov_y_deg = 10.0;
-  options.width = 192;
-  options.height = 128;
-  options.smooth_edges = true;  // so that it is seen to move
-  for (const double fps : {25.0, 5.0}) {
-    options.fps = fps;
-    options.frames = FrameRange{0, 5};
-    options.headless = (folder_ / std::to_string(static_cast<int>(fps))).string();
-    ASSERT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
-    int held = 0;
-    for (int n = 0; n < 5; ++n) {
-      const auto file = [&](int i) { return fs::path(options.headless) / ("0000" + std::to_string(i) + ".png"); };
-      held += bytes_of(file(n)) == bytes_of(file(n + 1));
-    }
-    EXPECT_EQ(held > 0, fps > 20.0) << fps;
-    EXPECT_LT(held, 4) << fps;
-  }
-}
-
-TEST_F(headless_run, small_meshes_are_not_held_while_the_camera_moves) {
-  const Exhibit exhibit = gliding_box();
-  Options options = small_picture();
-  options.file_camera = "far";
-  options.width = 192;
-  options.height = 128;
-  options.smooth_edges = true;
-  Options one = options;
-  options.updates = Updates::held;
-  options.fps = 25.0;
-  options.frames = FrameRange{0, 4};
-  options.headless = (folder_ / "held").string();
-  options.plan = true;
-  testing::internal::CaptureStdout();
-  ASSERT_EQ(write_pictures(*test_device(), options, exhibit, 0), 0);
-  const std::string plan = testing::internal::GetCapturedStdout();
-  EXPECT_NE(plan.find("every frame: the camera moves with the clip"), std::string::npos) << plan;
-  for (std::uint32_t n = 0; n <= 4; ++n) {
-    one.time_s = picture_time_s(n, options.fps, kDuration_s);
-    EXPECT_EQ(bytes_of(fs::path(options.headless) / ("0000" + std::to_string(n) + ".png")), written(one, exhibit)) << n;
-  }
 }
 
 TEST(picture_time, goes_on_by_the_rate_and_starts_again_after_the_end) {
@@ -358,6 +202,8 @@ TEST_F(headless_run, prints_the_plan_of_the_last_picture_with_times_that_are_not
                           "drawing, on the CPU\n  upload ", "modes of the picture\n  samples ",
                           "passes, on the GPU\n  shadow ", "edges are not smoothed"})
     EXPECT_NE(plan.find(row), std::string::npos) << row << plan;
+  const std::size_t sample = plan.find("\n  sample ") + 1;
+  EXPECT_NE(plan.substr(sample, plan.find('\n', sample) - sample).find(" us  "), std::string::npos) << plan;
 }
 
 TEST(png_writer, is_finished_when_the_last_picture_is_written_and_not_when_it_is_begun) {
