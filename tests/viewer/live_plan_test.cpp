@@ -111,6 +111,17 @@ TEST(live_plan, times_are_means_in_which_the_first_frames_do_not_stay) {
   EXPECT_DOUBLE_EQ(row(live, "sample").time_us, 2.1) << "the same frame twice is one frame";
 }
 
+TEST(live_plan, that_forgets_begins_with_the_first_frame_of_another_plan) {
+  LivePlan live;
+  live.evaluated(small_plan(), frame(1, {}));
+  live.forget();
+  EXPECT_TRUE(live.rows().empty());
+  const std::vector<PlanStage> other = {{"skin", true, "a mesh has a skin", 3, 40}};
+  live.evaluated(other, frame(1, {}));
+  ASSERT_EQ(live.rows().size(), 1u);
+  EXPECT_EQ(row(live, "skin").reason, "a mesh has a skin");
+}
+
 TEST(live_plan, tells_what_was_uploaded_and_what_was_left_out) {
   LivePlan live;
   live.drawn({.written = 2, .unchanged = 1, .bytes = 2400, .time_us = 3.0}, {.drawn = 4, .out_of_view = 5, .hidden = 6},

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <thread>
 
+#include <glm/geometric.hpp>
+
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
+#include "tests/scenes/hand_scenes.h"
 #include "tests/viewer/cache_files.h"
 #include "tests/viewer/device_fixture.h"
 
@@ -153,6 +156,34 @@ TEST_F(shown_scene, joints_move_out_of_view_while_somebody_watches_them) {
     }
 }
 
+TEST_F(shown_scene, joints_that_sleep_wake_as_soon_as_somebody_watches_them) {
+  show(gliding_box(false));
+  shown_->playback().seek(1.0);
+  submit(kAway);
+  settled();
+  EXPECT_NE(place_m(), 2.0) << "nobody watches";
+  submit(kAway, true);
+  EXPECT_NEAR(place_m(), 2.0, 1e-6) << "in this very frame, though the time stands still";
+}
+
+TEST_F(shown_scene, what_is_out_of_view_is_that_of_the_kind_of_skinning_that_is_evaluated) {
+  Exhibit arm;
+  arm.scene = test::arm_scene();
+  const auto beside = [](double x) { return look_at({x, 1.0, 10.0}, {x, 1.0, 0.0}, 0.1, 0.05); };
+  FrustumCulling linear(arm.scene, needs_of(arm, {})),
+      other(arm.scene, needs_of(arm, {.skinning = Skinning::dual_quaternion}));
+  double x = 0.0;  // where only the other kind may reach
+  while (x < 9.0 && linear.of(0, beside(x), 1.5).every_instance == other.of(0, beside(x), 1.5).every_instance) x += 0.1;
+  ASSERT_LT(x, 9.0);
+  show(std::move(arm));
+  for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::linear, Skinning::dual_quaternion}) {
+    shown_->plan_for({.skinning = skinning});
+    shown_->playback().seek(shown_->playback().time_s() + 0.1);
+    submit(beside(x));
+    EXPECT_EQ(settled().instances[0].visible, skinning != Skinning::linear);
+  }
+}
+
 TEST_F(shown_scene, the_coming_view_of_a_camera_is_the_view_of_the_pose_that_comes) {
   show(gliding_box(true));
   EXPECT_TRUE(shown_->is_moved(0));
@@ -194,13 +225,34 @@ TEST_F(shown_scene, the_extent_is_that_of_the_clip_or_of_the_rest_pose) {
   }
 }
 
-TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
-  const Bytes bytes = with_damage(flag_bytes(), 10);
+/// A cache alone.
+Exhibit flag(const Bytes& bytes) {
   CacheAlone alone = flag_alone(bytes);
   Exhibit exhibit;
   exhibit.scene = std::move(alone.scene);
   exhibit.cache = std::move(alone.cache);
-  show(std::move(exhibit));
+  return exhibit;
+}
+
+TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stands_still) {
+  const Bytes bytes = flag_bytes();
+  show(flag(bytes));
+  shown_->playback().seek(0.5);
+  const auto corner = [&](float weight) {
+    shown_->set_cache_weight(weight);
+    EXPECT_FALSE(shown_->settled()) << "nobody asked for it";
+    submit(kAhead);
+    return glm::dvec3(settled().primitives[0].positions.back());
+  };
+  const glm::dvec3 whole = corner(1.0f), half = corner(0.5f), quarter = corner(0.25f);
+  EXPECT_GT(glm::length(whole - half), 0.01);
+  EXPECT_LT(glm::length(whole - half - 2.0 * (half - quarter)), 1e-5);
+  shown_.reset();  // before the bytes
+}
+
+TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
+  const Bytes bytes = with_damage(flag_bytes(), 10);
+  show(flag(bytes));
   shown_->playback().seek(0.1);
   submit(kAhead);
   settled();
@@ -210,6 +262,10 @@ TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) 
   settled();
   EXPECT_NE(shown_->cache_fault().find("flag: cache-checksum: "), std::string::npos);
   EXPECT_EQ(shown_->cache_facts()->fault, shown_->cache_fault());
+  shown_->playback().seek(0.1);
+  submit(kAhead);
+  settled();
+  EXPECT_EQ(shown_->cache_fault(), "") << "this frame is whole";
   shown_.reset();  // before the bytes
 }
 

@@ -56,6 +56,11 @@ TEST(update_levels, a_mesh_is_as_large_as_the_ball_around_its_box) {
   flat.half_height_m = 5.0;
   EXPECT_NEAR(size_in_picture(frame.result(), flat), radius_m / 5.0, 1e-6);
   EXPECT_EQ(size_in_picture(FrameResult{}, flat), 0.0);
+  InstanceResult unseen = frame.result().instances[0];
+  unseen.visible = false;
+  FrameResult other = frame.result();
+  other.instances = {&unseen, 1};
+  EXPECT_EQ(size_in_picture(other, flat), 0.0) << "what is not shown has no size";
 }
 
 TEST(update_levels, P19_small_characters_are_sampled_at_the_share_of_their_level) {
