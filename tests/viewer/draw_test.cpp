@@ -63,8 +63,15 @@ TEST_F(drawing, opaque_background_is_the_colour_that_was_asked_for) {
   BuiltScene built;
   RenderOptions options;
   options.background = {0.25f, 0.5f, 0.75f};
-  const FloatPicture picture = render_float(built, kSize, kSize, front_view(), options);
-  EXPECT_LT(glm::length(picture.at(3, 5) - glm::vec4(0.25f, 0.5f, 0.75f, 1.0f)), 1e-3f);
+  const auto off = [&] {
+    const FloatPicture picture = render_float(built, kSize, kSize, front_view(), options);
+    return glm::length(picture.at(3, 5) - glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
+  };
+  EXPECT_LT(off(), 1e-3f);
+  options.backdrop = Backdrop::sharp;
+  EXPECT_GT(off(), 0.05f) << "the environment is behind";
+  options.lighting.environment_intensity = 0.0f;
+  EXPECT_LT(off(), 1e-3f) << "there is no light to show";
 }
 
 TEST_F(drawing, one_sided_faces_show_their_front_only_and_mirrored_ones_their_other_winding) {

@@ -195,6 +195,31 @@ TEST_F(look, P14_deformed_meshes_are_culled_by_the_box_of_their_vertices) {
   EXPECT_EQ(draw_count({}), 1u) << "not asked for: drawn";
 }
 
+TEST_F(look, what_is_deformed_covers_the_box_of_its_vertices_wherever_its_node_is) {
+  Seen seen;
+  const Primitive shape = square(0.5f);
+  BuiltScene built;
+  built.add(shape, built.add_material(glowing({1, 0, 0})), translation({1.2f, 0.0f, 0.0f}));
+  built.deform(0, shape.positions, shape.normals);
+  FrameResult result = built.frame();
+  InstanceResult instance = result.instances[0];
+  instance.bounds = {{0.7f, 0, -0.5f}, {1.7f, 0, 0.5f}};
+  result.instances = {&instance, 1};
+  const SceneUpload scene(*test_device(), built.scene);
+  FrameUpload frame(*test_device(), built.scene, 1);
+  frame.update(0, result);
+  const DrawnScene drawn{&scene, &frame};
+  DrawList draws;
+  draws.collect({&drawn, 1}, 0, seen.view, 1.0, 1.0f);
+  CoveredArea expected(seen.view, 1.0);
+  expected.add_box(seen.view.view_from_world, instance.bounds);
+  const VkRect2D area = draws.opaque_area().texels({kSize, kSize}, 1), box = expected.texels({kSize, kSize}, 1);
+  EXPECT_EQ(area.offset.x, box.offset.x);
+  EXPECT_EQ(area.offset.y, box.offset.y);
+  EXPECT_EQ(area.extent.width, box.extent.width);
+  EXPECT_EQ(area.extent.height, box.extent.height);
+}
+
 TEST_F(look, what_blends_in_any_order_lies_between_the_ends_of_its_bounds) {
   Seen seen;
   Material glass = matte(glm::vec3(0.5f));

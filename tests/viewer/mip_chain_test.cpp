@@ -8,6 +8,7 @@
 
 #include "tests/reference/texture.h"
 #include "tests/support/fixed_random.h"
+#include "viewer/upload/alpha_coverage.h"
 
 namespace sinew::viewer {
 namespace {
@@ -143,6 +144,9 @@ TEST(mip_chain, alpha_tests_keep_the_same_share_of_every_level) {
     for (std::size_t l = 1; l < 5; ++l) {  // to 4 x 4
       EXPECT_NEAR(kept(levels[l], cutoff), kept(levels[0], cutoff), 0.05)
           << "cutoff " << int{cutoff} << ", level " << l;
+      MipLevel kept_alone = plain[l];
+      keep_coverage(levels[0], cutoff, kept_alone);
+      EXPECT_EQ(levels[l].rgba, kept_alone.rgba) << "that of the image, not of the level before";
       for (std::size_t i = 0; i < levels[l].rgba.size(); ++i)
         EXPECT_TRUE(i % 4 == 3 || levels[l].rgba[i] == plain[l].rgba[i]) << "colours are as without a test";
     }

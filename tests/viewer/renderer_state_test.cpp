@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A renderer that has drawn in other ways draws what a fresh one does, whatever images, sets and pipelines are there.
+// A renderer that has drawn in other ways draws and tells what a fresh one does, whatever images, sets and pipelines
+// are there.
 #include "samples/showcase/shapes.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
+#include "viewer/app/live_plan.h"
 
 namespace sinew::viewer {
 namespace {
@@ -34,6 +36,7 @@ struct Way {
   const char* what;
   RenderOptions options;
   std::size_t lights = 3;  ///< that are not hidden
+  bool sign = true;        ///< the unlit one is not hidden
 };
 
 std::vector<Way> ways() {
@@ -53,6 +56,7 @@ std::vector<Way> ways() {
   return {{"one light", plain, 1},
           {"three lights", plain},
           {"weighted, smooth", smooth},
+          {"one light after three", plain, 1, false},
           {"gooch", gooch},
           {"automatic exposure", automatic, 2},
           {"another environment", evening},
@@ -60,17 +64,39 @@ std::vector<Way> ways() {
           {"one light again", plain, 1}};
 }
 
+/// The frame of a way. It refers to `built` and to what is given.
+FrameResult frame_of(const BuiltScene& built, const Way& way, std::vector<char>& hidden,
+                     std::vector<InstanceResult>& instances) {
+  FrameResult frame = built.frame();
+  hidden.assign(frame.model.size(), 0);
+  for (std::size_t i = way.lights; i < built.scene.lights.size(); ++i) hidden[built.scene.lights[i].joint] = 1;
+  frame.hidden = {reinterpret_cast<const bool*>(hidden.data()), hidden.size()};
+  instances.assign(frame.instances.begin(), frame.instances.end());
+  instances.back().visible = way.sign;
+  hidden[built.scene.instances.back().joint] = !way.sign;
+  frame.instances = instances;
+  return frame;
+}
+
+/// What the live plan says of a frame, without its times.
+std::string told(FrameReport report) {
+  report.collect_us = 0.0;
+  LivePlan live;
+  live.drawn({}, report, {});
+  return plan_text(live.rows());
+}
+
 TEST_F(renderer_state, what_was_drawn_before_leaves_nothing_behind) {
   const BuiltScene built = all_kinds();
   const View view = look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05);
   Headless used(*test_device(), built.scene, 32, 24);
+  std::vector<char> hidden;
+  std::vector<InstanceResult> instances;
   for (const Way& way : ways()) {
-    std::vector<char> hidden(built.frame().model.size(), 0);
-    for (std::size_t i = way.lights; i < built.scene.lights.size(); ++i) hidden[built.scene.lights[i].joint] = 1;
-    FrameResult frame = built.frame();
-    frame.hidden = {reinterpret_cast<const bool*>(hidden.data()), hidden.size()};
+    const FrameResult frame = frame_of(built, way, hidden, instances);
     Headless fresh(*test_device(), built.scene, 32, 24);
     EXPECT_EQ(used.render(frame, view, way.options).rgba, fresh.render(frame, view, way.options).rgba) << way.what;
+    EXPECT_EQ(told(used.report()), told(fresh.report())) << way.what;
   }
 }
 

@@ -248,6 +248,31 @@ TEST_F(mesh_set, streams_lie_one_after_another_on_multiples_of_16_bytes_behind_t
     EXPECT_EQ(set.default_of(zero), 0u);
 }
 
+TEST_F(mesh_set, each_primitive_brings_its_own_access) {
+  Scene scene;
+  scene.meshes.resize(2);
+  VertexAccess access;
+  std::size_t lists = 0;
+  for (Mesh& mesh : scene.meshes) {
+    mesh.primitives.resize(2);
+    auto& values = access.values.emplace_back();
+    for (Primitive& primitive : mesh.primitives) {
+      primitive.positions.resize(1);
+      values.emplace_back(4 * ++lists, 0.5f);  // of 4 key poses, 8, 12 and 16
+    }
+  }
+  Staging copies(*test_device());
+  const MeshSet set(*test_device(), scene, &access, copies);
+  copies.send();
+  VkDeviceSize at = 48;  // behind the defaults
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const auto& places = set.primitive(i / 2, i % 2).attributes;
+    EXPECT_EQ(places[0], at) << i;
+    EXPECT_EQ(places[static_cast<std::size_t>(Attribute::access)], at + 16) << i;
+    at += 16 + 16 * (i + 1);
+  }
+}
+
 class material_set : public DeviceTest {};
 
 TEST_F(material_set, each_material_has_a_set_and_a_copy_in_each_slot_only_where_clips_animate_some) {

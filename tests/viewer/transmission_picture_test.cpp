@@ -77,7 +77,8 @@ TEST_F(transmission_picture, panes_filter_each_other_from_far_to_near) {
   Primitive moved = wall();  // its middle is not its origin
   for (glm::vec3& p : moved.positions) p += glm::vec3(0.6f, -0.5f, 0.5f);
   built.add(moved, built.add_material(second));
-  built.add(wall(), built.add_material(blended), translation({0.1f, 0.3f, 0.1f}));
+  for (const glm::vec3& place : {glm::vec3(0.1f, 0.3f, 0.1f), {0.9f, -0.4f, 0.7f}})  // behind all, and before them
+    built.add(wall(), built.add_material(blended), translation(place));
   expect_reference_picture(built, before_pane(), every_light(), kBounds);
 }
 
@@ -115,6 +116,16 @@ TEST_F(transmission_picture, other_layers_and_the_texture_scale_what_passes) {
     built.add(wall(), built.add_material(pane), translation({-0.2f, 0.1f, 0.3f}));
     expect_reference_picture(lit_wall(std::move(built), plain()), before_pane(), every_light(), kBounds);
   }
+}
+
+TEST_F(transmission_picture, the_texture_of_the_colour_filters_what_passes) {
+  BuiltScene built;
+  Material pane = glass({1.0f, 0.9f, 0.8f, 1.0f});
+  pane.base_color_texture.texture = add_noise_texture(built);
+  built.add(wall(), built.add_material(pane), translation({-0.2f, 0.1f, 0.3f}));
+  PictureBounds bounds = kBounds;
+  bounds.bound = kDecodedBound;
+  expect_reference_picture(lit_wall(std::move(built), plain()), before_pane(), every_light(), bounds);
 }
 
 TEST_F(transmission_picture, rough_surfaces_blur_what_is_opaque_behind_them) {
