@@ -231,6 +231,20 @@ TEST(decode_meshopt, G61_reads_version_1_and_the_color_filter) {
             (std::vector<std::uint16_t>{65534, 1, 0, 65535}));
 }
 
+TEST(decode_meshopt, G61_a_stream_begins_anywhere_in_any_buffer) {
+  const std::vector<float> values = some_floats(12);
+  gltf::Document document = compressed(encode_vertices(values, 12), 4, 12, "ATTRIBUTES");
+  std::vector<std::byte> longer(7, std::byte{0xa0});
+  const gltf::Bytes stream = document.buffers[0].bytes;
+  longer.insert(longer.end(), stream.begin(), stream.end());
+  longer.resize(longer.size() + 5);
+  document.storage.push_back(longer);
+  document.buffers.resize(3);
+  document.buffers[2].bytes = document.storage.back();
+  document.buffer_views[0].extensions["EXT_meshopt_compression"].update({{"buffer", 2}, {"byteOffset", 7}});
+  EXPECT_EQ(decoded<float>(document), values);
+}
+
 TEST(decode_meshopt, refuses_triangles_that_are_not_whole) {
   EXPECT_THAT(error_of(compressed(encode_triangles({0, 1, 2}, 3), 4, 4, "TRIANGLES")).detail,
               HasSubstr("multiple of 3"));

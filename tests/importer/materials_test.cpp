@@ -185,6 +185,16 @@ TEST(read_materials, approximate_specular_glossiness_with_a_warning) {
   EXPECT_EQ(m.base_color_texture.texcoord, 2u);
 }
 
+TEST(read_materials, take_a_surface_whose_specular_colour_is_in_a_texture_for_no_metal) {
+  gltf::Material source;
+  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 0.125, 0.75],
+      "glossinessFactor": 0.75, "specularGlossinessTexture": {"index": 0}}})");
+  const auto [m, warnings] = read_one(source, 1);
+  EXPECT_EQ(m.metallic, 0.0f);
+  EXPECT_EQ(m.roughness, 0.25f);
+  EXPECT_EQ(m.base_color, glm::vec4(0.5f, 0.25f, 0.125f, 0.75f));
+}
+
 TEST(read_materials, prefer_the_files_own_metallic_roughness_version) {
   gltf::Material source;
   source.pbrMetallicRoughness.roughnessFactor = 0.5;

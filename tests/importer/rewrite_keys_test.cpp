@@ -69,7 +69,10 @@ TEST(rewrite_keys, samplers_go_with_their_last_channel_alone) {
 }
 
 TEST(rewrite_keys, the_scenes_own_keys_change_no_byte) {
-  const TinyGltf gltf = moving();
+  TinyGltf gltf = moving();
+  Json second = gltf.root["animations"][0];
+  second["samplers"][0]["output"] = gltf.vec3({5, 0, 0, 6, 0, 0, 7, 0, 0});
+  gltf.root["animations"].push_back(second);
   const Rewritten same = rewritten_keys(gltf, [](auto&) {});
   EXPECT_EQ(same.json, rewritten(gltf).json);
   expect_equal(same.before.scene, same.after.scene);
@@ -209,22 +212,26 @@ TEST(rewrite_keys, weights_of_a_node_and_single_ones_are_told_apart) {
   gltf.root["nodes"].push_back({{"mesh", 0}});
   gltf.animate("weights", gltf.times({0, 1}), gltf.scalars({0, 0, 1, 1}));
   Json& animation = gltf.root["animations"][0];
-  animation["samplers"].push_back({{"input", gltf.times({0, 2})}, {"output", gltf.scalars({0, 0.5})}});
-  animation["channels"].push_back(
-      {{"sampler", 1},
-       {"target",
-        {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/1/weights/1"}}}}}}}});
+  const std::size_t times = gltf.times({0, 2});
+  for (const std::string target : {"0", "1"}) {
+    const Json pointer{{"pointer", "/nodes/1/weights/" + target}};
+    animation["channels"].push_back(
+        {{"sampler", animation["samplers"].size()},
+         {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}}}});
+    animation["samplers"].push_back({{"input", times}, {"output", gltf.scalars({0, 0.5})}});
+  }
   gltf.root["extensionsUsed"] = {"KHR_animation_pointer"};
-  const Rewritten out = rewritten_keys(gltf, [](auto& animations) {
-    ASSERT_EQ(animations[0].weights.size(), 2u);
-    animations[0].weights[0].weights.values = {0.25f, 0.25f, 0.5f, 0.5f};
-    animations[0].weights[1].weights.values = {0.75f, 1.0f};
+  const std::vector<float> values[] = {{0.25f, 0.25f, 0.5f, 0.5f}, {0.125f, 0.375f}, {0.75f, 1.0f}};
+  const Rewritten out = rewritten_keys(gltf, [&](auto& animations) {
+    ASSERT_EQ(animations[0].weights.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) animations[0].weights[i].weights.values = values[i];
   });
   const auto& weights = out.after.scene.animations[0].weights;
-  ASSERT_EQ(weights.size(), 2u);
-  EXPECT_EQ(weights[0].weights.values, (std::vector<float>{0.25f, 0.25f, 0.5f, 0.5f}));
-  EXPECT_EQ(weights[1].weights.values, (std::vector<float>{0.75f, 1.0f}));
-  EXPECT_EQ(weights[1].first_target, 1u);
+  ASSERT_EQ(weights.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(weights[i].weights.values, values[i]);
+    EXPECT_EQ(weights[i].first_target, i == 2 ? 1u : 0u);
+  }
 }
 
 TEST(rewrite_keys, weights_of_two_nodes_that_show_one_mesh_stay_apart) {
@@ -315,6 +322,43 @@ TEST(rewrite_keys, a_matrix_that_is_animated_now_is_taken_apart_or_is_a_loss) {
   EXPECT_EQ(sheared.error().issue.json_pointer, "/nodes/0/matrix");
   EXPECT_THAT(sheared.error().issue.detail, testing::HasSubstr("node-matrix-animated"));
   EXPECT_TRUE(split_glb(rewrite(gltf)->file).json["nodes"][0].contains("matrix")) << "without animation it stays";
+}
+
+TEST(rewrite_keys, a_matrix_is_taken_apart_at_the_node_of_its_joint) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  gltf.root["nodes"][0]["matrix"] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1};
+  gltf.root["nodes"].push_back({{"children", {0}}, {"matrix", {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1}}});
+  Animation up = up_and_round();
+  up.bones[0].joint = 1;  // node 0
+  const auto out = with_added(gltf, {up});
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  const Json nodes = split_glb(out->file).json["nodes"];
+  EXPECT_EQ(nodes[0].value("translation", Json()), Json::array({5, 6, 7}));
+  EXPECT_FALSE(nodes[0].contains("matrix"));
+  EXPECT_TRUE(nodes[1].contains("matrix"));
+}
+
+TEST(rewrite_keys, added_properties_are_named_by_pointers_and_keep_their_numbers) {
+  TinyGltf gltf = moving();
+  gltf.root["materials"] = Json::array({Json::object()});
+  gltf.root["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = true;
+  gltf.root["extensionsUsed"] = {"KHR_node_visibility"};
+  const PropertyTrack shown{{PropertyKind::node_visible, 1}, {Interpolation::step, {0, 1}, {1, 0}, 1}},
+      bright{{PropertyKind::emissive, 0}, {Interpolation::linear, {0, 1}, {0, .5f, 1, 1, .25f, 0}, 3}};
+  const auto out = with_added(gltf, {{"glow", 1.0, {}, {}, {shown, bright}}});
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  EXPECT_EQ(split_glb(out->file).json["extensionsUsed"], (Json{"KHR_node_visibility", "KHR_animation_pointer"}));
+  const auto after = import_gltf(out->file, "after.glb");
+  ASSERT_EQ(outcome(after), "ok");
+  const auto& properties = after->scene.animations.back().properties;
+  ASSERT_EQ(properties.size(), 2u);
+  for (const std::size_t i : {0u, 1u}) {
+    const PropertyTrack& made = i == 0 ? shown : bright;
+    EXPECT_EQ(properties[i].target, made.target);
+    EXPECT_EQ(properties[i].values.values, made.values.values);
+    EXPECT_EQ(properties[i].values.interpolation, made.values.interpolation);
+  }
 }
 
 }  // namespace

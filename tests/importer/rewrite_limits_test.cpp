@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Streams at the limits of what their small forms can hold.
+// Streams at the limits of what their small forms can hold, and accessors that several uses share.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -92,6 +94,99 @@ TEST(rewrite_limits, decoded_views_lie_apart_at_multiples_of_four) {
   }
   EXPECT_EQ(compressed, 3u);
   EXPECT_GE(json["buffers"].back()["byteLength"].get<std::size_t>(), end);
+}
+
+/// A file, and the same after it was written with smaller numbers.
+std::pair<Scene, Scene> recoded(const TinyGltf& gltf) {
+  const auto out = rewrite(gltf, quantized());
+  if (!out) throw std::runtime_error(describe("file", out.error().issue));
+  auto before = gltf.import(), after = import_gltf(out->file, "recoded.glb");
+  return {std::move(before.value().scene), std::move(after.value().scene)};
+}
+
+/// Where the corners of the triangles of every primitive of the first mesh are.
+std::vector<glm::vec3> corners(const Scene& scene) {
+  std::vector<glm::vec3> out;
+  for (const Primitive& primitive : scene.meshes.at(0).primitives)
+    for (const std::uint32_t v : primitive.indices) out.push_back(primitive.positions[v]);
+  return out;
+}
+
+/// Four vertices, which triangles name in an order that is not theirs.
+TinyGltf turned_square() {
+  TinyGltf gltf;
+  Json& primitive = gltf.add_triangle();
+  primitive["attributes"]["POSITION"] = gltf.vec3({0.6f, 0.8f, 0, 0, 0.28f, 0.96f, 0.8f, 0, -0.6f, 0, 0, 1});
+  primitive["indices"] = gltf.add(std::vector<std::uint16_t>{2, 0, 3, 2, 3, 1}, "SCALAR", 5123, 1);
+  return gltf;
+}
+
+TEST(rewrite_limits, nothing_moves_whatever_shares_its_numbers_or_lies_between_them) {
+  const std::pair<const char*, std::function<void(TinyGltf&, Json&)>> changes[] = {
+      {"nothing", [](TinyGltf&, Json&) {}},
+      {"indices of two primitives",
+       [](TinyGltf& gltf, Json& primitives) {
+         primitives.push_back(primitives[0]);
+         primitives[1]["attributes"]["POSITION"] = gltf.vec3({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+       }},
+      {"positions and normals",
+       [](TinyGltf&, Json& primitives) {
+         primitives[0]["attributes"]["NORMAL"] = primitives[0]["attributes"]["POSITION"];
+       }},
+      {"positions and places of copies",
+       [](TinyGltf& gltf, Json& primitives) {
+         gltf.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+             primitives[0]["attributes"]["POSITION"];
+         gltf.root["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+       }},
+      {"numbers between those of vertices", [](TinyGltf& gltf, Json& primitives) {
+         const std::size_t view = gltf.add_view(std::vector<float>{1, 2, 3, 9, 4, 5, 6, 9, 7, 8, 9, 9, 1, 1, 1, 9});
+         gltf.root["bufferViews"][view]["byteStride"] = 16;
+         gltf.root["accessors"][primitives[0]["attributes"]["POSITION"].get<std::size_t>()]["bufferView"] = view;
+       }}};
+  for (const auto& [what, change] : changes) {
+    TinyGltf gltf = turned_square();
+    change(gltf, gltf.root["meshes"][0]["primitives"]);
+    const auto [before, after] = recoded(gltf);
+    EXPECT_EQ(corners(before), corners(after)) << what;
+    EXPECT_EQ(before.instances.at(0).copies, after.instances.at(0).copies) << what;
+  }
+}
+
+TEST(rewrite_limits, small_elements_begin_at_multiples_of_four) {
+  TinyGltf gltf = turned_square();
+  Json& attributes = gltf.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["COLOR_0"] = gltf.vec3({0, 0.2f, 1, 1, 0.4f, 0, 0.6f, 0, 1, 1, 1, 0});
+  attributes["NORMAL"] = gltf.vec3({0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 1});
+  const Json json = rewritten(gltf, quantized()).json;
+  for (const char* name : {"COLOR_0", "NORMAL"}) {
+    const Json& accessor = json["accessors"][json["meshes"][0]["primitives"][0]["attributes"][name].get<std::size_t>()];
+    EXPECT_LT(accessor["componentType"], 5122) << name;
+    EXPECT_EQ(accessor.value("byteOffset", 0) % 4, 0) << name;
+    EXPECT_EQ(json["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteStride"], 4) << name;
+  }
+  const auto [before, after] = recoded(gltf);
+  const auto colors = [](const Scene& scene) {
+    const Primitive& primitive = scene.meshes[0].primitives[0];
+    std::vector<glm::vec4> out;
+    for (const std::uint32_t v : primitive.indices) out.push_back(primitive.colors[v]);
+    return out;
+  };
+  EXPECT_EQ(colors(before), colors(after)) << "multiples of 1 / 255";
+}
+
+TEST(rewrite_limits, rotations_along_a_curve_stay_floats) {
+  for (const char* interpolation : {"LINEAR", "STEP", "CUBICSPLINE"}) {
+    const bool curve = std::string(interpolation) == "CUBICSPLINE";
+    TinyGltf gltf;
+    gltf.add_triangle();
+    std::vector<float> keys{0, 0.5f, 0, 0, 0, 0, 0, 1};
+    if (curve) keys.insert(keys.end(), {0, 0.25f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0});
+    gltf.animate("rotation", gltf.times({0, 1}), gltf.vec4(keys), interpolation);
+    const Json json = rewritten(gltf, quantized()).json;
+    const std::size_t output = json["animations"][0]["samplers"][0]["output"];
+    EXPECT_EQ(json["accessors"][output]["componentType"], curve ? 5126 : 5122) << interpolation;
+  }
 }
 
 }  // namespace
