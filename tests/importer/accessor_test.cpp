@@ -145,16 +145,22 @@ TEST(accessor, G27_columns_of_small_matrices_are_padded) {
   EXPECT_EQ(element_layout(ElementType::mat4, ComponentType::f32).element_bytes, 64u);
 }
 
-void make_sparse(Fixture& fixture, std::vector<std::uint16_t> indices, std::vector<float> values) {
+template <class Index, class T>
+void make_sparse(Fixture& fixture, ComponentType index_type, const std::vector<Index>& indices,
+                 const std::vector<T>& values) {
   const auto copy = [](const auto& list) {
     const auto bytes = std::as_bytes(std::span(list));
     return std::vector<std::byte>(bytes.begin(), bytes.end());
   };
   auto& sparse = fixture.accessor().sparse;
   sparse.count = indices.size();
-  sparse.index_type = ComponentType::u16;
+  sparse.index_type = index_type;
   sparse.indices_view = fixture.add_view(copy(indices));
   sparse.values_view = fixture.add_view(copy(values));
+}
+
+void make_sparse(Fixture& fixture, std::vector<std::uint16_t> indices, std::vector<float> values) {
+  make_sparse(fixture, ComponentType::u16, indices, values);
 }
 
 TEST(accessor, G24_sparse_replaces_elements_of_its_base) {
@@ -172,6 +178,47 @@ TEST(accessor, G24_sparse_indices_and_values_may_begin_anywhere_in_their_views) 
   fixture.accessor().sparse.values_offset = 4;
   EXPECT_EQ(fixture.checked(), "ok");
   EXPECT_THAT(read_floats(fixture.document, 0), ElementsAre(10, 20, 3, 4, 50, 60));
+}
+
+/// Three elements of two numbers, `padding` more apart, of which the first and the last are replaced.
+template <class T, class Index>
+void expect_replaced(ComponentType type, ComponentType index_type, std::size_t padding, bool normalized) {
+  SCOPED_TRACE(testing::Message() << int(type) << ' ' << int(index_type) << ' ' << padding << ' ' << normalized);
+  std::vector<T> base;
+  for (int element = 0; element < 3; ++element) {
+    base.insert(base.end(), {static_cast<T>(2 * element + 1), static_cast<T>(2 * element + 2)});
+    base.insert(base.end(), padding, T(0));
+  }
+  Fixture sparse(base, type, ElementType::vec2, 3),
+      dense(std::vector<T>{51, 102, 3, 4, 100, 7}, type, ElementType::vec2, 3);
+  if (padding > 0) sparse.document.buffer_views[0].byte_stride = static_cast<std::uint32_t>((2 + padding) * sizeof(T));
+  make_sparse(sparse, index_type, std::vector<Index>{0, 2}, std::vector<T>{51, 102, 100, 7});
+  for (Fixture* fixture : {&sparse, &dense}) fixture->accessor().normalized = normalized;
+  EXPECT_EQ(read_floats(sparse.document, 0), read_floats(dense.document, 0));
+  EXPECT_EQ(read_stored(sparse.document, 0), read_stored(dense.document, 0));
+  EXPECT_EQ(read_vectors<glm::vec2>(sparse.document, 0), read_vectors<glm::vec2>(dense.document, 0));
+  EXPECT_EQ(read_replacements<glm::vec2>(sparse.document, 0).values.at(1),
+            read_vectors<glm::vec2>(dense.document, 0)[2]);
+}
+
+template <class T>
+void expect_replaced(ComponentType type) {
+  for (const std::size_t padding : {0u, 1u, 2u})
+    for (const bool normalized : {false, true}) {
+      if (normalized && sizeof(T) == 4) continue;
+      expect_replaced<T, std::uint8_t>(type, ComponentType::u8, padding, normalized);
+      expect_replaced<T, std::uint16_t>(type, ComponentType::u16, padding, normalized);
+      expect_replaced<T, std::uint32_t>(type, ComponentType::u32, padding, normalized);
+    }
+}
+
+TEST(accessor, G24_sparse_elements_of_every_type_and_stride_are_those_of_a_dense_accessor) {
+  expect_replaced<std::int8_t>(ComponentType::i8);
+  expect_replaced<std::uint8_t>(ComponentType::u8);
+  expect_replaced<std::int16_t>(ComponentType::i16);
+  expect_replaced<std::uint16_t>(ComponentType::u16);
+  expect_replaced<std::uint32_t>(ComponentType::u32);
+  expect_replaced<float>(ComponentType::f32);
 }
 
 TEST(accessor, G28_no_view_is_zeros_before_sparse) {

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "importer/export_glb.h"
 #include "tests/importer/tiny_gltf.h"
+#include "tests/support/scene_equality.h"
 
 namespace sinew::test {
 namespace {
@@ -88,6 +90,54 @@ TEST(build_cameras, a_far_plane_that_is_not_behind_the_near_one_is_none) {
       EXPECT_EQ(read.camera.near_m, 0.25f) << type << far;
     }
   }
+}
+
+/// Node 0 lies below node 2, and node 1 below node 0, so that no node has the number of its joint. Each carries a
+/// camera, a light and a mesh, and is the root of a scene. Node 1 is hidden, until a clip shows it.
+TinyGltf turned_chain() {
+  TinyGltf file;
+  file.add_triangle();
+  Json& root = file.root;
+  root["nodes"] = Json::parse(R"([{"children": [1]}, {}, {"children": [0]}])");
+  for (int n = 0; n < 3; ++n) {
+    const std::string name = std::to_string(n);
+    Json& node = root["nodes"][static_cast<std::size_t>(n)];
+    node["camera"] = n;
+    node["mesh"] = 0;
+    node["extensions"]["KHR_lights_punctual"]["light"] = n;
+    root["cameras"].push_back({{"name", name}, {"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+    root["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"name", name}, {"type", "point"}});
+    root["scenes"].push_back({{"nodes", {n}}});
+  }
+  root["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = false;
+  const std::size_t shown = file.add(std::vector<std::uint8_t>{0, 1}, "SCALAR", 5121, 1);
+  file.animate("pointer", file.times({0, 1}), shown, "STEP");
+  const Json pointer{{"pointer", "/nodes/1/extensions/KHR_node_visibility/visible"}};
+  root["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"] = pointer;
+  return file;
+}
+
+TEST(build_placements, what_a_node_carries_hangs_on_its_joint_and_comes_back_from_a_file) {
+  const auto result = turned_chain().import();
+  ASSERT_EQ(outcome(result), "ok");
+  const Scene& scene = result->scene;
+  const std::vector<std::uint32_t> joints{1, 2, 0};
+  ASSERT_EQ(scene.skeleton.joint_of_node, joints);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_EQ(scene.cameras.at(n).joint, joints[n]);
+    EXPECT_EQ(scene.cameras[n].name, std::to_string(n));
+    EXPECT_EQ(scene.lights.at(n).joint, joints[n]);
+    EXPECT_EQ(scene.lights[n].name, std::to_string(n));
+    EXPECT_EQ(scene.instances.at(n).joint, joints[n]);
+    EXPECT_EQ(scene.scenes.at(n).joints, std::vector{joints[n]});
+  }
+  EXPECT_EQ(scene.hidden_joints, std::vector{joints[1]});
+  EXPECT_EQ(scene.animations.at(0).properties.at(0).target.index, joints[1]);
+  const auto bytes = export_glb(scene);
+  ASSERT_TRUE(bytes);
+  const auto again = import_gltf(*bytes, "again.glb");
+  ASSERT_EQ(outcome(again), "ok");
+  expect_equal(scene, again->scene);
 }
 
 }  // namespace

@@ -48,6 +48,31 @@ TEST(build_skeleton, G50_a_matrix_is_kept_verbatim_unless_it_is_animated) {
   EXPECT_EQ(moved->scene.skeleton.rest[0].scale, glm::vec3(2));
 }
 
+/// Nodes 2 - 0 - 1 from the root on, so that no node has the number of its joint.
+TEST(build_skeleton, G50_a_matrix_goes_where_any_animation_moves_its_own_node) {
+  for (int moved = 0; moved < 3; ++moved)
+    for (const bool second : {false, true}) {
+      SCOPED_TRACE(testing::Message() << moved << second);
+      TinyGltf file;
+      file.root["nodes"] = Json::parse(R"([{"children": [1]}, {}, {"children": [0]}])");
+      for (std::size_t n = 0; n < 3; ++n) file.root["nodes"][n]["matrix"] = matrix(0, 2.0f + static_cast<float>(n));
+      file.animate("scale", file.times({0, 1}), file.vec3({1, 1, 1, 2, 2, 2}));
+      Json& animations = file.root["animations"];
+      animations[0]["channels"][0]["target"]["node"] = moved;
+      if (second) animations.insert(animations.begin(), animations[0]);
+      if (second) animations[0]["channels"][0]["target"].erase("node");
+      const auto result = file.import();
+      ASSERT_EQ(outcome(result), "ok");
+      const Skeleton& s = result->scene.skeleton;
+      for (int n = 0; n < 3; ++n) {
+        const std::uint32_t joint = s.joint_of_node[static_cast<std::size_t>(n)], fixed = s.fixed_matrix_of[joint];
+        ASSERT_EQ(fixed == kNone, n == moved) << n;
+        const float scale = n == moved ? s.rest[joint].scale.x : s.fixed_matrices[fixed].row[0].x;
+        EXPECT_EQ(scale, 2.0f + static_cast<float>(n));
+      }
+    }
+}
+
 TEST(build_skeleton, G50_T3_of_matrix_and_trs_the_matrix_counts) {
   TinyGltf file;
   file.root["nodes"] = Json::array({{{"matrix", matrix()}, {"translation", {1, 2, 3}}}});
@@ -129,6 +154,24 @@ TEST(build_skins, the_root_that_a_skin_names_is_a_joint_of_the_skeleton) {
   }
 }
 
+TEST(build_skins, G31_each_skin_has_a_name_and_matrices_of_its_own) {
+  TinyGltf file = with_skin(matrix(0, 2), 1);
+  const std::size_t others = file.add(matrix(0, 3), "MAT4", 5126, 16);
+  file.root["skins"][0]["name"] = "first";
+  file.root["skins"].push_back({{"name", "second"}, {"joints", {2}}, {"inverseBindMatrices", others}});
+  file.root["skins"].push_back({{"name", "third"}, {"joints", {1}}});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const auto& skins = result->scene.skins;
+  ASSERT_THAT(skins, SizeIs(3));
+  const char* names[] = {"first", "second", "third"};
+  const float scales[] = {2, 3, 1};
+  for (std::size_t s = 0; s < 3; ++s) {
+    EXPECT_EQ(skins[s].name, names[s]);
+    EXPECT_EQ(skins[s].inverse_bind.at(0).row[0].x, scales[s]) << s;
+  }
+}
+
 TEST(build_skins, G32_joints_under_different_roots_are_a_warning) {
   TinyGltf file = with_skin(matrix(), 1);
   file.root["skins"][0] = {{"joints", {1, 3}}};
@@ -169,6 +212,20 @@ TEST(build_instances, G34_one_mesh_may_have_several_skins_and_a_skin_without_joi
   EXPECT_TRUE(warns(dropped, "node-skin-unused", "/nodes/0/skin"));
   EXPECT_TRUE(warns(dropped, "node-skin-without-mesh", "/nodes/1/skin"));
   EXPECT_EQ(dropped->scene.instances[0].skin, kNone);
+}
+
+TEST(build_instances, a_mesh_has_a_skin_where_any_of_its_primitives_has_joints) {
+  for (const bool skinned_first : {false, true}) {
+    TinyGltf file;
+    file.add_skinned_triangle(std::vector<std::uint8_t>(12), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    Json& primitives = file.root["meshes"][0]["primitives"];
+    const Json plain{{"attributes", {{"POSITION", primitives[0]["attributes"]["POSITION"]}}}};
+    primitives.insert(skinned_first ? primitives.end() : primitives.begin(), plain);
+    const auto result = file.import();
+    ASSERT_EQ(outcome(result), "ok");
+    EXPECT_EQ(result->scene.instances[0].skin, 0u) << skinned_first;
+    EXPECT_FALSE(warns(result, "node-skin-unused", "/nodes/0/skin")) << skinned_first;
+  }
 }
 
 TEST(build_skins, G35_a_joint_may_be_above_its_own_mesh) {

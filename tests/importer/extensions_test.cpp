@@ -62,6 +62,11 @@ TEST(extensions, attributes_of_instances_have_one_shape) {
             "instancing-attributes" + place + "/TRANSLATION");
   EXPECT_EQ(with("SCALE", [](TinyGltf& f) { return f.add(std::vector<std::int16_t>(9), "VEC3", 5122, 3, true); }),
             "instancing-attributes" + place + "/SCALE");
+  EXPECT_EQ(with("ROTATION", [](TinyGltf& f) { return f.add(std::vector<std::int16_t>(12), "VEC4", 5122, 4); }),
+            "instancing-attributes" + place + "/ROTATION")
+      << "integers that are not normalised";
+  EXPECT_EQ(with("ROTATION", [](TinyGltf& f) { return f.add(std::vector<std::uint16_t>(12), "VEC4", 5123, 4, true); }),
+            "instancing-attributes" + place + "/ROTATION");
   EXPECT_EQ(with("COLOR_0", [](TinyGltf& f) { return f.vec3(std::vector<float>(9)); }),
             "instancing-attributes" + place + "/COLOR_0");
   EXPECT_EQ(with("SCALE", [](TinyGltf&) { return 99; }), "reference" + place + "/SCALE");

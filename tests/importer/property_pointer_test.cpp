@@ -181,16 +181,21 @@ TEST(property_pointer, G58_a_property_needs_its_own_object_and_no_other) {
 }
 
 TEST(property_pointer, G58_a_texture_that_nothing_places_has_no_place_to_animate) {
-  const char* text = "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset";
-  for (const bool is_placed : {true, false}) {
-    TinyGltf file = animated(text, 2);
-    Json& texture = file.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
-    ASSERT_TRUE(texture.contains("index"));
-    if (!is_placed) texture.erase("extensions");
-    const auto result = file.import();
-    EXPECT_EQ(result->scene.animations[0].properties.empty(), !is_placed);
-    EXPECT_EQ(warns(result, "animation-pointer", kTarget), !is_placed);
-  }
+  const std::string transform = "/extensions/KHR_texture_transform";
+  std::vector<std::pair<Case, std::string>> textures;
+  for (const Case& c : kCases)
+    if (const std::string text = c.pointer; text.find(transform) != text.npos)
+      textures.emplace_back(c, text.substr(0, text.find(transform)));
+  ASSERT_THAT(textures, SizeIs(5));
+  for (const auto& [c, own] : textures)
+    for (const bool is_placed : {true, false}) {  // it alone, or all others
+      TinyGltf file = animated(c.pointer, c.components);
+      for (const auto& [any, texture] : textures)
+        if ((texture == own) != is_placed) file.root[Json::json_pointer(texture)].erase("extensions");
+      const auto result = file.import();
+      EXPECT_EQ(result->scene.animations[0].properties.empty(), !is_placed) << own;
+      EXPECT_EQ(warns(result, "animation-pointer", kTarget), !is_placed) << own;
+    }
 }
 
 TEST(property_pointer, G58_properties_that_the_runtime_does_not_have_are_ignored_and_named) {
@@ -319,6 +324,16 @@ TEST(property_pointer, G58_default_weights_of_a_mesh_move_the_nodes_without_thei
   const auto own = twice("/meshes/0/weights/0", pointing_at("/nodes/1/weights/0"), 1).import();
   ASSERT_THAT(own->scene.animations[0].weights, SizeIs(2));
   EXPECT_FALSE(warns(own, "animation-duplicate", "/animations/0/channels/1/target")) << "the node's own go first";
+}
+
+TEST(property_pointer, G58_default_weights_of_one_mesh_move_no_node_of_another) {
+  TinyGltf file = animated("/meshes/1/weights/0", 1);
+  file.root["meshes"].push_back(file.root["meshes"][0]);
+  file.root["nodes"].push_back({{"mesh", 1}});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_THAT(result->scene.animations[0].weights, SizeIs(1));
+  EXPECT_EQ(result->scene.animations[0].weights[0].instance, 3u);
 }
 
 TEST(property_pointer, G58_weights_that_another_node_moves_are_free) {

@@ -125,6 +125,9 @@ TEST(spare_parts, positions_have_bounds) {
   TinyGltf file;
   file.add_triangle();
   EXPECT_EQ(warnings_of(file), Found{"mesh-position-bounds at /meshes/0/primitives/0/attributes/POSITION"});
+  Json& primitives = file.root["meshes"][0]["primitives"];
+  primitives.insert(primitives.begin(), Json{{"attributes", {{"_OWN", file.scalars({1})}}}});
+  EXPECT_TRUE(warnings_of(file, false).contains("mesh-position-bounds at /meshes/0/primitives/1/attributes/POSITION"));
 }
 
 /// Nodes 0 - (1 - 2, 3) and 4 alone.
@@ -142,6 +145,14 @@ TEST(spare_parts, G30_the_skeleton_of_a_skin_is_above_all_of_its_joints) {
   for (const auto& [joints, skeleton] : std::vector<std::pair<std::vector<int>, int>>{
            {{1, 2, 3}, 1}, {{0, 1}, 1}, {{2}, 3}, {{1}, 2}, {{1}, 4}, {{4}, 0}})
     EXPECT_EQ(warnings_of(skinned(joints, skeleton), false), Found{"skin-skeleton at /skins/0/skeleton"}) << skeleton;
+}
+
+TEST(spare_parts, G30_the_skeleton_of_each_skin_is_looked_at) {
+  TinyGltf file = skinned({1, 2, 3}, 0);
+  Json& skins = file.root["skins"];
+  skins.insert(skins.begin(), Json{{"joints", {1}}});
+  skins.push_back({{"joints", {2}}, {"skeleton", 3}});
+  EXPECT_EQ(warnings_of(file, false), Found{"skin-skeleton at /skins/2/skeleton"});
 }
 
 /// Places of reports of severity info.

@@ -289,6 +289,24 @@ TEST(tinygltf_view, of_what_both_writers_write_is_that_of_the_importer) {
   EXPECT_GT(rewritten, 0u);
 }
 
+TEST(tinygltf_view, each_part_of_a_sparse_accessor_has_its_own_view_and_offset) {
+  const std::string text = R"({"asset": {"version": "2.0"}, "accessors": [{"componentType": 5123, "count": 9,
+    "type": "VEC2", "bufferView": 1, "byteOffset": 2, "normalized": true, "sparse": {"count": 3,
+      "indices": {"bufferView": 4, "byteOffset": 5, "componentType": 5121},
+      "values": {"bufferView": 6, "byteOffset": 7}}}]})";
+  const gltf::Accessor accessor = read_checked(bytes_of(text)).accessors.at(0);
+  EXPECT_EQ(accessor.buffer_view, 1u);
+  EXPECT_EQ(accessor.byte_offset, 2u);
+  EXPECT_EQ(accessor.count, 9u);
+  EXPECT_TRUE(accessor.normalized);
+  EXPECT_EQ(accessor.sparse.count, 3u);
+  EXPECT_EQ(accessor.sparse.indices_view, 4u);
+  EXPECT_EQ(accessor.sparse.indices_offset, 5u);
+  EXPECT_EQ(accessor.sparse.index_type, gltf::ComponentType::u8);
+  EXPECT_EQ(accessor.sparse.values_view, 6u);
+  EXPECT_EQ(accessor.sparse.values_offset, 7u);
+}
+
 /// What tinygltf alone reads otherwise, and the importer as the file says it.
 TEST(tinygltf_view, differs_where_tinygltf_loses_what_the_file_says) {
   const std::string text = R"({"asset": {"version": "2.0"},
