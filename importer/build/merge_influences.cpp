@@ -68,16 +68,16 @@ class Merger {
   bool gather(std::size_t v) {
     vertex_.clear();
     sum_ = 0.0;
-    for (std::size_t s = 0; s < sets_.size(); ++s)
+    for (const InfluenceSet& set : sets_)
       for (std::size_t k = 4 * v; k < 4 * v + 4; ++k) {
-        const std::uint32_t joint = sets_[s].joints[k];
-        const float weight = sets_[s].weights[k];
+        const std::uint32_t joint = set.joints[k];
+        const float weight = set.weights[k];
         if (weight < 0.0f) ++odd_.negative;
         const bool counts = weight > 1e-20f;
         if (joint >= limit_ && !counts) ++odd_.unused_out_of_range;
         if (!counts) continue;
         if (joint >= limit_) {
-          log_.report(Rule::joint_index, pointer(place_, "JOINTS_" + std::to_string(s)),
+          log_.report(Rule::joint_index, pointer(place_, "JOINTS_" + std::to_string(set.number)),
                       "vertex " + std::to_string(v) + " is moved by joint " + std::to_string(joint) +
                           " of a skin with " + std::to_string(limit_) + " joints");
           return false;

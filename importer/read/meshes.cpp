@@ -147,7 +147,7 @@ class PrimitiveReader {
     for (auto& [set, joints] : joints_) {
       const auto weights = weights_.find(set);
       if (weights == weights_.end()) continue;
-      data_.influence_sets.push_back({std::move(joints), std::move(weights->second)});
+      data_.influence_sets.push_back({set, std::move(joints), std::move(weights->second)});
     }
     if (data_.influence_sets.size() != joints_.size() || joints_.size() != weights_.size())
       log_.report(Rule::mesh_joint_sets, pointer(place_, "attributes"),

@@ -13,6 +13,7 @@ namespace sinew {
 
 /// One JOINTS_n / WEIGHTS_n pair: four entries for each vertex.
 struct InfluenceSet {
+  std::uint32_t number;  ///< n
   std::vector<std::uint32_t> joints;
   std::vector<float> weights;
 };

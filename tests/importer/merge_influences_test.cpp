@@ -94,5 +94,33 @@ TEST(merge_influences, G40_all_joint_sets_count) {
   EXPECT_TRUE(warns(file.import(), "mesh-joint-sets", kAttributes));
 }
 
+TEST(merge_influences, G36_a_joint_past_the_end_is_named_by_the_set_that_has_it) {
+  for (const std::string set : {"0", "1", "2"}) {
+    TinyGltf file;
+    Json& attributes = file.add_skinned_triangle(std::vector<std::uint8_t>(12), std::vector<float>(12))["attributes"];
+    attributes.erase("WEIGHTS_0");
+    attributes["JOINTS_" + set] = file.add(std::vector<std::uint8_t>(12, 7), "VEC4", 5121, 4);
+    attributes["WEIGHTS_" + set] = file.vec4(std::vector<float>(12, 0.25f));
+    EXPECT_EQ(outcome(file.import()), std::string("joint-index at ") + kAttributes + "/JOINTS_" + set);
+  }
+}
+
+TEST(merge_influences, G40_G41_joints_that_repeat_over_many_sets_are_added_up) {
+  for (const int sets : {2, 8, 9}) {
+    const float weight = 1.0f / static_cast<float>(4 * sets);
+    TinyGltf file;
+    Json& attributes =
+        file.add_skinned_triangle({0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1}, std::vector<float>(12, weight))["attributes"];
+    for (int set = 1; set < sets; ++set)
+      for (const std::string name : {"JOINTS_", "WEIGHTS_"})
+        attributes[name + std::to_string(set)] = attributes[name + "0"];
+    const auto result = file.import();
+    ASSERT_EQ(outcome(result), "ok");
+    EXPECT_THAT(only(result).influences.joints, ElementsAre(1, 0, 1, 0, 1, 0)) << sets;
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(only(result).influences.weights.at(i), i % 2 == 0 ? 0.75f : 0.25f, 1e-6f) << sets;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test
