@@ -61,6 +61,16 @@ void write_visibility(const Scene& scene, tinygltf::Model& model) {
   for (const std::uint32_t joint : scene.hidden_joints) write(joint, false);
 }
 
+/// A node of the joint for one more thing of a kind: the joint's own, or a new one below it where `has_one` of it.
+template <class HasOne>
+std::size_t node_for(const Skeleton& skeleton, std::uint32_t joint, tinygltf::Model& model, HasOne has_one) {
+  const std::size_t own = skeleton.node_of_joint[joint], below = model.nodes.size();
+  if (!has_one(model.nodes[own])) return own;
+  model.nodes[own].children.push_back(static_cast<int>(below));
+  model.nodes.emplace_back();
+  return below;
+}
+
 /// Newer releases of tinygltf have a member `light` and drop the extension where that is not set.
 template <class Node>
 void attach_light(Node& node, int light) {
@@ -71,18 +81,24 @@ void attach_light(Node& node, int light) {
 std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
   std::vector<int> node_of_instance;
   for (const auto& instance : scene.instances) {
-    int node = static_cast<int>(scene.skeleton.node_of_joint[instance.joint]);
-    if (model.nodes[static_cast<std::size_t>(node)].mesh >= 0) {
-      const int child = static_cast<int>(model.nodes.size());
-      model.nodes[static_cast<std::size_t>(node)].children.push_back(child);
-      model.nodes.emplace_back();
-      node = child;
-    }
-    attach(instance, scene, model.nodes[static_cast<std::size_t>(node)]);
-    write_copies(instance.copies, model, static_cast<std::size_t>(node), buffer);
-    node_of_instance.push_back(node);
+    const std::size_t node = node_for(scene.skeleton, instance.joint, model, [](const auto& n) { return n.mesh >= 0; });
+    attach(instance, scene, model.nodes[node]);
+    write_copies(instance.copies, model, node, buffer);
+    node_of_instance.push_back(static_cast<int>(node));
   }
   return node_of_instance;
+}
+
+/// Cameras and lights, which the model has already, on the nodes of their joints.
+void place_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
+  const auto has_camera = [](const tinygltf::Node& node) { return node.camera >= 0; };
+  const auto has_light = [](const tinygltf::Node& node) { return node.extensions.contains("KHR_lights_punctual"); };
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    if (const std::uint32_t joint = scene.cameras[i].joint; joint != kNone)
+      model.nodes[node_for(scene.skeleton, joint, model, has_camera)].camera = static_cast<int>(i);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (const std::uint32_t joint = scene.lights[i].joint; joint != kNone)
+      attach_light(model.nodes[node_for(scene.skeleton, joint, model, has_light)], static_cast<int>(i));
 }
 
 void write_skins(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
@@ -112,12 +128,7 @@ std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuff
       model.nodes[skeleton.node_of_joint[skeleton.parents[j]]].children.push_back(static_cast<int>(index));
   }
   write_skins(scene, model, buffer);
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    if (scene.cameras[i].joint != kNone)
-      model.nodes[skeleton.node_of_joint[scene.cameras[i].joint]].camera = static_cast<int>(i);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (scene.lights[i].joint != kNone)
-      attach_light(model.nodes[skeleton.node_of_joint[scene.lights[i].joint]], static_cast<int>(i));
+  place_cameras_and_lights(scene, model);
   for (const auto& roots : scene.scenes) {
     tinygltf::Scene out;
     out.name = roots.name;

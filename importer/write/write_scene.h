@@ -31,7 +31,7 @@ void write_meshes(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
 void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model);
 
 /// Nodes keep the file's indices (Skeleton::node_of_joint). A joint with several mesh instances gets a child node for
-/// each instance after the first.
+/// each instance after the first; so does one with several cameras or lights.
 /// out   the node of each mesh instance
 std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 

@@ -236,6 +236,23 @@ TEST(export_parts, several_meshes_on_one_joint_hang_on_nodes_below_it) {
   EXPECT_EQ(after.animations[0].weights[0].instance, 1u);
 }
 
+TEST(export_parts, several_cameras_and_lights_on_one_joint_hang_on_nodes_below_it) {
+  Scene scene = prop_scene();
+  for (int i = 0; i < 3; ++i) {
+    scene.cameras.push_back({.name = "camera " + std::to_string(i), .joint = 0});
+    scene.lights.push_back({.name = "light " + std::to_string(i), .joint = 0});
+  }
+  finish_scene(scene);
+  const Scene after = round_trip(scene).scene;
+  ASSERT_EQ(after.skeleton.joint_count(), 5u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(after.cameras.at(i).name, scene.cameras[i].name);
+    EXPECT_EQ(after.lights.at(i).name, scene.lights[i].name);
+    for (const std::uint32_t joint : {after.cameras[i].joint, after.lights[i].joint})
+      EXPECT_EQ(after.skeleton.parents.at(joint), i == 0 ? kNone : 0u);
+  }
+}
+
 TEST(export_parts, texture_coordinates_that_morph) {
   Scene scene = face_scene();
   Primitive& face = scene.meshes[0].primitives[0];
