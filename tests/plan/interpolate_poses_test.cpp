@@ -150,6 +150,30 @@ TEST(interpolate_poses, N27_frames_do_not_depend_on_those_before) {
     }
 }
 
+/// Of inputs that differ in one thing alone, and of poses at rest beside others: what a frame keeps of the last one is
+/// never that of another input.
+TEST(interpolate_poses, N27_any_frame_may_follow_any_other) {
+  Scene scene = random_scene(9);
+  const auto still = static_cast<std::uint32_t>(scene.animations.size());  // moves nothing: joints stay at rest
+  scene.animations.push_back({"still", 1.0, {}, {}});
+  finish_scene(scene);
+  Needs needs = between();
+  needs.properties = true;
+  const Plan plan = compile_plan(scene, needs);
+  const std::vector<ClipLayer> rest = {{still, 0.5}}, moved = {{0, 0.7}}, later = {{0, 0.8}}, other = {{1, 0.7}},
+                               weaker = {{0, 0.7, 0.5f}};
+  const FrameInput inputs[] = {from_to(rest, {}, 0.0f),      from_to(moved, {}, 0.0f),   from_to(rest, moved, 0.5f),
+                               from_to(rest, moved, 0.75f),  from_to(rest, later, 0.5f), from_to(rest, other, 0.5f),
+                               from_to(rest, weaker, 0.5f),  from_to(rest, rest, 0.5f),  from_to(moved, rest, 0.5f),
+                               from_to(kStart, moved, 0.5f), from_to(rest, kEnd, 0.5f),  from_to(rest, {}, 0.5f)};
+  for (const FrameInput& first : inputs)
+    for (const FrameInput& second : inputs) {
+      FrameBuffer used(plan), fresh(plan);
+      run(plan, first, used);
+      expect_same(run(plan, second, used), run(plan, second, fresh));
+    }
+}
+
 TEST(interpolate_poses, weights_of_the_caller_are_those_of_the_frame) {
   const Scene scene = random_scene(4);
   const Plan plan = compile_plan(scene, between());
