@@ -58,9 +58,15 @@ TEST(clip, P02_equal_keys_with_a_tangent_between_them_are_not_constant) {
     BoneAnimation bone;
     bone.translation = {
         Interpolation::cubic_spline, {0, 1}, {none, v, at_the_end ? none : slope, at_the_end ? slope : none, v, none}};
+    const glm::quat q(1, 0, 0, 0), no(0, 0, 0, 0), turn(0, 0, 1, 0);
+    bone.rotation = {
+        Interpolation::cubic_spline, {0, 1}, {no, q, at_the_end ? no : turn, at_the_end ? turn : no, q, no}};
+    bone.scale = bone.translation;
     const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(1));
     EXPECT_EQ(clip.counts().folded, 0u);
     EXPECT_EQ(clip.counts().translations, 1u);
+    EXPECT_EQ(clip.counts().rotations, 1u);
+    EXPECT_EQ(clip.counts().scales, 1u);
   }
 }
 
