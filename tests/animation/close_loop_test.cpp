@@ -141,6 +141,18 @@ TEST(close_loop, G03_G13_a_cubic_track_that_jumps_at_its_end_leaves_at_rest) {
   EXPECT_NEAR((pose_at(closed, 1.5 + h).translation.x - 3.0) / h, 0.0, 1e-2);
 }
 
+TEST(close_loop, G03_G13_a_cubic_track_that_jumps_at_its_start_is_reached_at_rest) {
+  Animation open = sine();
+  Vec3Track& track = open.bones[0].translation;
+  track.times_s.insert(track.times_s.begin(), 0.0f);
+  const glm::vec3 speed(7, 0, 0);  // at which nothing leaves the first key
+  track.values.insert(track.values.begin(), {speed, {3, 0, 0}, speed});
+  const Animation closed = close_loop(open, 0.5).value();
+  const double h = 1e-4;
+  EXPECT_EQ(pose_at(closed, 2.0).translation.x, 3.0);
+  EXPECT_NEAR((3.0 - pose_at(closed, 2.0 - h).translation.x) / h, 0.0, 1e-2);
+}
+
 TEST(close_loop, G05_cubic_rotations_close_on_the_short_arc) {
   Animation open;
   open.duration_s = 1.0;
