@@ -161,6 +161,17 @@ TEST_P(near_hemisphere, N17_sums_of_four_products_that_nearly_cancel_decide_alik
     }
 }
 
+TEST_P(near_hemisphere, N17_a_dot_product_of_minus_zero_is_on_the_side_of_the_pivot) {
+  test::FixedRandom random(5);
+  NearlyOpposite s(5, 20, quat_identity<float>(), {0.3});
+  for (std::uint16_t j = 1; j < kJoints; ++j) {
+    const glm::vec3 axis = -glm::abs(glm::vec3(random.direction()));
+    s.place(random, j, quat_xyzw(axis.x, axis.y, axis.z, -0.0f));
+  }
+  skin(s, kind_, {});
+  EXPECT_LT(farthest_from_truth(s, kind_), 2e-5);
+}
+
 // A list that misses pairs is believed where those that it has are clearly on one side, and only there: this tells
 // where "clearly" begins.
 TEST_P(near_hemisphere, N17_signs_are_compared_vertex_by_vertex_up_to_a_dot_product_of_1e_5) {
