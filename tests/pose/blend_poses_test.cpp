@@ -29,7 +29,8 @@ PoseBuffer random_pose(test::FixedRandom& random, std::size_t joints) {
 
 TEST(blend_poses, rejections_name_the_broken_rule) {
   PoseBuffer a(3), b(2), rest(3), out(3);
-  const float ones[2] = {1, 1};
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const float ones[2] = {1, 1}, masks[][3] = {{1, 1, std::nanf("")}, {-0.1f, 1, 1}, {1, kInfinity, 1}};
   BlendLayer layers[1] = {{a.span(), 1.0f, {}}};
   const BlendPosesJob good{.layers = layers, .rest = rest.span(), .pose = out.span()};
   EXPECT_EQ(check(good), ErrorCode::ok);
@@ -44,6 +45,10 @@ TEST(blend_poses, rejections_name_the_broken_rule) {
       {"short mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = ones; }, ErrorCode::size_mismatch},
       {"NaN weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = std::nanf(""); }, ErrorCode::not_finite},
       {"negative weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = -0.1f; }, ErrorCode::not_finite},
+      {"infinite weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = kInfinity; }, ErrorCode::not_finite},
+      {"NaN in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[0]; }, ErrorCode::not_finite},
+      {"negative in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[1]; }, ErrorCode::not_finite},
+      {"infinite in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[2]; }, ErrorCode::not_finite},
   };
   for (const auto& c : cases) {
     BlendPosesJob job = good;
