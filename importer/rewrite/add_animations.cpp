@@ -12,13 +12,13 @@
 namespace sinew::rewrite {
 namespace {
 
-/// Whether a matrix is that of a transform, but for the rounding of what files say.
+/// Whether a matrix is that of a transform, but for the rounding of what files say. The translation is the same.
 bool is_matrix_of(const Affine& matrix, const Transform& transform) {
   constexpr float kRounding = 1e-4f;
   const Affine made = affine_from_transform(transform);
   float largest = 0.0f, off = 0.0f;
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 3; ++c) {
       largest = std::max(largest, std::abs(matrix.row[r][c]));
       off = std::max(off, std::abs(matrix.row[r][c] - made.row[r][c]));
     }

@@ -361,5 +361,16 @@ TEST(rewrite_keys, added_properties_are_named_by_pointers_and_keep_their_numbers
   }
 }
 
+TEST(rewrite_keys, a_matrix_that_shears_a_little_is_a_loss_and_one_that_is_rounded_is_none) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  for (const double size : {0.01, 1.0, 100.0})
+    for (const double shear : {1e-6, 1e-3, 5e-3, 2e-2, 0.5}) {
+      const double skewed = shear * size;
+      gltf.root["nodes"][0]["matrix"] = {size, 0, 0, 0, skewed, size, 0, 0, 0, 0, size, 0, 100, 0, 0, 1};
+      EXPECT_EQ(with_added(gltf, {up_and_round()}).has_value(), shear < 1e-5) << shear << " of " << size;
+    }
+}
+
 }  // namespace
 }  // namespace sinew::test
