@@ -110,6 +110,7 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"rest not finite", [](Scene& s) { s.skeleton.rest[1].scale.y = kNan; }, ErrorCode::not_finite},
       {"child before parent", [](Scene& s) { s.skeleton.parents[0] = 1; }, ErrorCode::parents_not_first},
       {"own parent", [](Scene& s) { s.skeleton.parents[1] = 1; }, ErrorCode::parents_not_first},
+      {"root that is its own parent", [](Scene& s) { s.skeleton.parents[0] = 0; }, ErrorCode::parents_not_first},
       {"levels out of order",
        [](Scene& s) {
          s.skeleton.level_begin = {0, 2, 3};
