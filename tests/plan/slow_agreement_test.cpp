@@ -153,8 +153,10 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
                                 {1, 1.63, 0.7f, 1},
                                 {0, 0.9, 0.8f, kNone, LayerKind::add_to_start},
                                 {1, 0.4, 0.5f, 1, LayerKind::add_to_rest},
-                                {1, 0.8, 1.0f, 0}};
-    for (const auto& [first, count] : {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}, {3, 2}}) {
+                                {1, 0.8, 1.0f, 0},
+                                {0, 0.6, 1.0f, 1, LayerKind::add_to_start}};
+    for (const auto& [first, count] :
+         {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}, {3, 2}, {4, 2}, {5, 1}}) {
       const FrameInput input{
           .layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
           .weights = {},
