@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "importer/rewrite/add_animations.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite/key_writer.h"
@@ -12,17 +12,16 @@
 namespace sinew::rewrite {
 namespace {
 
-/// Whether a matrix is that of a transform, but for the rounding of what files say. The translation is the same.
+/// Whether a matrix is that of a transform, but for the rounding of what files say: no column is off by more of its
+/// length. The translation is the same.
 bool is_matrix_of(const Affine& matrix, const Transform& transform) {
   constexpr float kRounding = 1e-4f;
   const Affine made = affine_from_transform(transform);
-  float largest = 0.0f, off = 0.0f;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) {
-      largest = std::max(largest, std::abs(matrix.row[r][c]));
-      off = std::max(off, std::abs(matrix.row[r][c] - made.row[r][c]));
-    }
-  return off <= kRounding * largest;
+  for (int c = 0; c < 3; ++c) {
+    const auto column = [&](const Affine& m) { return glm::vec3(m.row[0][c], m.row[1][c], m.row[2][c]); };
+    if (glm::length(column(matrix) - column(made)) > kRounding * glm::length(column(matrix))) return false;
+  }
+  return true;
 }
 
 void take_apart(const Scene& scene, std::uint32_t joint, Draft& draft) {
