@@ -372,6 +372,8 @@ TEST(rewrite_keys, a_matrix_that_shears_a_little_is_a_loss_and_one_that_is_round
     }
   gltf.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 100, 0, 0, 1e-3, 0, 1, 0, 0, 0, 0, 1};
   EXPECT_FALSE(with_added(gltf, {up_and_round()})) << "beside a long column";
+  gltf.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+  EXPECT_TRUE(with_added(gltf, {up_and_round()})) << "flat";
 }
 
 }  // namespace
