@@ -16,11 +16,9 @@ namespace {
 /// length. The translation is the same.
 bool is_matrix_of(const Affine& matrix, const Transform& transform) {
   constexpr float kRounding = 1e-4f;
-  const Affine made = affine_from_transform(transform);
-  for (int c = 0; c < 3; ++c) {
-    const auto column = [&](const Affine& m) { return glm::vec3(m.row[0][c], m.row[1][c], m.row[2][c]); };
-    if (glm::length(column(matrix) - column(made)) > kRounding * glm::length(column(matrix))) return false;
-  }
+  const glm::mat3 given = linear_part(matrix), made = linear_part(affine_from_transform(transform));
+  for (int column = 0; column < 3; ++column)
+    if (glm::length(given[column] - made[column]) > kRounding * glm::length(given[column])) return false;
   return true;
 }
 

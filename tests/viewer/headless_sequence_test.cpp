@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sequences of pictures: each is that of its time, as if it were made alone, whatever was drawn before it.
-#include "tests/viewer/cache_files.h"
+#include "tests/viewer/cache_exhibit.h"
 #include "tests/viewer/headless_run_fixture.h"
 
 namespace sinew::viewer {
@@ -106,17 +106,9 @@ Bytes gliding_cache() {
   return *encode_geometry_cache(test::take_of(std::move(frames), {0, 1, 2, 0, 2, 3}), {.segment_frames = 8});
 }
 
-Exhibit shown_alone(const Bytes& bytes) {
-  CacheAlone alone = flag_alone(bytes);
-  Exhibit exhibit;
-  exhibit.scene = std::move(alone.scene);
-  exhibit.cache = std::move(alone.cache);
-  return exhibit;
-}
-
 TEST_F(headless_sequence, a_geometry_cache_is_shown_wherever_it_goes_and_begins_again_after_its_end) {
   const Bytes bytes = gliding_cache();
-  const Exhibit exhibit = shown_alone(bytes);
+  const Exhibit exhibit = exhibit_of_cache(bytes);
   Options options = small_picture();
   options.camera = PlacedCamera{{4.5f, 0.5f, 1.6f}, {4.5f, 0.5f, 0.0f}};  // sees the end alone
   options.fps = 10.0;
@@ -128,7 +120,7 @@ TEST_F(headless_sequence, a_geometry_cache_is_shown_wherever_it_goes_and_begins_
 
 TEST_F(headless_sequence, small_meshes_are_not_held_while_a_geometry_cache_plays) {
   const Bytes bytes = gliding_cache();
-  const Exhibit exhibit = shown_alone(bytes);
+  const Exhibit exhibit = exhibit_of_cache(bytes);
   Options options = far_away(Updates::held);
   options.frames = FrameRange{0, 4};
   EXPECT_EQ(sequence(options, exhibit, kNone), alone(options, exhibit, exhibit.cache->duration_s(), kNone));

@@ -12,7 +12,7 @@
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
 #include "tests/scenes/hand_scenes.h"
-#include "tests/viewer/cache_files.h"
+#include "tests/viewer/cache_exhibit.h"
 #include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
@@ -225,18 +225,9 @@ TEST_F(shown_scene, the_extent_is_that_of_the_clip_or_of_the_rest_pose) {
   }
 }
 
-/// A cache alone.
-Exhibit flag(const Bytes& bytes) {
-  CacheAlone alone = flag_alone(bytes);
-  Exhibit exhibit;
-  exhibit.scene = std::move(alone.scene);
-  exhibit.cache = std::move(alone.cache);
-  return exhibit;
-}
-
 TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stands_still) {
   const Bytes bytes = flag_bytes();
-  show(flag(bytes));
+  show(exhibit_of_cache(bytes));
   shown_->playback().seek(0.5);
   const auto corner = [&](float weight) {
     shown_->set_cache_weight(weight);
@@ -252,7 +243,7 @@ TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stan
 
 TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
   const Bytes bytes = with_damage(flag_bytes(), 10);
-  show(flag(bytes));
+  show(exhibit_of_cache(bytes));
   shown_->playback().seek(0.1);
   submit(kAhead);
   settled();
