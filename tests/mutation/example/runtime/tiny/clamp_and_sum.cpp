@@ -10,6 +10,9 @@ namespace {
 constexpr int kTable[] = {1, 2, 3};
 constexpr int kFour = 3 + 1;
 [[maybe_unused]] constexpr double kUnread = 0.5;
+constexpr struct {
+  int numbers[3], behind;
+} kThree{{1, 2, 3}, 9};
 constexpr int two(int x) { return x + 2; }
 static_assert(sizeof(kTable) == 3 * sizeof(int));
 }  // namespace
@@ -22,6 +25,13 @@ int clamped(int value, int low, int high) {
 }
 
 int tripled(int x) { return 3 * x; }
+
+int count_in_three(int value) {
+  int found = 0;
+  for (int i = 0; i < 3; ++i)
+    if (kThree.numbers[i] == value) ++found;
+  return found;
+}
 
 int sum(const int* numbers, int count) {
   int total = kTable[0] - 1;

@@ -6,6 +6,9 @@ int clamped(int value, int low, int high);
 
 int tripled(int x);
 
+/// How many of three numbers are the value; an index behind its end must not pass unnoticed.
+int count_in_three(int value);
+
 /// The sum of the first `count` numbers; nothing calls it.
 int sum(const int* numbers, int count);
 

@@ -11,6 +11,10 @@ TEST(tiny, clamps) {
   EXPECT_EQ(clamped(9, 0, 5), 5);
 }
 
+TEST(tiny, counts_in_three) {
+  for (int value = 0; value <= 4; ++value) EXPECT_EQ(count_in_three(value), value >= 1 && value <= 3);
+}
+
 TEST(tiny, distance) {
   EXPECT_EQ(twice_apart(1, 4), 6);
   EXPECT_EQ(twice_apart(4, 1), 6);
