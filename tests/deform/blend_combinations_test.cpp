@@ -14,11 +14,11 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 9};
+constexpr std::uint32_t kBlendedCounts[] = {1, 2, 3, 4, 5, 9};
 
 TEST(blend_combinations, rejects_wrong_sizes_and_joints_out_of_range) {
   test::FixedRandom random(1);
-  const auto s = test::random_skinned_vertices(random, kCounts, 3, 24, true);
+  const auto s = test::random_skinned_vertices(random, kBlendedCounts, 3, 24, true);
   std::vector<JointMatrix> blended(s.positions.size());
   EXPECT_EQ(check(BlendCombinationsJob{&s.influences, s.palette, blended}), ErrorCode::ok);
   EXPECT_EQ(check(BlendCombinationsJob{nullptr, s.palette, blended}), ErrorCode::size_mismatch);
@@ -30,7 +30,7 @@ TEST(blend_combinations, rejects_wrong_sizes_and_joints_out_of_range) {
 
 TEST(blend_combinations, C06_is_the_weighted_sum_of_the_matrices) {
   test::FixedRandom random(2);
-  const auto s = test::random_skinned_vertices(random, kCounts, 7, 24, true);
+  const auto s = test::random_skinned_vertices(random, kBlendedCounts, 7, 24, true);
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> blended(s.positions.size());
@@ -53,7 +53,7 @@ TEST(blend_combinations, C06_is_the_weighted_sum_of_the_matrices) {
 
 TEST(blend_combinations, C06_vertices_that_follow_them_have_the_bits_of_those_that_blend_for_themselves) {
   test::FixedRandom random(3);
-  const auto s = test::random_skinned_vertices(random, kCounts, 19, 24, true);
+  const auto s = test::random_skinned_vertices(random, kBlendedCounts, 19, 24, true);
   const std::size_t count = s.positions.size();
   VertexInfluences follow;
   follow.groups = {{0, static_cast<std::uint32_t>(count), 1, 0}};

@@ -19,7 +19,7 @@ using test::FixedRandom;
 using test::SkinnedVertices;
 using test::Way;
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 8};
+constexpr std::uint32_t kRunCounts[] = {1, 2, 3, 4, 5, 8};
 constexpr std::uint32_t kRunLengths[] = {1, 5, 15, 16, 17, 20, 31, 33, 70, 16, 2, 40, 64, 3};
 
 /// Vertices in runs of the same joints each, by weights of their own. Joint 1 collapses, joint 2 flattens, joint 3
@@ -81,7 +81,7 @@ class JointRuns : public testing::TestWithParam<Way> {
 TEST_P(JointRuns, have_the_bits_of_vertices_in_any_order) {
   FixedRandom random(51);
   for (const std::int64_t target : test::simd_targets())
-    for (const std::uint32_t count : kCounts) {
+    for (const std::uint32_t count : kRunCounts) {
       const test::OnlyTarget only(target);
       SCOPED_TRACE(testing::Message() << test::simd_name(target) << ", influences " << count);
       SkinnedVertices s = runs_of_joints(random, count);
@@ -96,7 +96,7 @@ TEST_P(JointRuns, have_the_bits_of_vertices_in_any_order) {
 TEST_P(JointRuns, write_nothing_beyond_their_vertices) {
   FixedRandom random(52);
   for (const std::int64_t target : test::simd_targets())
-    for (const std::uint32_t count : kCounts) {
+    for (const std::uint32_t count : kRunCounts) {
       const test::OnlyTarget only(target);
       for (const std::uint32_t size : {16, 17, 24, 32, 35}) {
         SkinnedVertices s = test::random_skinned_vertices(random, std::span(&count, 1), size, 8, false);

@@ -16,24 +16,24 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint16_t kJoints = 24;
-constexpr std::uint32_t kCounts[] = {2, 3, 4, 5, 8, 12};
+constexpr std::uint16_t kNearJoints = 24;
+constexpr std::uint32_t kNearCounts[] = {2, 3, 4, 5, 8, 12};
 
 /// Vertices whose heaviest influence is joint 0, and rigid joints whose quaternions have these dot products with its
 /// own,
 /// in turns.
 struct NearlyOpposite {
   test::SkinnedVertices vertices;
-  std::vector<RigidStretch> split{kJoints};
+  std::vector<RigidStretch> split{kNearJoints};
   std::vector<glm::vec3> centers;
 
   /// in   first  the rotation of joint 0; where it is the identity, dot products are exact in any order of their sum
   NearlyOpposite(std::uint64_t seed, std::uint32_t group_size, const Quat<float>& first, std::vector<double> dots) {
     test::FixedRandom random(seed);
-    vertices = test::random_skinned_vertices(random, kCounts, group_size, kJoints, false);
+    vertices = test::random_skinned_vertices(random, kNearCounts, group_size, kNearJoints, false);
     for (const InfluenceGroup& group : vertices.influences.groups)
       for (std::uint32_t v = 0; v < group.vertex_count; ++v) lead_with_joint_0(group, v);
-    for (std::uint16_t j = 0; j < kJoints; ++j) {
+    for (std::uint16_t j = 0; j < kNearJoints; ++j) {
       const double dot = dots[j % dots.size()];
       const glm::dvec3 axis = std::sqrt(1.0 - dot * dot) * glm::dvec3(random.direction());
       const Quat<double> turn = quat_xyzw(axis.x, axis.y, axis.z, dot);
@@ -63,7 +63,7 @@ struct NearlyOpposite {
 /// Joint 0, which is the pivot of every vertex, with each other one.
 std::vector<JointPair> every_pair() {
   std::vector<JointPair> pairs;
-  for (std::uint16_t j = 1; j < kJoints; ++j) pairs.push_back({0, j});
+  for (std::uint16_t j = 1; j < kNearJoints; ++j) pairs.push_back({0, j});
   return pairs;
 }
 
@@ -164,7 +164,7 @@ TEST_P(near_hemisphere, N17_sums_of_four_products_that_nearly_cancel_decide_alik
 TEST_P(near_hemisphere, N17_a_dot_product_of_minus_zero_is_on_the_side_of_the_pivot) {
   test::FixedRandom random(5);
   NearlyOpposite s(5, 20, quat_identity<float>(), {0.3});
-  for (std::uint16_t j = 1; j < kJoints; ++j) {
+  for (std::uint16_t j = 1; j < kNearJoints; ++j) {
     const glm::vec3 axis = -glm::abs(glm::vec3(random.direction()));
     s.place(random, j, quat_xyzw(axis.x, axis.y, axis.z, -0.0f));
   }
@@ -177,8 +177,8 @@ TEST_P(near_hemisphere, N17_a_dot_product_of_minus_zero_is_on_the_side_of_the_pi
 TEST_P(near_hemisphere, N17_signs_are_compared_vertex_by_vertex_up_to_a_dot_product_of_1e_5) {
   const JointPair listed[] = {{0, 1}};
   for (const double dot : {-1e-7, 1e-7, 0.99e-5, 1.01e-5, 0.5}) {
-    NearlyOpposite s(9, 20, quat_identity<float>(), {0.3, dot});  // joint 1 has `dot`, as every second one
-    for (std::uint16_t j = 2; j < kJoints; j += 2) s.flip(j);     // clearly on the other side, and not listed
+    NearlyOpposite s(9, 20, quat_identity<float>(), {0.3, dot});   // joint 1 has `dot`, as every second one
+    for (std::uint16_t j = 2; j < kNearJoints; j += 2) s.flip(j);  // clearly on the other side, and not listed
     skin(s, kind_, listed);
     EXPECT_EQ(farthest_from_truth(s, kind_) > 0.1, dot > 1e-5) << dot;
   }

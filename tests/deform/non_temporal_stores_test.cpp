@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kCounts[] = {1, 2, 4};
+constexpr std::uint32_t kStoredCounts[] = {1, 2, 4};
 constexpr std::uint32_t kGroupSize = 70'001;  // three groups of positions, normals and tangents: just over 8 MiB
 constexpr std::size_t kLine = 64, kSlack = 16 * sizeof(glm::vec4);
 
@@ -75,7 +75,7 @@ struct PlacedOutput {
 
 TEST(non_temporal_stores, has_the_bits_of_output_that_is_not_wherever_it_is_aligned) {
   test::FixedRandom random(41);
-  auto s = test::random_skinned_vertices(random, kCounts, kGroupSize, 24, true);
+  auto s = test::random_skinned_vertices(random, kStoredCounts, kGroupSize, 24, true);
   for (glm::vec4& column : s.palette[5].column)
     column = glm::vec4(0, 0, 0, column.w);  // vertices that are done again one by one
   for (const std::int64_t target : test::simd_targets()) {
@@ -91,7 +91,7 @@ TEST(non_temporal_stores, has_the_bits_of_output_that_is_not_wherever_it_is_alig
 TEST(non_temporal_stores, on_demand_have_the_bits_of_others_for_any_number_of_vertices) {
   test::FixedRandom random(42);
   for (const std::uint32_t group_size : {1, 7, 16, 33, 100}) {
-    auto s = test::random_skinned_vertices(random, kCounts, group_size, 24, true);
+    auto s = test::random_skinned_vertices(random, kStoredCounts, group_size, 24, true);
     for (const bool same_joints : {false, true}) {
       if (same_joints) std::fill(s.influences.joints.begin(), s.influences.joints.end(), std::uint16_t{2});
       for (const bool tangents : {true, false}) {

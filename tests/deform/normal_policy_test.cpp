@@ -17,7 +17,7 @@ namespace {
 using test::Way;
 using Vec3d = Vec3<double>;
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 6};
+constexpr std::uint32_t kSphereCounts[] = {1, 2, 3, 4, 6};
 
 /// Vertices of a unit sphere: each is its own outward normal.
 test::SkinnedVertices sphere(test::FixedRandom& random, std::span<const std::uint32_t> counts) {
@@ -47,7 +47,7 @@ TEST_P(NormalPolicy, G48_normals_keep_to_the_outside_where_joints_mirror) {
   test::FixedRandom random(11);
   for (const glm::vec3 scale :
        {glm::vec3(1, 1, 1), glm::vec3(-1, 1, 1), glm::vec3(2, -0.5f, 1), glm::vec3(-1, -1, -1)}) {
-    auto s = sphere(random, kCounts);
+    auto s = sphere(random, kSphereCounts);
     pose(s, random, scale, 0.2);
     const std::vector<glm::vec3> centers(s.positions.size(), glm::vec3(0));
     skin(GetParam(), s, centers);
@@ -154,7 +154,7 @@ TEST_P(ExactNormals, G48_normals_of_ill_conditioned_joints_keep_to_the_outside_o
 
 TEST_P(NormalPolicy, N22_collapsed_joints_keep_the_rest_normal_but_for_the_rotation) {
   test::FixedRandom random(15);
-  auto s = sphere(random, kCounts);
+  auto s = sphere(random, kSphereCounts);
   for (JointMatrix& m : s.palette) m = joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3}));
   skin(GetParam(), s, s.positions);
   for (std::size_t v = 0; v < s.positions.size(); ++v) {

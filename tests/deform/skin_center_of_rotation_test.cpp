@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 8};
+constexpr std::uint32_t kTurnedCounts[] = {1, 2, 3, 4, 5, 8};
 
 struct Turned {
   test::SkinnedVertices vertices;
@@ -41,7 +41,7 @@ struct Turned {
 
 TEST(skin_center_of_rotation, rejects_wrong_sizes_and_joints_out_of_range) {
   test::FixedRandom random(1);
-  Turned s(test::random_skinned_vertices(random, kCounts, 3, 16, true));
+  Turned s(test::random_skinned_vertices(random, kTurnedCounts, 3, 16, true));
   EXPECT_EQ(check(s.job()), ErrorCode::ok);
   auto job = s.job();
   job.centers = job.centers.first(1);
@@ -60,7 +60,7 @@ TEST(skin_center_of_rotation, rejects_wrong_sizes_and_joints_out_of_range) {
 TEST(skin_center_of_rotation, N17_known_pairs_change_no_bit) {
   test::FixedRandom random(46);
   for (const bool stretched : {false, true}) {
-    Turned s(test::random_skinned_vertices(random, kCounts, 40, 24, stretched));
+    Turned s(test::random_skinned_vertices(random, kTurnedCounts, 40, 24, stretched));
     test::pose_on_one_side(random, s.vertices.palette, stretched);
     run(SplitPaletteJob{s.vertices.palette, s.split, &s.any_stretch});
     for (auto& c : s.centers) c += random.vec3();
@@ -93,7 +93,7 @@ TEST(skin_center_of_rotation, N21_a_single_influence_is_the_joint_itself_about_a
 
 TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
   test::FixedRandom random(2);
-  Turned s(test::random_skinned_vertices(random, kCounts, 50, 24, false));
+  Turned s(test::random_skinned_vertices(random, kTurnedCounts, 50, 24, false));
   for (auto& c : s.centers) c += random.vec3();
   run(s.job());
   for (std::size_t v = 0; v < s.centers.size(); ++v) {
@@ -115,7 +115,7 @@ TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
 
 TEST(skin_center_of_rotation, N21_a_vertex_at_its_own_center_is_linearly_blended) {
   test::FixedRandom random(3);
-  Turned s(test::random_skinned_vertices(random, kCounts, 10, 16, true));
+  Turned s(test::random_skinned_vertices(random, kTurnedCounts, 10, 16, true));
   run(s.job());
   const auto around_centers = s.vertices.out_positions;
   run(SkinLinearJob{.influences = &s.vertices.influences,

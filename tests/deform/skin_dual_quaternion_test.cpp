@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 8, 12};
+constexpr std::uint32_t kDualCounts[] = {1, 2, 3, 4, 5, 8, 12};
 
 /// The vertices with their palette split for the job.
 struct Split {
@@ -67,7 +67,7 @@ void expect_truth(Split& s) {
 
 TEST(skin_dual_quaternion, rejects_wrong_sizes_and_joints_out_of_range) {
   test::FixedRandom random(1);
-  Split s(test::random_skinned_vertices(random, kCounts, 3, 16, true));
+  Split s(test::random_skinned_vertices(random, kDualCounts, 3, 16, true));
   EXPECT_EQ(check(s.job()), ErrorCode::ok);
   auto job = s.job();
   job.influences = nullptr;
@@ -87,21 +87,21 @@ TEST(skin_dual_quaternion, rejects_wrong_sizes_and_joints_out_of_range) {
 
 TEST(skin_dual_quaternion, random_rigid_palettes_agree_with_double) {
   test::FixedRandom random(2);
-  Split s(test::random_skinned_vertices(random, kCounts, 50, 24, false));
+  Split s(test::random_skinned_vertices(random, kDualCounts, 50, 24, false));
   EXPECT_FALSE(s.any_stretch);
   expect_truth(s);
 }
 
 TEST(skin_dual_quaternion, N19_random_stretched_palettes_agree_with_double) {
   test::FixedRandom random(3);
-  Split s(test::random_skinned_vertices(random, kCounts, 50, 24, true));
+  Split s(test::random_skinned_vertices(random, kDualCounts, 50, 24, true));
   EXPECT_TRUE(s.any_stretch);
   expect_truth(s);
 }
 
 TEST(skin_dual_quaternion, N17_signs_of_the_same_rotation_do_not_matter) {
   test::FixedRandom random(4);
-  Split s(test::random_skinned_vertices(random, kCounts, 20, 24, false));
+  Split s(test::random_skinned_vertices(random, kDualCounts, 20, 24, false));
   run(s.job());
   const auto before = s.vertices.out_positions;
   for (std::size_t j = 0; j < s.split.size(); j += 2) {
@@ -116,7 +116,7 @@ TEST(skin_dual_quaternion, N17_signs_of_the_same_rotation_do_not_matter) {
 TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
   test::FixedRandom random(44);
   for (const double turn_rad : {0.5, 3.0}) {
-    Split s(test::random_skinned_vertices(random, kCounts, 40, 24, false));
+    Split s(test::random_skinned_vertices(random, kDualCounts, 40, 24, false));
     for (auto& m : s.vertices.palette)
       m = joint_matrix_from(
           affine_from_transform(Transform{random.vec3(), random.rotation_by(turn_rad), glm::vec3(1)}));
@@ -149,7 +149,7 @@ TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
 TEST(skin_dual_quaternion, N19_known_pairs_change_no_bit_of_stretched_joints_either) {
   test::FixedRandom random(45);
   for (const std::uint32_t group_size : {3u, 40u}) {
-    Split s(test::random_skinned_vertices(random, kCounts, group_size, 24, true));
+    Split s(test::random_skinned_vertices(random, kDualCounts, group_size, 24, true));
     test::pose_on_one_side(random, s.vertices.palette, true);
     s.refresh();
     ASSERT_TRUE(s.any_stretch);
@@ -219,7 +219,7 @@ TEST(skin_dual_quaternion, a_single_influence_is_the_joint_itself) {
 TEST(skin_dual_quaternion, a_single_influence_has_the_bits_of_linear_blending_where_the_palette_is_known) {
   test::FixedRandom random(61);
   for (const bool stretched : {false, true}) {
-    Split s(test::random_skinned_vertices(random, kCounts, 20, 24, stretched));
+    Split s(test::random_skinned_vertices(random, kDualCounts, 20, 24, stretched));
     run(s.job());
     const auto without = s.vertices.out_positions;
     auto job = s.job();
@@ -238,7 +238,7 @@ TEST(skin_dual_quaternion, a_single_influence_has_the_bits_of_linear_blending_wh
 
 TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
   test::FixedRandom random(7);
-  Split s(test::random_skinned_vertices(random, kCounts, 10, 16, false));
+  Split s(test::random_skinned_vertices(random, kDualCounts, 10, 16, false));
   for (auto& m : s.vertices.palette) {  // keep rotations close, so that no sign decision is near its edge
     Transform t = random.transform();
     t.rotation = random.rotation_by(0.5);

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 8, 12};
+constexpr std::uint32_t kLinearCounts[] = {1, 2, 3, 4, 5, 8, 12};
 
 SkinLinearJob job_of(test::SkinnedVertices& s) {
   return {.influences = &s.influences, .palette = s.palette, .vertices = s.in(), .out = s.out()};
@@ -30,7 +30,7 @@ Affined truth_matrix(const test::SkinnedVertices& s, std::size_t v) {
 
 TEST(skin_linear, rejects_wrong_sizes_and_joints_out_of_range) {
   test::FixedRandom random(1);
-  auto s = test::random_skinned_vertices(random, kCounts, 3, 16, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 3, 16, true);
   EXPECT_EQ(check(job_of(s)), ErrorCode::ok);
   auto job = job_of(s);
   job.influences = nullptr;
@@ -56,7 +56,7 @@ TEST(skin_linear, no_vertices_is_no_work) {
 
 TEST(skin_linear, random_vertices_agree_with_double_for_every_influence_count) {
   test::FixedRandom random(2);
-  auto s = test::random_skinned_vertices(random, kCounts, 50, 24, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 50, 24, true);
   run(job_of(s));
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
     const Affined m = truth_matrix(s, v);
@@ -72,7 +72,7 @@ TEST(skin_linear, random_vertices_agree_with_double_for_every_influence_count) {
 
 TEST(skin_linear, N22_cofactor_normals_stay_square_to_the_moved_surface) {
   test::FixedRandom random(3);
-  auto s = test::random_skinned_vertices(random, kCounts, 50, 24, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 50, 24, true);
   auto job = job_of(s);
   job.normal_rule = NormalRule::cofactor;
   run(job);
@@ -84,7 +84,7 @@ TEST(skin_linear, N22_cofactor_normals_stay_square_to_the_moved_surface) {
 
 TEST(skin_linear, N22_a_collapsed_matrix_keeps_the_normal) {
   test::FixedRandom random(4);
-  auto s = test::random_skinned_vertices(random, kCounts, 2, 16, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 2, 16, true);
   for (auto& m : s.palette) m = joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3}));
   for (const auto rule : {NormalRule::linear, NormalRule::cofactor}) {
     auto job = job_of(s);
@@ -96,7 +96,7 @@ TEST(skin_linear, N22_a_collapsed_matrix_keeps_the_normal) {
 
 TEST(skin_linear, N22_a_tangent_without_length_keeps_its_value_beside_normals_that_have_one) {
   test::FixedRandom random(14);
-  auto s = test::random_skinned_vertices(random, kCounts, 40, 16, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 40, 16, true);
   for (std::size_t v = 0; v < s.tangents.size(); v += 3) s.tangents[v] = {0, 0, 0, -1};
   run(job_of(s));
   for (std::size_t v = 0; v < s.tangents.size(); v += 3) EXPECT_EQ(s.out_tangents[v], s.tangents[v]) << v;
@@ -104,7 +104,7 @@ TEST(skin_linear, N22_a_tangent_without_length_keeps_its_value_beside_normals_th
 
 TEST(skin_linear, the_bind_pose_moves_nothing) {
   test::FixedRandom random(5);
-  auto s = test::random_skinned_vertices(random, kCounts, 10, 16, false);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 10, 16, false);
   for (auto& m : s.palette) m = {};
   run(job_of(s));
   for (std::size_t v = 0; v < s.positions.size(); ++v)
@@ -113,7 +113,7 @@ TEST(skin_linear, the_bind_pose_moves_nothing) {
 
 TEST(skin_linear, rigid_motion_commutes_with_skinning) {
   test::FixedRandom random(6);
-  auto s = test::random_skinned_vertices(random, kCounts, 10, 16, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 10, 16, true);
   run(job_of(s));
   const auto before = s.out_positions;
   Transform t = random.transform();
@@ -127,7 +127,7 @@ TEST(skin_linear, rigid_motion_commutes_with_skinning) {
 
 TEST(skin_linear, attributes_that_are_not_wanted_are_not_written) {
   test::FixedRandom random(7);
-  auto s = test::random_skinned_vertices(random, kCounts, 4, 16, true);
+  auto s = test::random_skinned_vertices(random, kLinearCounts, 4, 16, true);
   auto job = job_of(s);
   job.out.normals = {};
   job.out.tangents = {};

@@ -13,7 +13,7 @@ namespace {
 
 using test::Way;
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 9};
+constexpr std::uint32_t kTileCounts[] = {1, 2, 3, 4, 5, 9};
 constexpr std::uint32_t kGroupSizes[] = {1, 3, 4, 5, 9, 15, 16, 17, 18, 19, 33, 50};
 
 struct Skinned {
@@ -43,7 +43,7 @@ TEST_P(SkinTiles, N27_groups_of_every_size_have_the_same_bits_on_every_instructi
   test::FixedRandom random(31);
   for (const bool with_scale : {false, true})
     for (const std::uint32_t size : kGroupSizes) {
-      auto s = test::random_skinned_vertices(random, kCounts, size, 24, with_scale);
+      auto s = test::random_skinned_vertices(random, kTileCounts, size, 24, with_scale);
       const auto centers = s.normals;
       const Skinned expected(GetParam(), s, centers, best_target()),
           unfused(GetParam(), s, centers, test::simd_targets().back());
@@ -88,7 +88,7 @@ TEST_P(SkinTiles, a_vertex_has_the_bits_that_it_has_alone) {
 TEST_P(SkinTiles, nothing_is_written_beyond_the_vertices) {
   test::FixedRandom random(33);
   for (const std::uint32_t size : kGroupSizes) {
-    auto s = test::random_skinned_vertices(random, kCounts, size, 24, false);
+    auto s = test::random_skinned_vertices(random, kTileCounts, size, 24, false);
     const std::size_t count = s.positions.size();
     s.out_positions.assign(count + 16, glm::vec3(77));
     s.out_normals.assign(count + 16, glm::vec3(77));

@@ -17,8 +17,8 @@ namespace {
 using test::Way;
 using Vec3d = Vec3<double>;
 
-constexpr std::uint32_t kCounts[] = {2, 3, 4, 6};
-constexpr std::uint32_t kJoints = 7;
+constexpr std::uint32_t kSweepCounts[] = {2, 3, 4, 6};
+constexpr std::uint32_t kSweepJoints = 7;
 constexpr int kSteps = 1440;
 constexpr double kStep_rad = 3.141592653589793 / 360;  // 720 degrees in all
 /// Half a step beside the half turns, where rounding would decide which way round is the shorter.
@@ -117,8 +117,9 @@ struct Sweep {
   test::SkinnedVertices s;
   std::vector<glm::vec3> centers;
 
-  explicit Sweep(test::FixedRandom& random) : s(test::random_skinned_vertices(random, kCounts, 6, kJoints, false)) {
-    for (std::uint32_t j = 0; j < kJoints; ++j)
+  explicit Sweep(test::FixedRandom& random)
+      : s(test::random_skinned_vertices(random, kSweepCounts, 6, kSweepJoints, false)) {
+    for (std::uint32_t j = 0; j < kSweepJoints; ++j)
       joints.push_back({random.direction<double>(), random.vec3<double>(), 1.0, 0.0});
     for (const glm::vec3& p : s.positions) centers.push_back(p + random.vec3());
   }
@@ -139,7 +140,7 @@ struct Sweep {
     Outcome outcome;
     std::vector<glm::vec3> last;
     for (int step = 0; step <= kSteps; ++step) {
-      for (std::uint32_t j = 0; j < kJoints; ++j)
+      for (std::uint32_t j = 0; j < kSweepJoints; ++j)
         s.palette[j] = joint_matrix_from(affine_cast<float>(joints[j].matrix(time_at(step))));
       skin(way, s, centers);
       for (std::size_t v = 0; v < last.size(); ++v) count(way, step_of(v, step), v, last[v], outcome);
@@ -163,7 +164,7 @@ class SkinningContinuity : public testing::TestWithParam<Way> {};
 TEST_P(SkinningContinuity, N18_joints_turned_twice_move_the_skin_in_steps_but_where_two_of_them_pass_a_half_turn) {
   test::FixedRandom random(31);
   Sweep sweep(random);
-  for (std::uint32_t j = 0; j < kJoints; ++j) sweep.joints[j].speed = j % 3 == 0 ? 0.0 : random.in(0.5, 1.0);
+  for (std::uint32_t j = 0; j < kSweepJoints; ++j) sweep.joints[j].speed = j % 3 == 0 ? 0.0 : random.in(0.5, 1.0);
   sweep.joints[1].speed = 1.0;
   const Sweep::Outcome outcome = sweep.run(GetParam());
   EXPECT_EQ(outcome.unexplained, 0);
@@ -185,7 +186,8 @@ TEST_P(SkinningContinuity, N17_a_body_turned_twice_with_joints_that_sway_below_a
     joint.speed = 1.0;  // the whole turn, in which signs of the quaternions change
     joint.pivot = Vec3d(0);
   }
-  for (std::uint32_t j = 0; j < kJoints; j += 2) sweep.joints[j].speed = 0.8;  // lags behind by 144 degrees in the end
+  for (std::uint32_t j = 0; j < kSweepJoints; j += 2)
+    sweep.joints[j].speed = 0.8;  // lags behind by 144 degrees in the end
   const Sweep::Outcome outcome = sweep.run(GetParam());
   EXPECT_EQ(outcome.half_turns, 0);
   EXPECT_EQ(outcome.unexplained, 0);

@@ -15,13 +15,13 @@ using test::FixedRandom;
 using test::SkinnedVertices;
 using test::Way;
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 6};
-constexpr std::uint32_t kJoints = 9;
+constexpr std::uint32_t kAnyCounts[] = {1, 2, 3, 4, 6};
+constexpr std::uint32_t kAnyJoints = 9;
 
 /// Joints whose turns stay within 57 degrees of each other, so that blends have one meaning, stretched and all mirrored
 /// or none.
 SkinnedVertices vertices(FixedRandom& random) {
-  SkinnedVertices s = test::random_skinned_vertices(random, kCounts, 5, kJoints, false);
+  SkinnedVertices s = test::random_skinned_vertices(random, kAnyCounts, 5, kAnyJoints, false);
   const float side = random.below(2) == 0 ? 1.0f : -1.0f;
   const Quat<float> common = random.rotation();
   for (JointMatrix& m : s.palette) {
@@ -90,7 +90,7 @@ SkinnedVertices with_zero_weights(const SkinnedVertices& s, FixedRandom& random)
         out.influences.joints.push_back(s.influences.joints[i]);
         out.influences.weights.push_back(s.influences.weights[i]);
       }
-      out.influences.joints.push_back(static_cast<std::uint16_t>(random.below(kJoints)));
+      out.influences.joints.push_back(static_cast<std::uint16_t>(random.below(kAnyJoints)));
       out.influences.weights.push_back(0.0f);
     }
   }

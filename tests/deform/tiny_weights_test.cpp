@@ -14,7 +14,7 @@ namespace {
 using test::Way;
 using Vec3d = Vec3<double>;
 
-constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 6, 8};
+constexpr std::uint32_t kTinyCounts[] = {1, 2, 3, 4, 6, 8};
 
 struct Case {
   test::SkinnedVertices s;
@@ -24,7 +24,7 @@ struct Case {
 
   Case(bool with_scale, float weight) {
     test::FixedRandom random(71);
-    s = test::random_skinned_vertices(random, kCounts, 23, 12, with_scale);
+    s = test::random_skinned_vertices(random, kTinyCounts, 23, 12, with_scale);
     for (const glm::vec3& p : s.positions) centers.push_back(p + random.vec3());
     for (float& w : s.influences.weights) w *= weight;
     split.resize(s.palette.size());

@@ -15,6 +15,7 @@
 #include "tests/fuzz/import_target.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/seeds.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::fuzz {
 namespace {
@@ -26,17 +27,12 @@ const Target* target_named(const std::string& name) {
   return found == targets().end() ? nullptr : &*found;
 }
 
-std::string read(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(found_inputs, stay_harmless) {
   for (const auto& entry : fs::recursive_directory_iterator(SINEW_FOUND_INPUTS)) {
     if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
     const Target* target = target_named(entry.path().parent_path().filename().string());
     ASSERT_NE(target, nullptr) << entry.path();
-    const std::string input = read(entry.path());
+    const std::string input = test::text_of_file(entry.path());
     EXPECT_NO_THROW(target->run(std::as_bytes(std::span(input)))) << entry.path();
   }
 }

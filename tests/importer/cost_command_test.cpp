@@ -15,17 +15,13 @@
 #include "runtime/geometry_cache/geometry_cache.h"
 #include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 #include "tests/support/full_disk.h"
 
 namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(cost_command, refuses_a_clip_of_what_has_none) {
   const ToolModelFile model;
@@ -46,7 +42,7 @@ TEST(cost_command, refuses_a_folder_that_holds_other_things) {
   const CommandOutcome refused = run_tool({"cost", model.path(), "--quick", "-o", other.string()});
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err, HasSubstr("cat.jpg"));
-  EXPECT_EQ(text_of(other / "cat.jpg"), "meow");
+  EXPECT_EQ(text_of_file(other / "cat.jpg"), "meow");
 }
 
 TEST(cost_command, leaves_no_folder_behind_for_a_broken_file) {
@@ -76,7 +72,7 @@ TEST(cost_command, looks_at_the_clip_that_was_named) {
   const fs::path file = model.beside("two.gltf"), out = model.beside("costs");
   std::ofstream(file) << gltf.text();
   ASSERT_EQ(run_tool({"cost", file.string(), "--quick", "--clip", "second", "-o", out.string()}).status, 0);
-  const std::string report = text_of(out / "report.json");
+  const std::string report = text_of_file(out / "report.json");
   EXPECT_THAT(report, HasSubstr("of the clip \\\"second\\\""));
   EXPECT_THAT(report, testing::Not(HasSubstr("the clip \\\"first\\\"")));
 }
@@ -85,7 +81,7 @@ TEST(cost_command, refuses_a_cache_with_a_damaged_frame) {
   const ToolModelFile model;
   const std::string cache = model.beside("out.sgeo"), out = model.beside("costs");
   ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "talk", "-o", cache}).status, 0);
-  std::string bytes = text_of(cache);
+  std::string bytes = text_of_file(cache);
   const auto intact = GeometryCache::open(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(intact);
   bytes[intact->frames()[1].offset + 5] ^= 1;
@@ -111,12 +107,12 @@ TEST(cost_command, an_older_report_stays_where_the_new_one_cannot_take_its_place
   const std::string cache = model.beside("out.sgeo");
   ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "talk", "-o", cache}).status, 0);
   const fs::path out = blocked_report(model);
-  const std::string before = text_of(out / "report.json");
+  const std::string before = text_of_file(out / "report.json");
   const CommandOutcome outcome = run_tool({"cost", cache, "--quick", "-o", out.string()});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(outcome.err, "sinew: " + out.string() + ": Directory not empty\n");
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(text_of(out / "report.json"), before);
+  EXPECT_EQ(text_of_file(out / "report.json"), before);
   EXPECT_FALSE(fs::exists(out.string() + "." + std::to_string(::getpid()) + ".new"));
 }
 

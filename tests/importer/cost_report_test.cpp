@@ -20,22 +20,18 @@
 #include "runtime/math/interpolate.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"
+#include "tests/support/file_text.h"
+#include "tests/support/json.h"
 
 namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using Json = nlohmann::json;
 
 const cost::Point& point_named(const cost::Group& group, const std::string& name) {
   for (const cost::Point& point : group.points)
     if (point.name == name) return point;
   throw std::runtime_error("no point " + name);
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(cost_studies, N04_nlerp_loses_what_its_closed_form_says) {
@@ -348,7 +344,7 @@ class CostCommand : public testing::Test {
   static void TearDownTestSuite() { model_.reset(); }
   static fs::path folder() { return model_->beside("costs"); }
   static std::size_t rows_of_csv() {
-    std::istringstream csv(text_of(folder() / "report.csv"));
+    std::istringstream csv(text_of_file(folder() / "report.csv"));
     std::size_t lines = 0;
     for (std::string line; std::getline(csv, line);) ++lines;
     return lines - 1;
@@ -367,7 +363,7 @@ TEST_F(CostCommand, writes_three_files_and_says_where) {
 }
 
 TEST_F(CostCommand, json_has_the_agreed_form) {
-  const Json report = Json::parse(text_of(folder() / "report.json"));
+  const Json report = Json::parse(text_of_file(folder() / "report.json"));
   EXPECT_TRUE(report["machine"].is_object() && report["machine"].contains("processor"));
   EXPECT_THAT(report["command"].get<std::string>(), HasSubstr("--quick -o "));
   std::set<std::string> names;
@@ -399,7 +395,7 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
 }
 
 TEST_F(CostCommand, says_what_it_looked_at_and_how_to_look_again) {
-  const Json report = Json::parse(text_of(folder() / "report.json"));
+  const Json report = Json::parse(text_of_file(folder() / "report.json"));
   EXPECT_EQ(report["subject"], "model.gltf: 4 joints, 2 clips, 1 skin, 3 m large");
   EXPECT_EQ(report["command"], "sinew cost " + model_->path() + " --quick -o " + folder().string());
   EXPECT_THAT(report["groups"][0]["about"].get<std::string>(), HasSubstr("of the clip \"bend\"")) << "the busiest one";
@@ -411,7 +407,7 @@ TEST(cost_command, takes_a_geometry_cache_and_compares_the_ways_to_keep_its_fram
   ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "talk", "--normals", "--budget", "1mm", "-o", cache}).status, 0);
   const fs::path out = model.beside("costs");
   ASSERT_EQ(run_tool({"cost", cache, "--quick", "-o", out.string()}).status, 0);
-  const Json report = Json::parse(text_of(out / "report.json"));
+  const Json report = Json::parse(text_of_file(out / "report.json"));
   ASSERT_EQ(report["groups"].size(), 1u);
   std::map<std::string, Json> points;
   for (const Json& point : report["groups"][0]["points"]) points[point["name"]] = point;
@@ -434,7 +430,7 @@ TEST(cost_command, replaces_an_older_report_whole) {
   cost::Report other = small_report();
   other.subject = "newer";
   ASSERT_FALSE(cost::write_report(other, out));
-  EXPECT_EQ(Json::parse(text_of(out / "report.json"))["subject"], "newer");
+  EXPECT_EQ(Json::parse(text_of_file(out / "report.json"))["subject"], "newer");
   for (const auto& entry : fs::directory_iterator(out.parent_path().parent_path()))
     EXPECT_FALSE(entry.path().filename().string().starts_with("again.")) << entry;
 }

@@ -124,7 +124,7 @@ void expect_decodes(gltf::Document document) {
   EXPECT_EQ(area, double(kSide * kSide));
 }
 
-ImportIssue error_of(gltf::Document document) {
+ImportIssue draco_error(gltf::Document document) {
   IssueLog log;
   DecodeBudget budget(1000);
   decode_draco(document, budget, log);
@@ -162,7 +162,7 @@ TEST(decode_draco, numbers_take_every_type_that_holds_them) {
       EXPECT_EQ(joints[4 * v + 3], 255.0) << static_cast<int>(type);
     }
   }
-  const ImportIssue issue = error_of(grid_document(stream, Type::i8));
+  const ImportIssue issue = draco_error(grid_document(stream, Type::i8));
   EXPECT_EQ(issue.rule, "decode-failed");
   EXPECT_THAT(issue.detail, HasSubstr("JOINTS_0 does not fit the accessor's type")) << "255 in a signed byte";
 }
@@ -269,7 +269,7 @@ TEST(decode_draco, G62_refuses_what_does_not_match_the_document) {
   const auto refuse = [&](const char* rule, const std::string& place, const char* detail, auto change) {
     auto document = grid_document(stream);
     change(document);
-    const ImportIssue issue = error_of(document);
+    const ImportIssue issue = draco_error(document);
     EXPECT_EQ(issue.rule, rule) << detail;
     EXPECT_EQ(issue.json_pointer, kPlace + place);
     EXPECT_THAT(issue.detail, HasSubstr(detail));

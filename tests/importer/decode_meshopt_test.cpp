@@ -40,7 +40,7 @@ gltf::Document compressed(const std::vector<unsigned char>& stream, std::size_t 
   return document;
 }
 
-ImportIssue error_of(gltf::Document document, std::uint64_t file_bytes = 1000) {
+ImportIssue meshopt_error(gltf::Document document, std::uint64_t file_bytes = 1000) {
   IssueLog log;
   DecodeBudget budget(file_bytes);
   decode_meshopt(document, budget, log);
@@ -176,7 +176,7 @@ TEST(decode_meshopt, G61_refuses_descriptions_that_break_the_extension) {
   for (const Case& c : cases) {
     auto document = compressed(stream, 100, 12, "ATTRIBUTES");
     document.buffer_views[0].extensions["EXT_meshopt_compression"][c.field] = c.value;
-    const ImportIssue issue = error_of(document);
+    const ImportIssue issue = meshopt_error(document);
     EXPECT_EQ(issue.rule, c.rule) << c.field << " " << c.value;
     EXPECT_EQ(issue.json_pointer, std::string("/bufferViews/0/extensions/EXT_meshopt_compression") + c.place)
         << c.field;
@@ -187,7 +187,7 @@ TEST(decode_meshopt, G61_refuses_descriptions_that_break_the_extension) {
 TEST(decode_meshopt, G61_refuses_a_view_with_another_stride) {
   auto document = compressed(encode_vertices(some_floats(300), 12), 100, 12, "ATTRIBUTES");
   document.buffer_views[0].byte_stride = 16;
-  EXPECT_THAT(error_of(document).detail, HasSubstr("byteStride differs"));
+  EXPECT_THAT(meshopt_error(document).detail, HasSubstr("byteStride differs"));
 }
 
 /// A stream of a version that nobody has defined.
@@ -198,7 +198,7 @@ gltf::Document unknown_stream() {
 }
 
 TEST(decode_meshopt, G61_refuses_versions_that_it_does_not_know_by_their_rule) {
-  const ImportIssue issue = error_of(unknown_stream());
+  const ImportIssue issue = meshopt_error(unknown_stream());
   EXPECT_EQ(issue.rule, "meshopt-version");
   EXPECT_EQ(issue.json_pointer, "/bufferViews/0/extensions/KHR_meshopt_compression");
 }
@@ -246,7 +246,7 @@ TEST(decode_meshopt, G61_a_stream_begins_anywhere_in_any_buffer) {
 }
 
 TEST(decode_meshopt, refuses_triangles_that_are_not_whole) {
-  EXPECT_THAT(error_of(compressed(encode_triangles({0, 1, 2}, 3), 4, 4, "TRIANGLES")).detail,
+  EXPECT_THAT(meshopt_error(compressed(encode_triangles({0, 1, 2}, 3), 4, 4, "TRIANGLES")).detail,
               HasSubstr("multiple of 3"));
 }
 
@@ -254,7 +254,7 @@ TEST(decode_meshopt, G68_a_small_file_cannot_grow_without_end) {
   gltf::Document document =
       compressed(encode_vertices(std::vector<float>(3 * 100'000, 1.0f), 12), 100'000, 12, "ATTRIBUTES");
   for (int i = 0; i < 80; ++i) document.buffer_views.push_back(document.buffer_views[0]);
-  const ImportIssue issue = error_of(document, 1000);
+  const ImportIssue issue = meshopt_error(document, 1000);
   EXPECT_EQ(issue.rule, "memory-budget");
   EXPECT_THAT(issue.json_pointer, testing::StartsWith("/bufferViews/5"));  // 64 MiB are full after 55 views of 1.2 MB
 }

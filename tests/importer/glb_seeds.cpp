@@ -11,14 +11,12 @@
 
 #include <cstdint>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "tests/importer/encoded_images.h"
+#include "tests/support/json.h"
 
 namespace sinew::test {
 namespace {
-
-using Json = nlohmann::json;
 
 /// Collects data and describes it: each put() makes one buffer view, aligned to 4.
 class Bin {

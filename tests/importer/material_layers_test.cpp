@@ -11,14 +11,14 @@ using gltf::Json;
 using testing::IsEmpty;
 
 /// What is read of the extensions of a material; its warnings as "rule at place".
-struct Reading {
+struct LayerReading {
   Material material;
   std::vector<std::string> warnings;
 };
 
-Reading read_layers(const char* extensions, std::size_t texture_count = 8) {
+LayerReading read_layers(const char* extensions, std::size_t texture_count = 8) {
   IssueLog log;
-  Reading out;
+  LayerReading out;
   read_material_layers(Json::parse(extensions), "/materials/0", texture_count, out.material, log);
   for (const auto& warning : log.take_warnings()) out.warnings.push_back(warning.rule + " at " + warning.json_pointer);
   return out;

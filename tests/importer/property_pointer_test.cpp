@@ -66,7 +66,7 @@ TinyGltf animated(const std::string& text, std::size_t components, const char* i
   return file;
 }
 
-struct Case {
+struct PointerCase {
   const char* pointer;
   PropertyKind kind;
   std::size_t components;
@@ -74,7 +74,7 @@ struct Case {
   TextureSlot slot = TextureSlot::base_color;
 };
 
-constexpr Case kCases[] = {
+constexpr PointerCase kCases[] = {
     {"/cameras/0/perspective/yfov", PropertyKind::camera_fov_y, 1},
     {"/cameras/0/perspective/aspectRatio", PropertyKind::camera_aspect, 1},
     {"/cameras/0/perspective/znear", PropertyKind::camera_near, 1},
@@ -111,7 +111,7 @@ constexpr Case kCases[] = {
     {"/nodes/0/extensions/KHR_node_visibility/visible", PropertyKind::node_visible, 1}};
 
 TEST(property_pointer, G58_every_property_of_the_object_model_that_the_runtime_has_is_read) {
-  for (const Case& c : kCases) {
+  for (const PointerCase& c : kCases) {
     SCOPED_TRACE(c.pointer);
     const auto result = animated(c.pointer, c.components, "STEP").import();
     ASSERT_EQ(outcome(result), "ok");
@@ -126,7 +126,7 @@ TEST(property_pointer, G58_every_property_of_the_object_model_that_the_runtime_h
 }
 
 TEST(property_pointer, G58_a_written_file_points_at_the_same_properties) {
-  for (const Case& c : kCases) {
+  for (const PointerCase& c : kCases) {
     SCOPED_TRACE(c.pointer);
     const auto first = animated(c.pointer, c.components, "STEP").import();
     ASSERT_EQ(outcome(first), "ok");
@@ -182,8 +182,8 @@ TEST(property_pointer, G58_a_property_needs_its_own_object_and_no_other) {
 
 TEST(property_pointer, G58_a_texture_that_nothing_places_has_no_place_to_animate) {
   const std::string transform = "/extensions/KHR_texture_transform";
-  std::vector<std::pair<Case, std::string>> textures;
-  for (const Case& c : kCases)
+  std::vector<std::pair<PointerCase, std::string>> textures;
+  for (const PointerCase& c : kCases)
     if (const std::string text = c.pointer; text.find(transform) != text.npos)
       textures.emplace_back(c, text.substr(0, text.find(transform)));
   ASSERT_THAT(textures, SizeIs(5));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "importer/file/sandboxed_files.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 
 std::size_t open_descriptors() {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()));
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::optional<std::string> replace(const fs::path& path, const std::string& text) {
@@ -46,11 +42,11 @@ class replace_file : public testing::Test {
 
 TEST_F(replace_file, writes_a_new_file_and_replaces_an_old_one) {
   EXPECT_EQ(replace(file_, "first"), std::nullopt);
-  EXPECT_EQ(text_of(file_), "first");
+  EXPECT_EQ(text_of_file(file_), "first");
   EXPECT_EQ(replace(file_, ""), std::nullopt);
-  EXPECT_EQ(text_of(file_), "");
+  EXPECT_EQ(text_of_file(file_), "");
   EXPECT_EQ(replace(file_, "third"), std::nullopt);
-  EXPECT_EQ(text_of(file_), "third");
+  EXPECT_EQ(text_of_file(file_), "third");
   EXPECT_EQ(files(), 1u);
 }
 
@@ -59,7 +55,7 @@ TEST_F(replace_file, keeps_links_and_writes_where_they_lead) {
   fs::create_symlink("real.json", file_);
   EXPECT_EQ(replace(file_, "new"), std::nullopt);
   EXPECT_TRUE(fs::is_symlink(file_));
-  EXPECT_EQ(text_of(folder_ / "real.json"), "new");
+  EXPECT_EQ(text_of_file(folder_ / "real.json"), "new");
 }
 
 TEST_F(replace_file, refuses_what_is_no_regular_file) {
@@ -74,7 +70,7 @@ TEST_F(replace_file, a_file_of_the_temporary_name_belongs_to_another) {
   const fs::path other = file_.string() + "." + std::to_string(::getpid()) + ".tmp";
   std::ofstream(other) << "another's";
   EXPECT_NE(replace(file_, "x"), std::nullopt);
-  EXPECT_EQ(text_of(other), "another's");
+  EXPECT_EQ(text_of_file(other), "another's");
   EXPECT_FALSE(fs::exists(file_));
 }
 
@@ -89,7 +85,7 @@ TEST_F(replace_file, a_full_disk_leaves_the_old_file_and_nothing_else) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(why, std::nullopt);
-  EXPECT_EQ(text_of(file_), "old");
+  EXPECT_EQ(text_of_file(file_), "old");
   EXPECT_EQ(files(), 1u);
 }
 

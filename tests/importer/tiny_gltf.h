@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "importer/import_gltf.h"
+#include "tests/support/json.h"
 
 namespace sinew::test {
-
-using Json = nlohmann::json;
 
 inline std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "importer/tool/assets/asset_info.h"
 #include "importer/tool/certificate_table.h"
@@ -16,11 +15,10 @@
 #include "runtime/clip/clip_file.h"
 #include "tests/asset_file/full_scene.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/json.h"
 
 namespace sinew::test {
 namespace {
-
-using Json = nlohmann::json;
 
 /// A small scene whose first clip has a certificate.
 Scene certified_scene() {

@@ -14,16 +14,12 @@
 #include "tests/importer/gltf_validator.h"
 #include "tests/importer/rewritten.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string content_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 VertexAccess access_in(const std::string& path) {
   const auto file = import_gltf(path, carrying());
@@ -104,7 +100,7 @@ TEST(bake_ao, key_poses_are_those_of_single_poses_one_attribute_each) {
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", single, "--rays", "16"}).status, 0);
   const std::string again = folder.beside("again.glb");
   ASSERT_EQ(run_tool({"bake-ao", out, "-o", again, "--rays", "16"}).status, 0);
-  EXPECT_EQ(content_of(again).size(), content_of(single).size()) << "older key poses leave nothing behind";
+  EXPECT_EQ(text_of_file(again).size(), text_of_file(single).size()) << "older key poses leave nothing behind";
   EXPECT_EQ(access_in(again).values, access_in(single).values);
 }
 
@@ -124,14 +120,14 @@ TEST(bake_ao, carries_all_else_and_gives_the_same_bytes_twice) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives: mean access 1.000, darkest 1.000"));
-  const std::string first = content_of(out);
+  const std::string first = text_of_file(out);
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", out}).status, 0);
-  EXPECT_EQ(content_of(out), first);
+  EXPECT_EQ(text_of_file(out), first);
   ASSERT_EQ(run_tool({"bake-ao", out, "-o", folder.beside("again.glb")}).status, 0);
-  EXPECT_EQ(content_of(folder.beside("again.glb")).size(), first.size()) << "the old values are gone";
+  EXPECT_EQ(text_of_file(folder.beside("again.glb")).size(), first.size()) << "the old values are gone";
   ASSERT_EQ(run_tool({"convert", in, plain}).status, 0);
   const auto json_in = [](const std::string& path) {
-    const std::string bytes = content_of(path);
+    const std::string bytes = text_of_file(path);
     const auto all = std::as_bytes(std::span(bytes));
     return split_glb({all.begin(), all.end()}).json;
   };

@@ -26,6 +26,7 @@
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
 #include "tests/support/corpus.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -141,11 +142,6 @@ TEST(compile_command, writes_an_asset_file_that_info_tells_about_and_whose_clips
   EXPECT_EQ(json["compiled_clips"][0]["certificate"]["asked_m"].get<double>(), 2e-4);
 }
 
-std::string content_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Changes a byte of a file.
 void spoil(const std::string& path, std::streamoff at) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -174,7 +170,7 @@ TEST(compile_command, the_file_plays_what_the_model_plays) {
   const ToolModelFile model;
   const std::string out = model.beside("model.sinew");
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "0", "--zstd", "3", "--truth"}).status, 0);
-  const std::string bytes = content_of(out);
+  const std::string bytes = text_of_file(out);
   const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(file);
   EXPECT_NE(file->find(AssetKind::animations), nullptr);
@@ -190,13 +186,13 @@ TEST(compile_command, pages_play_what_whole_clips_play) {
   const std::string whole = model.beside("whole.sinew"), paged = model.beside("paged.sinew");
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", whole}).status, 0);
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", paged, "--page", "0.25"}).status, 0);
-  const std::string bytes = content_of(paged);
+  const std::string bytes = text_of_file(paged);
   const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(file);
   EXPECT_NE(file->find(AssetKind::page_keys), nullptr);
   EXPECT_EQ(run_tool({"check", paged}).status, 0);
   EXPECT_THAT(run_tool({"info", paged}).out, HasSubstr("page_keys"));
-  const std::string whole_bytes = content_of(whole);
+  const std::string whole_bytes = text_of_file(whole);
   const auto from_pages = read_scene(*file),
              from_whole = read_scene(*AssetFile::open(std::as_bytes(std::span(whole_bytes))));
   ASSERT_TRUE(from_pages && from_whole);
@@ -209,7 +205,7 @@ TEST(compile_command, zstd_takes_fewer_bytes_for_the_same_assets) {
   const std::string plain = model.beside("plain.sinew"), packed = model.beside("packed.sinew");
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", plain}).status, 0);
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", packed, "--zstd", "3"}).status, 0);
-  const std::string plain_bytes = content_of(plain), packed_bytes = content_of(packed);
+  const std::string plain_bytes = text_of_file(plain), packed_bytes = text_of_file(packed);
   EXPECT_LT(packed_bytes.size(), plain_bytes.size());
   const auto a = read_scene(*AssetFile::open(std::as_bytes(std::span(plain_bytes)))),
              b = read_scene(*AssetFile::open(std::as_bytes(std::span(packed_bytes))));
@@ -224,7 +220,7 @@ TEST(compile_command, levels_of_detail_are_stored_with_what_they_cost) {
       run_tool({"compile", model.path(), "-o", out, "--joint-tolerance", "0", "--joint-tolerance", "100m"});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("skeleton LOD within 100 m: "));
-  const std::string bytes = content_of(out);
+  const std::string bytes = text_of_file(out);
   const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(file);
   const auto lods = read_skeleton_lods(*file, *read_skeleton(*file));
@@ -244,7 +240,7 @@ TEST(compile_command, the_file_knows_where_meshes_are_while_its_clips_play) {
   const ToolModelFile model;
   const std::string out = model.beside("model.sinew");
   ASSERT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "5mm"}).status, 0);
-  const std::string bytes = content_of(out);
+  const std::string bytes = text_of_file(out);
   const auto read = read_scene(*AssetFile::open(std::as_bytes(std::span(bytes))));
   ASSERT_TRUE(read);
   const auto boxes = read_clip_boxes(*AssetFile::open(std::as_bytes(std::span(bytes))), *read);
@@ -304,7 +300,7 @@ TEST(compile_command, same_input_gives_the_same_file_and_the_same_words) {
     words[i] = run_tool({"compile", model.path(), "-o", out}).out;
     words[i] += run_tool({"info", out}).out;
     words[i] += run_tool({"info", out, "--json"}).out;
-    files[i] = content_of(out);
+    files[i] = text_of_file(out);
   }
   EXPECT_FALSE(files[0].empty());
   EXPECT_EQ(files[0], files[1]);
@@ -357,8 +353,8 @@ TEST(budgets, may_be_shares_of_the_model) {
       return outcome.out.substr(0, outcome.out.rfind('\n', outcome.out.size() - 2));
     };
     EXPECT_EQ(run("0.1%", share), run(metres, plain)) << command;
-    EXPECT_FALSE(content_of(share).empty());
-    EXPECT_EQ(content_of(share), content_of(plain)) << command;
+    EXPECT_FALSE(text_of_file(share).empty());
+    EXPECT_EQ(text_of_file(share), text_of_file(plain)) << command;
   }
 }
 
@@ -370,14 +366,14 @@ TEST(budgets, of_a_mesh_without_a_scene_are_shares_of_its_first_frame) {
   const std::string share = model.beside("share.sgeo"), plain = model.beside("plain.sgeo");
   ASSERT_EQ(run_tool({"bake", model.beside("cloth_1.obj"), "--budget", "1%", "-o", share}).status, 0);
   ASSERT_EQ(run_tool({"bake", model.beside("cloth_1.obj"), "--budget", "4cm", "-o", plain}).status, 0);
-  EXPECT_EQ(content_of(share), content_of(plain));
+  EXPECT_EQ(text_of_file(share), text_of_file(plain));
 }
 
 TEST(budgets, of_verify_and_plan_may_be_shares_too) {
   const ToolModelFile model;
   const std::string golden = model.beside("golden.json");
   ASSERT_EQ(run_tool({"sample", model.path(), "-o", golden}).status, 0);
-  auto poses = nlohmann::json::parse(content_of(golden));
+  auto poses = nlohmann::json::parse(text_of_file(golden));
   poses["extent"] = 4.0;
   auto& x = poses["clips"][0]["samples"][0]["nodes"][0]["world"][12];
   x = x.get<double>() + 0.1;

@@ -17,17 +17,13 @@
 #include "tests/importer/gltf_validator.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/corpus.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::size_t files_beside(const ToolModelFile& model) {
   const fs::path folder = fs::path(model.path()).parent_path();
@@ -59,14 +55,14 @@ TEST(convert, never_overwrites_its_input_by_any_name) {
   const ToolModelFile model;
   const std::string glb = model.beside("in.glb"), link = model.beside("link.glb");
   ASSERT_EQ(run_tool({"convert", model.path(), glb}).status, 0);
-  const std::string before = content_of(glb);
+  const std::string before = text_of_file(glb);
   fs::create_symlink(glb, link);
   for (const std::string& out : {glb, link, model.beside("./in.glb")}) {
     const CommandOutcome outcome = run_tool({"convert", glb, out});
     EXPECT_EQ(outcome.status, 2) << out;
     EXPECT_THAT(outcome.err, HasSubstr(out)) << out;
   }
-  EXPECT_EQ(content_of(glb), before);
+  EXPECT_EQ(text_of_file(glb), before);
 }
 
 TEST(convert, tells_usage_from_a_file_at_fault_and_leaves_the_old_output) {
@@ -79,7 +75,7 @@ TEST(convert, tells_usage_from_a_file_at_fault_and_leaves_the_old_output) {
   EXPECT_EQ(run_tool({"convert", model.path(), model.beside("out.obj")}).status, 2);
   EXPECT_EQ(run_tool({"convert", model.path(), "/no such folder/out.glb"}).status, 2);
   EXPECT_EQ(run_tool({"convert", model.path()}).status, 2);
-  EXPECT_EQ(content_of(out), "old");
+  EXPECT_EQ(text_of_file(out), "old");
 }
 
 TEST(convert, writes_text_with_its_buffer_beside_it) {
@@ -89,7 +85,7 @@ TEST(convert, writes_text_with_its_buffer_beside_it) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr(std::to_string(fs::file_size(out) + fs::file_size(model.beside("out.bin")))));
   EXPECT_THAT(outcome.out, HasSubstr(std::to_string(fs::file_size(model.path())) + " before"));
-  EXPECT_EQ(nlohmann::json::parse(content_of(out))["buffers"][0]["uri"], "out.bin");
+  EXPECT_EQ(nlohmann::json::parse(text_of_file(out))["buffers"][0]["uri"], "out.bin");
   ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "all", "-o", golden}).status, 0);
   EXPECT_EQ(run_tool({"verify", out, golden, "--tolerance", "0"}).status, 0);
   EXPECT_EQ(files_beside(model), 4u) << "no temporary file is left";
@@ -99,12 +95,12 @@ TEST(convert, never_overwrites_a_buffer_that_it_reads) {
   const ToolModelFile model;
   const std::string pair = model.beside("pair.gltf");
   ASSERT_EQ(run_tool({"convert", model.path(), pair}).status, 0);
-  const std::string before = content_of(model.beside("pair.bin"));
+  const std::string before = text_of_file(model.beside("pair.bin"));
   fs::create_symlink(model.beside("pair.bin"), model.beside("other.bin"));
   const CommandOutcome outcome = run_tool({"convert", pair, model.beside("other.gltf")});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("other.bin is read; it is left as it is"));
-  EXPECT_EQ(content_of(model.beside("pair.bin")), before);
+  EXPECT_EQ(text_of_file(model.beside("pair.bin")), before);
   EXPECT_FALSE(fs::exists(model.beside("other.gltf")));
 }
 
@@ -238,7 +234,7 @@ TEST(convert, mirrors_clips_key_by_key_and_names_joints_without_a_partner) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err,
               HasSubstr("mirrored across (1 0 0) at 0: 2 of 4 joints have partners; without a partner: \"hat.l\""));
-  const auto json = nlohmann::json::parse(content_of(once));
+  const auto json = nlohmann::json::parse(text_of_file(once));
   EXPECT_EQ(json["animations"][0]["channels"][0]["target"]["node"], 2);
   EXPECT_EQ(json["animations"][0]["channels"][1]["target"]["extensions"]["KHR_animation_pointer"]["pointer"],
             "/nodes/2/translation");

@@ -20,6 +20,7 @@
 #include "importer/tool/batch/in_order.h"
 #include "importer/tool/batch/input_list.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -33,11 +34,6 @@ using testing::IsEmpty;
 constexpr const char* kBroken = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 5}]})";
 constexpr const char* kWarned = R"({"asset": {"version": "2.0"}, "nodes": [
   {"rotation": [0, 0, 0, 2]}, {"rotation": [0, 0, 0, 3]}, {"rotation": [0, 0, 0, 4]}]})";
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 std::vector<std::string> lines(const std::string& text) {
   std::istringstream stream(text);
@@ -59,9 +55,9 @@ std::vector<std::string> listed(const std::vector<std::string>& arguments, bool 
 TEST(many_files, check_takes_the_asset_files_of_a_folder) {
   const ToolModelFile place;
   const std::string root = place.beside("checked");
-  write(root + "/b.SINEW", "not an asset file");
-  write(root + "/a.gltf", kWarned);
-  write(root + "/c.sgeo", "of another command");
+  write_file(root + "/b.SINEW", "not an asset file");
+  write_file(root + "/a.gltf", kWarned);
+  write_file(root + "/c.sgeo", "of another command");
   const tool::InputList models = tool::list_inputs({root}, false);
   ASSERT_EQ(models.inputs.size(), 1u) << "other commands take models only";
   const tool::InputList both = tool::list_inputs({root}, false, tool::FileKind::models_and_assets);
@@ -77,7 +73,7 @@ TEST(many_files, a_folder_stands_for_the_models_in_it_by_name) {
   const ToolModelFile place;
   const std::string root = place.beside("assets");
   for (const char* file : {"/b.glb", "/a.gltf", "/c.VRM", "/a.bin", "/picture.png", "/d/e.glb", "/d/f/g.gltf"})
-    write(root + file, "");
+    write_file(root + file, "");
   EXPECT_THAT(listed({root}, false, root), ElementsAre("/a.gltf", "/b.glb", "/c.VRM"));
   EXPECT_THAT(listed({root}, true, root), ElementsAre("/a.gltf", "/b.glb", "/c.VRM", "/d/e.glb", "/d/f/g.gltf"));
   EXPECT_THAT(listed({root + "/d", "x.glb", "-"}, true, root), ElementsAre("/d/e.glb", "/d/f/g.gltf", "x.glb", "-"));
@@ -92,7 +88,7 @@ TEST(many_files, a_folder_stands_for_the_models_in_it_by_name) {
 TEST(many_files, a_folder_without_models_is_a_fault_that_says_what_helps) {
   const ToolModelFile place;
   const std::string root = place.beside("assets");
-  write(root + "/d/e.glb", "");
+  write_file(root + "/d/e.glb", "");
   fs::create_directory(root + "/empty");
   EXPECT_THAT(listed({root + "/empty"}, true, root), ElementsAre("/empty: holds no .glb, .gltf or .vrm file"));
   EXPECT_THAT(listed({root}, false, root), ElementsAre(HasSubstr("--recursive looks into its folders")));
@@ -104,8 +100,8 @@ TEST(many_files, a_folder_without_models_is_a_fault_that_says_what_helps) {
 TEST(many_files, loops_of_links_are_told_and_end) {
   const ToolModelFile place;
   const std::string root = place.beside("assets");
-  write(root + "/a.gltf", tool_model());
-  write(root + "/d/b.gltf", tool_model());
+  write_file(root + "/a.gltf", tool_model());
+  write_file(root + "/d/b.gltf", tool_model());
   fs::create_directory_symlink(root, root + "/d/loop");
   fs::create_directory_symlink(root + "/d", root + "/e");
   EXPECT_THAT(
@@ -121,9 +117,9 @@ TEST(many_files, loops_of_links_are_told_and_end) {
 TEST(many_files, a_folder_that_cannot_be_read_is_told_and_the_others_are_read) {
   const ToolModelFile place;
   const std::string root = place.beside("assets");
-  write(root + "/a.gltf", tool_model());
-  write(root + "/closed/b.gltf", tool_model());
-  write(root + "/d/c.gltf", tool_model());
+  write_file(root + "/a.gltf", tool_model());
+  write_file(root + "/closed/b.gltf", tool_model());
+  write_file(root + "/d/c.gltf", tool_model());
   fs::permissions(root + "/closed", fs::perms::none);
   const bool all_powerful = geteuid() == 0;
   fs::permissions(fs::path(root).parent_path(), fs::perms::all);
@@ -172,8 +168,8 @@ TEST(many_files, outcomes_come_in_order_and_few_wait) {
 TEST(many_files, each_has_one_line_and_a_summary_follows) {
   const ToolModelFile model;
   const std::string broken = model.beside("broken.gltf"), warned = model.beside("warned.gltf");
-  write(broken, kBroken);
-  write(warned, kWarned);
+  write_file(broken, kBroken);
+  write_file(warned, kWarned);
   const CommandOutcome outcome = run_tool({"check", warned, broken, model.path()});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, warned + ": 3 warnings: rotation-length x3\n" + broken + ": 1 error: reference\n" +
@@ -196,8 +192,8 @@ TEST(many_files, the_summary_counts_cases_that_no_line_has) {
   const std::string file = model.beside("long.gltf"), broken = model.beside("broken.gltf");
   nlohmann::json nodes = nlohmann::json::array();
   for (int n = 0; n < 183; ++n) nodes.push_back({{"rotation", {0, 0, 0, 2}}});
-  write(file, nlohmann::json{{"asset", {{"version", "2.0"}}}, {"nodes", nodes}}.dump());
-  write(broken, kBroken);
+  write_file(file, nlohmann::json{{"asset", {{"version", "2.0"}}}, {"nodes", nodes}}.dump());
+  write_file(broken, kBroken);
   EXPECT_THAT(run_tool({"check", file, broken, file}).out,
               testing::EndsWith("1 error, 366 warnings, 0 infos; most often rotation-length x366, reference x1\n"));
 }
@@ -205,7 +201,7 @@ TEST(many_files, the_summary_counts_cases_that_no_line_has) {
 TEST(many_files, json_is_one_document_a_line_also_for_those_that_fail) {
   const ToolModelFile model;
   const std::string broken = model.beside("broken.gltf");
-  write(broken, kBroken);
+  write_file(broken, kBroken);
   for (const char* command : {"check", "info", "plan"}) {
     const CommandOutcome outcome = run_tool({command, "--json", broken, model.path()});
     EXPECT_EQ(outcome.status, 1) << command;
@@ -232,7 +228,7 @@ TEST(many_files, one_file_is_told_as_ever) {
 class StandardInput {
  public:
   StandardInput(const std::string& file, const std::string& text) : before_(dup(STDIN_FILENO)) {
-    write(file, text);
+    write_file(file, text);
     open_at_standard_input(file);
   }
   explicit StandardInput(const std::string& folder) : before_(dup(STDIN_FILENO)) { open_at_standard_input(folder); }

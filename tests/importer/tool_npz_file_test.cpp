@@ -14,16 +14,12 @@
 #include "importer/tool/poses/zip_records.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/allocation_counter.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::string read(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string unpacked(const std::string& file) {
   std::string out;
@@ -47,8 +43,8 @@ std::string listed_by_python(const ToolModelFile& folder, const std::string& zip
                            "  assert sys.argv[2] == 'long' or not z.testzip()\n";
   EXPECT_EQ(
       std::system(("python3 " + script + " " + zip + (has_holes ? " long" : " -") + " >" + out + " 2>&1").c_str()), 0)
-      << read(out);
-  return read(out);
+      << text_of_file(out);
+  return text_of_file(out);
 }
 
 void put_at(std::ofstream& out, std::uint64_t place, const std::string& bytes) {
@@ -72,7 +68,7 @@ TEST(npz_file, arrays_grow_side_by_side_in_any_steps) {
     zip.finish();
     ASSERT_TRUE(out.finish());
   }
-  const std::string bytes = read(file);
+  const std::string bytes = text_of_file(file);
   EXPECT_THAT(bytes, HasSubstr("\n0123456789abcdefghijklmnPK"));
   EXPECT_THAT(bytes, HasSubstr("\nsecond!!PK"));
   const std::string listed = listed_by_python(folder, file);
@@ -144,10 +140,10 @@ TEST(npz_file, stdout_and_compressed_files_hold_the_same_bytes) {
     };
     sampled(model.beside("plain"));
     sampled(model.beside("packed.gz"));
-    const std::string bytes = read(model.beside("plain"));
+    const std::string bytes = text_of_file(model.beside("plain"));
     ASSERT_GT(bytes.size(), 1000u);
     EXPECT_TRUE(sampled("-") == bytes) << format;
-    EXPECT_TRUE(read(model.beside("packed.gz")) != bytes);
+    EXPECT_TRUE(text_of_file(model.beside("packed.gz")) != bytes);
     EXPECT_TRUE(unpacked(model.beside("packed.gz")) == bytes) << format;
   }
 }

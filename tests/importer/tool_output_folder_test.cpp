@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -19,16 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 /// All files below a folder, by name.
 std::vector<std::string> files_in(const fs::path& folder) {
@@ -43,8 +34,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
 class OutputFolder : public testing::Test {
  protected:
   OutputFolder() {
-    write(in_ + "/a.gltf", tool_model());
-    write(in_ + "/b/c.gltf", tool_model());
+    write_file(in_ + "/a.gltf", tool_model());
+    write_file(in_ + "/b/c.gltf", tool_model());
   }
   CommandOutcome run(std::vector<std::string> arguments) {
     arguments.push_back("--recursive");
@@ -64,7 +55,7 @@ TEST_F(OutputFolder, has_the_folders_of_the_inputs) {
   EXPECT_EQ(run({"sample", in_, "-o", out_, "--format", "csv"}).status, 0);
   EXPECT_THAT(files_in(out_),
               ElementsAre("a.csv", "a.glb", "a.json", "a.sinew", "b/c.csv", "b/c.glb", "b/c.json", "b/c.sinew"));
-  EXPECT_EQ(read(out_ + "/a.glb"), read(out_ + "/b/c.glb"));
+  EXPECT_EQ(text_of_file(out_ + "/a.glb"), text_of_file(out_ + "/b/c.glb"));
 }
 
 TEST_F(OutputFolder, is_what_verify_compares_a_folder_with) {
@@ -74,7 +65,7 @@ TEST_F(OutputFolder, is_what_verify_compares_a_folder_with) {
   EXPECT_THAT(same.out, HasSubstr("\n2 files: 2 done, 0 failed\n"));
   std::string moved = tool_model();
   moved.replace(moved.find("\"scale\": [1, 2, 1]"), 18, "\"scale\": [1, 3, 1]");
-  write(in_ + "/b/c.gltf", moved);
+  write_file(in_ + "/b/c.gltf", moved);
   const CommandOutcome outcome = run({"verify", in_, out_});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 3) << "one line each";
@@ -90,7 +81,7 @@ TEST_F(OutputFolder, convert_writes_gltf_with_buffers_where_the_format_says_so) 
   EXPECT_EQ(run({"convert", out_, place_.beside("again"), "--format", "glb"}).status, 0);
   EXPECT_EQ(run({"convert", in_, place_.beside("at_once")}).status, 0);
   for (const char* file : {"/a.glb", "/b/c.glb"})
-    EXPECT_TRUE(read(place_.beside("again") + file) == read(place_.beside("at_once") + file));
+    EXPECT_TRUE(text_of_file(place_.beside("again") + file) == text_of_file(place_.beside("at_once") + file));
 }
 
 TEST_F(OutputFolder, a_format_that_the_name_of_the_output_contradicts_is_wrong_usage) {
@@ -129,7 +120,7 @@ TEST_F(OutputFolder, verify_takes_files_and_folders_in_one_list) {
 }
 
 TEST_F(OutputFolder, one_bad_file_does_not_stop_the_others) {
-  write(in_ + "/a.gltf", "no glTF");
+  write_file(in_ + "/a.gltf", "no glTF");
   const CommandOutcome outcome = run({"compile", in_, "-o", out_, "--jobs", "1"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, testing::StartsWith(in_ + "/a.gltf: failed\n" + out_ + "/b/c.sinew: "));
@@ -137,7 +128,7 @@ TEST_F(OutputFolder, one_bad_file_does_not_stop_the_others) {
 }
 
 TEST_F(OutputFolder, two_inputs_of_one_output_are_wrong_usage_before_anything_is_written) {
-  write(in_ + "/a.glb", tool_model());
+  write_file(in_ + "/a.glb", tool_model());
   for (const char* command : {"compile", "sample"}) {
     const CommandOutcome outcome = run({command, in_, "-o", out_});
     EXPECT_EQ(outcome.status, 2) << command;
@@ -149,8 +140,8 @@ TEST_F(OutputFolder, two_inputs_of_one_output_are_wrong_usage_before_anything_is
 }
 
 TEST_F(OutputFolder, an_output_never_takes_the_place_of_any_input) {
-  write(in_ + "/d.glb", tool_model());
-  const std::string before = read(in_ + "/d.glb");
+  write_file(in_ + "/d.glb", tool_model());
+  const std::string before = text_of_file(in_ + "/d.glb");
   const CommandOutcome same = run({"convert", in_, in_});
   EXPECT_EQ(same.status, 2);
   EXPECT_THAT(same.err, HasSubstr("d.glb is read; it is left as it is"));
@@ -160,8 +151,8 @@ TEST_F(OutputFolder, an_output_never_takes_the_place_of_any_input) {
   const CommandOutcome other = run({"compile", in_, "-o", out_});
   EXPECT_EQ(other.status, 2) << "the input of another job, by a hard link";
   EXPECT_THAT(other.err, HasSubstr("d.sinew is read; it is left as it is"));
-  EXPECT_EQ(read(in_ + "/d.glb"), before);
-  EXPECT_EQ(read(in_ + "/a.gltf"), tool_model());
+  EXPECT_EQ(text_of_file(in_ + "/d.glb"), before);
+  EXPECT_EQ(text_of_file(in_ + "/a.gltf"), tool_model());
 }
 
 TEST_F(OutputFolder, convert_reads_and_writes_the_standard_streams) {
@@ -174,7 +165,7 @@ TEST_F(OutputFolder, convert_reads_and_writes_the_standard_streams) {
   close(before);
   std::fclose(opened);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out == read(place_.beside("a.glb"))) << "nothing but the .glb";
+  EXPECT_TRUE(outcome.out == text_of_file(place_.beside("a.glb"))) << "nothing but the .glb";
   EXPECT_THAT(outcome.err, HasSubstr("sinew: -: "));
   EXPECT_EQ(run_tool({"convert", in_ + "/a.gltf", "-", "--budget", "1mm"}).status, 2) << "it cannot be measured";
 }

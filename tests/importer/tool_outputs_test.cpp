@@ -11,17 +11,13 @@
 #include <sstream>
 
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string read(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The arguments that make a command read `in` and write `out`.
 using Command = std::vector<std::string> (*)(const std::string& in, const std::string& out);
@@ -80,15 +76,15 @@ TEST(tool_outputs, every_command_that_writes_is_in_the_tests_below) {
 
 /// Runs every command that writes, and expects that it leaves `in` and `out` as they are.
 void expect_refused(const std::string& in, const std::string& out, const std::vector<std::string>& commands) {
-  const std::string before = read(out), before_in = read(in);
+  const std::string before = text_of_file(out), before_in = text_of_file(in);
   const std::vector<std::string> there = commands_of_help();
   for (const std::string& command : commands) {
     if (std::find(there.begin(), there.end(), command) == there.end()) continue;  // a build without `sinew cost`
     const CommandOutcome outcome = run_tool(kWriting.at(command)(in, out));
     EXPECT_EQ(outcome.status, 2) << command << ' ' << in << ' ' << out;
     EXPECT_THAT(outcome.err, HasSubstr(out + " is read; it is left as it is")) << command;
-    EXPECT_EQ(read(out), before) << command;
-    EXPECT_EQ(read(in), before_in) << command;
+    EXPECT_EQ(text_of_file(out), before) << command;
+    EXPECT_EQ(text_of_file(in), before_in) << command;
   }
 }
 

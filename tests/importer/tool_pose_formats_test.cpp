@@ -13,6 +13,7 @@
 #include "importer/tool/poses/npy.h"
 #include "importer/tool/poses/pose_csv.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -20,11 +21,6 @@ namespace {
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string read(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 template <class T>
 T number_at(std::string_view bytes, std::size_t at) {
@@ -88,7 +84,7 @@ Sampled sampled(const ToolModelFile& model, const std::string& out, std::vector<
   arguments.insert(arguments.end(), more.begin(), more.end());
   const CommandOutcome outcome = run_tool(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  both.written = read(model.beside(out));
+  both.written = text_of_file(model.beside(out));
   return both;
 }
 

@@ -19,6 +19,7 @@
 #include "importer/tool/commands.h"
 #include "importer/visible_text.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 #include "tests/support/full_disk.h"
 
 namespace sinew::test {
@@ -28,11 +29,6 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-std::string read(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Everything in the folder of the model, by name.
 std::vector<std::string> names_beside(const ToolModelFile& model) {
@@ -48,7 +44,7 @@ TEST(tool_safety, an_output_appears_complete_or_not_at_all) {
   std::ofstream(model.beside("old.json")) << "old";
   ASSERT_EQ(run_tool({"sample", model.path(), "-o", model.beside("new.json.gz")}).status, 0);
   ASSERT_EQ(run_tool({"sample", model.path(), "-o", model.beside("old.json")}).status, 0);
-  EXPECT_TRUE(nlohmann::json::accept(read(model.beside("old.json"))));
+  EXPECT_TRUE(nlohmann::json::accept(text_of_file(model.beside("old.json"))));
   fs::create_directory(model.beside("folder"));
   EXPECT_EQ(run_tool({"sample", model.path(), "-o", model.beside("folder")}).status, 2);
   EXPECT_EQ(run_tool({"sample", model.path(), "--clip", "none", "-o", model.beside("no folder/x.json")}).status, 2);
@@ -57,7 +53,7 @@ TEST(tool_safety, an_output_appears_complete_or_not_at_all) {
   fs::create_symlink("old.json", model.beside("link.json"));
   ASSERT_EQ(run_tool({"sample", model.path(), "--clip", "none", "-o", model.beside("link.json")}).status, 0);
   EXPECT_TRUE(fs::is_symlink(model.beside("link.json"))) << "the file behind a link is replaced";
-  EXPECT_EQ(nlohmann::json::parse(read(model.beside("old.json")))["clips"].size(), 1u);
+  EXPECT_EQ(nlohmann::json::parse(text_of_file(model.beside("old.json")))["clips"].size(), 1u);
 }
 
 TEST(tool_safety, an_output_that_does_not_fit_on_the_disk_leaves_nothing) {
@@ -71,7 +67,7 @@ TEST(tool_safety, an_output_that_does_not_fit_on_the_disk_leaves_nothing) {
   }
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(outcome.err, "sinew: " + out + ": cannot be written to the end\n");
-  EXPECT_EQ(read(out), "old");
+  EXPECT_EQ(text_of_file(out), "old");
   EXPECT_THAT(names_beside(model), testing::ElementsAre("model.gltf", "poses.json"));
 }
 

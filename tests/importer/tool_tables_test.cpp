@@ -5,8 +5,6 @@
 #include <limits>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
@@ -15,12 +13,11 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/vrm/vrm_info.h"
 #include "tests/scenes/hand_scenes.h"
+#include "tests/support/json.h"
 #include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
-
-using Json = nlohmann::json;
 
 TEST(tool_words, sizes_change_their_unit_at_ten_thousand) {
   EXPECT_EQ(tool::size_text(0), "0 B");

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 TEST(pose_corrective, every_broken_rule_is_found) {
   const struct {
@@ -40,15 +40,15 @@ TEST(pose_corrective, every_broken_rule_is_found) {
        },
        ErrorCode::size_mismatch},
       {"value missing", [](PoseSamples& s) { s.values.pop_back(); }, ErrorCode::size_mismatch},
-      {"value not finite", [](PoseSamples& s) { s.values[2] = kNan; }, ErrorCode::not_finite},
-      {"rotation not finite", [](PoseSamples& s) { s.rotations[1].y = kNan; }, ErrorCode::not_finite},
+      {"value not finite", [](PoseSamples& s) { s.values[2] = kNotANumber; }, ErrorCode::not_finite},
+      {"rotation not finite", [](PoseSamples& s) { s.rotations[1].y = kNotANumber; }, ErrorCode::not_finite},
       {"rotation of no length",
        [](PoseSamples& s) {
          s.rotations[1] = {0, 0, 0, 0};
        },
        ErrorCode::not_finite},
       {"axis of no length", [](PoseSamples& s) { s.drivers[0].axis = {}; }, ErrorCode::not_finite},
-      {"weight not finite", [](PoseSamples& s) { s.drivers[0].weight = kNan; }, ErrorCode::not_finite},
+      {"weight not finite", [](PoseSamples& s) { s.drivers[0].weight = kNotANumber; }, ErrorCode::not_finite},
       {"weights with no finite sum",
        [](PoseSamples& s) {
          s.rotations.resize(2 * s.rotations.size(), s.rotations[0]);

@@ -13,7 +13,7 @@ namespace sinew {
 namespace {
 
 constexpr std::uint32_t kJoints = 8, kKeys = 3600 * 30 + 1;
-constexpr double kPage_s = 4.0;
+constexpr double kHourPage_s = 4.0;
 
 Clip clip_of_an_hour() {
   std::vector<float> times_s;
@@ -39,7 +39,7 @@ Clip clip_of_an_hour() {
 struct HourTest : testing::Test {
   static void SetUpTestSuite() {
     whole = new Clip(clip_of_an_hour());
-    pages = new std::vector<std::vector<std::byte>>(test::pages_of(*whole, kPage_s));
+    pages = new std::vector<std::vector<std::byte>>(test::pages_of(*whole, kHourPage_s));
   }
   static void TearDownTestSuite() {
     delete whole;
@@ -59,7 +59,7 @@ struct HourTest : testing::Test {
 
 TEST_F(HourTest, plays_with_the_bits_of_the_whole_clip_in_a_hundredth_of_its_memory) {
   ASSERT_EQ(pages->size(), 900u);
-  PagedClip paged(first_keys(*whole), kPage_s, pages->size());
+  PagedClip paged(first_keys(*whole), kHourPage_s, pages->size());
   std::size_t loads = 0, missing = 0, most_bytes = 0;
   for (double t = 0.0; t < 3600.0; t += 1.0 / 30.0) {
     if (const auto page = paged.next_page()) {  // one a frame, before it is needed
@@ -78,7 +78,7 @@ TEST_F(HourTest, plays_with_the_bits_of_the_whole_clip_in_a_hundredth_of_its_mem
 
 /// A loader that needs 90 frames for each page is late after each jump.
 TEST_F(HourTest, a_slow_loader_is_late_after_jumps_and_never_wrong) {
-  PagedClip paged(first_keys(*whole), kPage_s, pages->size());
+  PagedClip paged(first_keys(*whole), kHourPage_s, pages->size());
   test::FixedRandom random(1);
   double t = 0.0;
   std::size_t missing = 0, shown = 0, frames_left = 90;

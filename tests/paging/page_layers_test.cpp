@@ -15,14 +15,15 @@
 namespace sinew::test {
 namespace {
 
-constexpr double kPage_s = 0.3;
+constexpr double kLayerPage_s = 0.3;
 
 /// The clips of a scene in pages, all of which are read the moment they are wanted.
 class Pages {
  public:
   explicit Pages(const Scene& scene, const std::vector<std::uint32_t>& kept_joints = {}) : clips_(scene.clips) {
     for (const Clip& clip : clips_)
-      paged_.push_back(std::make_unique<PagedClip>(first_keys(clip), kPage_s, page_count_of(clip.duration_s(), kPage_s),
+      paged_.push_back(std::make_unique<PagedClip>(first_keys(clip), kLayerPage_s,
+                                                   page_count_of(clip.duration_s(), kLayerPage_s),
                                                    PagedClip::Options{.kept_joints = kept_joints}));
   }
 
@@ -32,7 +33,7 @@ class Pages {
       PagedClip& clip = *paged_[layer.clip];
       clip.at(layer.time_s);
       while (const auto page = clip.next_page())
-        EXPECT_TRUE(clip.load_page(*page, pages_of(clips_[layer.clip], kPage_s)[*page]));
+        EXPECT_TRUE(clip.load_page(*page, pages_of(clips_[layer.clip], kLayerPage_s)[*page]));
       held_.push_back(std::make_unique<PageSample>(clip.at(layer.time_s)));
       EXPECT_FALSE(held_.back()->is_missing);
       layer.page = &held_.back()->page;
@@ -89,7 +90,7 @@ TEST(page_layers, pages_for_a_plan_with_a_skeleton_lod_have_the_bits_of_its_whol
       ASSERT_EQ(first_difference(whole.result(), paged.result()), "") << t;
       pages.frame_has_run();
     }
-    PagedClip nothing_loaded(first_keys(scene.clips[0]), kPage_s, 9, {.kept_joints = kept_joints(plan)});
+    PagedClip nothing_loaded(first_keys(scene.clips[0]), kLayerPage_s, 9, {.kept_joints = kept_joints(plan)});
     const PageSample start = nothing_loaded.at(1.0);
     const ClipLayer from_head{.clip = 0, .time_s = start.time_s, .page = &start.page}, from_clip{.clip = 0};
     ASSERT_EQ(run_plan(plan, {.layers = {&from_head, 1}, .weights = {}, .root = {}}, paged), ErrorCode::ok);

@@ -13,12 +13,12 @@
 namespace sinew {
 namespace {
 
-constexpr double kPage_s = 0.25;
+constexpr double kLoaderPage_s = 0.25;
 
 TEST(page_loaders, several_threads_load_while_another_plays) {
   const Clip whole = test::varied_clip(1);
-  const auto pages = test::pages_of(whole, kPage_s);
-  PagedClip paged(first_keys(whole), kPage_s, pages.size());
+  const auto pages = test::pages_of(whole, kLoaderPage_s);
+  PagedClip paged(first_keys(whole), kLoaderPage_s, pages.size());
   std::atomic<bool> is_over = false;
   std::atomic<std::size_t> errors = 0;
   const auto load = [&] {

@@ -25,10 +25,10 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-constexpr double kPage_s = 0.4;
+constexpr double kFilePage_s = 0.4;
 
 Bytes paged_file(const Scene& scene, int zstd_level = 0) {
-  return write_asset_file(scene, {.page_s = kPage_s, .zstd_level = zstd_level});
+  return write_asset_file(scene, {.page_s = kFilePage_s, .zstd_level = zstd_level});
 }
 
 std::span<const std::byte> stored_page(const Bytes& file, const PageTable& table, std::size_t page) {
@@ -128,7 +128,7 @@ TEST(paged_files, a_packed_page_that_is_damaged_or_asks_for_much_memory_is_refus
   };
   EXPECT_EQ(rule_of(packed(zeros)), "asset-memory") << "thousands of times its bytes";
   EXPECT_TRUE(unpacked.empty());
-  Bytes page = packed(pages_of(full_scene(2).clips[0], kPage_s)[0]);
+  Bytes page = packed(pages_of(full_scene(2).clips[0], kFilePage_s)[0]);
   EXPECT_EQ(rule_of(page), "");
   page.pop_back();
   EXPECT_EQ(rule_of(page), "asset-size");
@@ -198,7 +198,8 @@ TEST(paged_files, a_table_that_leaves_pages_out_is_refused) {
   const Scene scene = full_scene(1);
   Bytes file = paged_file(scene);
   const AssetBlock table = *AssetFile::open(file)->find(AssetKind::pages);
-  put_number(file, table.offset + 8, 2 * kPage_s);  // behind the number of tables: the length of the first one's pages
+  put_number(file, table.offset + 8,
+             2 * kFilePage_s);  // behind the number of tables: the length of the first one's pages
   sign_assets(file);
   EXPECT_NE(error_of(file).find("has more or fewer pages than its duration asks for"), std::string::npos)
       << error_of(file);

@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kJoints = 70;
+constexpr std::uint32_t kPackedJoints = 70;
 constexpr double kTolerance = 1e-3;
 
 struct Packed {
@@ -29,7 +29,7 @@ Packed packed(double step_rad) {
   const std::vector<float> times[] = {test::random_times(random, 14), test::random_times(random, 9)};
   std::vector<BoneAnimation> bones;
   KeyTolerances rounding;
-  for (std::uint32_t j = 0; j < kJoints; j += 1 + random.below(3)) {
+  for (std::uint32_t j = 0; j < kPackedJoints; j += 1 + random.below(3)) {
     BoneAnimation bone;
     bone.joint = j;
     bone.rotation = {j % 7 == 0 ? Interpolation::step : Interpolation::linear, times[j % 2], {}};
@@ -43,7 +43,7 @@ Packed packed(double step_rad) {
     rounding.bones.push_back({kTolerance, kTolerance, 0.0});
   }
   Packed out{test::animation_of(std::move(bones)), {}};
-  out.clip = compile_clip(out.animation, test::chain_skeleton(kJoints), {}, {}, {}, rounding);
+  out.clip = compile_clip(out.animation, test::chain_skeleton(kPackedJoints), {}, {}, {}, rounding);
   return out;
 }
 
@@ -53,7 +53,7 @@ TEST(sample_packed, G01_N01_poses_between_and_on_keys_are_as_near_as_the_keys) {
     for (const TimeGroup& group : p.clip.layout().groups)
       for (const TrackBlock& block : group.blocks) EXPECT_FALSE(block.packed.empty());
     test::FixedRandom random(18);
-    test::PoseBuffer pose(kJoints);
+    test::PoseBuffer pose(kPackedJoints);
     for (int i = 0; i < 120; ++i) {
       const double t =
           i < 14 ? double(p.animation.bones[0].rotation.times_s[std::min<std::size_t>(static_cast<std::size_t>(i), 8)])
@@ -78,12 +78,12 @@ TEST(sample_packed, N27_N28_every_instruction_set_gives_the_same_bits) {
   const Packed p = packed(0.5);
   const auto results = [&] {
     std::vector<float> numbers;
-    test::PoseBuffer pose(kJoints);
+    test::PoseBuffer pose(kPackedJoints);
     for (double t = -0.1; t < p.animation.duration_s; t += 0.031) {
       run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}});
       for (std::size_t plane = 0; plane < PoseSpan::plane_count; ++plane)
         numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(plane)),
-                       pose.span().plane(PoseSpan::Plane(plane)) + kJoints);
+                       pose.span().plane(PoseSpan::Plane(plane)) + kPackedJoints);
     }
     return numbers;
   };

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kJoints = 53;  // not a multiple of any vector length
+constexpr std::uint32_t kTargetJoints = 53;  // not a multiple of any vector length
 
 void append(std::vector<float>& numbers, const std::vector<Affine>& matrices) {
   for (const Affine& m : matrices)
@@ -23,8 +23,8 @@ void append(std::vector<float>& numbers, const std::vector<Affine>& matrices) {
 std::vector<float> results() {
   test::FixedRandom random(27);
   std::vector<std::vector<float>> times{test::random_times(random, 12), test::random_times(random, 9)};
-  std::vector<BoneAnimation> bones(kJoints);
-  for (std::uint32_t j = 0; j < kJoints; ++j) {
+  std::vector<BoneAnimation> bones(kTargetJoints);
+  for (std::uint32_t j = 0; j < kTargetJoints; ++j) {
     const bool cubic = random.below(3) == 0;
     bones[j].joint = j;
     bones[j].rotation =
@@ -32,11 +32,11 @@ std::vector<float> results() {
     bones[j].translation =
         test::random_vectors(random, cubic ? Interpolation::linear : Interpolation::cubic_spline, times[j % 5 == 0]);
   }
-  const Skeleton skeleton = test::chain_skeleton(kJoints);
+  const Skeleton skeleton = test::chain_skeleton(kTargetJoints);
   const Clip clip = test::clip_of(test::animation_of(std::move(bones)), skeleton);
-  std::vector<Affine> model(kJoints);
-  test::PoseBuffer a(kJoints), b(kJoints), rest(kJoints), out(kJoints);
-  std::vector<float> mask(kJoints);
+  std::vector<Affine> model(kTargetJoints);
+  test::PoseBuffer a(kTargetJoints), b(kTargetJoints), rest(kTargetJoints), out(kTargetJoints);
+  std::vector<float> mask(kTargetJoints);
   for (float& m : mask) m = static_cast<float>(random.unit());
   std::vector<float> numbers;
   for (int i = 0; i < 50; ++i) {
@@ -48,7 +48,7 @@ std::vector<float> results() {
     append(numbers, model);
     for (const PoseSpan& pose : {a.span(), out.span()})
       for (std::size_t p = 0; p < PoseSpan::plane_count; ++p)
-        numbers.insert(numbers.end(), pose.plane(PoseSpan::Plane(p)), pose.plane(PoseSpan::Plane(p)) + kJoints);
+        numbers.insert(numbers.end(), pose.plane(PoseSpan::Plane(p)), pose.plane(PoseSpan::Plane(p)) + kTargetJoints);
   }
   return numbers;
 }
@@ -66,16 +66,16 @@ TEST(simd_targets, N27_N28_every_instruction_set_gives_the_same_bits) {
 
 TEST(simd_targets, N28_model_matrices_have_the_bits_of_the_plain_product) {
   test::FixedRandom random(28);
-  Skeleton skeleton = test::chain_skeleton(kJoints);
+  Skeleton skeleton = test::chain_skeleton(kTargetJoints);
   skeleton.fixed_matrices.push_back(affine_from_transform(random.transform()));
   skeleton.fixed_matrix_of[20] = 0;
-  test::PoseBuffer pose(kJoints);
-  for (std::size_t j = 0; j < kJoints; ++j) pose.span().set(j, random.transform(0.9, 1.1));
+  test::PoseBuffer pose(kTargetJoints);
+  for (std::size_t j = 0; j < kTargetJoints; ++j) pose.span().set(j, random.transform(0.9, 1.1));
   const Affine root = affine_from_transform(random.transform());
-  std::vector<Affine> model(kJoints);
+  std::vector<Affine> model(kTargetJoints);
   run(LocalToModelJob{&skeleton, pose.span(), root, model});
   Affine expected = root;
-  for (std::size_t j = 0; j < kJoints; ++j) {
+  for (std::size_t j = 0; j < kTargetJoints; ++j) {
     expected = expected * (j == 20 ? skeleton.fixed_matrices[0] : affine_from_transform(pose.span().get(j)));
     EXPECT_EQ(model[j], expected) << j;
   }

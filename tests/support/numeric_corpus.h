@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include "tests/support/json.h"
 
 namespace sinew::test {
 
 /// Reference data, of the project (tests/numeric) and of the corpus (its folder numeric/): cases by kind, each with
 /// input, truth and what is accepted.
-
-using Json = nlohmann::json;
 
 /// The answer of a kernel, under the names that the truth uses: "q", "m", "p", ...
 using Outcome = std::map<std::string, std::vector<double>>;

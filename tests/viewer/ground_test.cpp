@@ -18,7 +18,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kGroundWidth = 64, kGroundHeight = 48;
 
 class ground : public DeviceTest {};
 
@@ -60,7 +60,8 @@ double key_irradiance(const Lighting& lighting) { return luminance(lighting.key)
 /// The point of the ground that is seen at a pixel; nothing where something is in front of it.
 std::optional<glm::dvec3> ground_at(const BuiltScene& built, const View& view, const Ground& ground, int x, int y) {
   const FrameResult frame = built.frame();
-  const auto line = reference::sight_line({built.scene, frame, view, {}, kWidth, kHeight}, x + 0.5, y + 0.5);
+  const auto line =
+      reference::sight_line({built.scene, frame, view, {}, kGroundWidth, kGroundHeight}, x + 0.5, y + 0.5);
   const double t = (ground.middle.y - line.from.y) / line.direction.y;
   if (!(t > 0.0)) return std::nullopt;
   for (const reference::SurfacePoint& p : reference::surfaces_along(built.scene, frame, line))
@@ -93,10 +94,10 @@ std::optional<bool> shadow_around(const BuiltScene& built, const RenderOptions& 
 void expect_shadows(const RenderOptions& options, int least_dark, const BuiltScene& built = box_and_ball()) {
   const double key = key_irradiance(options.lighting),
                ambient = options.lighting.ambient() ? ambient_irradiance() : 0.0;
-  const FloatPicture drawn = render_float(built, kWidth, kHeight, from_above(), options);
+  const FloatPicture drawn = render_float(built, kGroundWidth, kGroundHeight, from_above(), options);
   int dark = 0, lit = 0, wrong = 0;
-  for (int y = 1; y < kHeight - 1; ++y)
-    for (int x = 1; x < kWidth - 1; ++x) {
+  for (int y = 1; y < kGroundHeight - 1; ++y)
+    for (int x = 1; x < kGroundWidth - 1; ++x) {
       const std::optional<bool> shadow = shadow_around(built, options, x, y);
       if (!shadow) continue;
       (*shadow ? dark : lit) += 1;
@@ -144,12 +145,12 @@ TEST_F(ground, has_less_ambient_light_beside_what_stands_on_it) {
   options.ao = {.radius_m = 0.6f, .surface_epsilon_m = 0.01f, .fade_start_m = 0.3f, .fade_end_m = 1.2f};
   RenderOptions access = options;
   access.show = Show::ao;
-  const FloatPicture drawn = render_float(built, kWidth, kHeight, from_above(), options),
-                     seen = render_float(built, kWidth, kHeight, from_above(), access);
+  const FloatPicture drawn = render_float(built, kGroundWidth, kGroundHeight, from_above(), options),
+                     seen = render_float(built, kGroundWidth, kGroundHeight, from_above(), access);
   const double key = key_irradiance(options.lighting), ambient = ambient_irradiance();
   int touched = 0, beside = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kGroundHeight; ++y)
+    for (int x = 0; x < kGroundWidth; ++x) {
       const auto point = ground_at(built, from_above(), options.ground, x, y);
       if (!point) continue;
       const double share = static_cast<double>(seen.at(x, y).x);
@@ -172,11 +173,11 @@ TEST_F(ground, is_drawn_as_far_as_shadows_of_a_spot_light_reach) {
     RenderOptions options = options_for(GroundLook::shadows), everywhere = options;
     options.lighting.scene_lights = everywhere.lighting.scene_lights = true;
     everywhere.ground.bounds = {glm::vec3(-30.0f), glm::vec3(30.0f)};
-    const FloatPicture drawn = render_float(built, kWidth, kHeight, from_above(), options);
-    const FloatPicture whole = render_float(built, kWidth, kHeight, from_above(), everywhere);
+    const FloatPicture drawn = render_float(built, kGroundWidth, kGroundHeight, from_above(), options);
+    const FloatPicture whole = render_float(built, kGroundWidth, kGroundHeight, from_above(), everywhere);
     int dark = 0;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kGroundHeight; ++y)
+      for (int x = 0; x < kGroundWidth; ++x) {
         EXPECT_NEAR(drawn.at(x, y).a, whole.at(x, y).a, 0.05f) << x << ' ' << y;  // roundings at the edge of a shadow
         dark += drawn.at(x, y).a > 0.1f && ground_at(built, from_above(), options.ground, x, y).has_value();
       }
@@ -187,12 +188,12 @@ TEST_F(ground, is_drawn_as_far_as_shadows_of_a_spot_light_reach) {
 TEST_F(ground, fades_out_towards_its_radius) {
   const BuiltScene built = box_and_ball();
   RenderOptions options = options_for(GroundLook::shadows);
-  const FloatPicture whole = render_float(built, kWidth, kHeight, from_above(), options);
+  const FloatPicture whole = render_float(built, kGroundWidth, kGroundHeight, from_above(), options);
   options.ground.radius_m = 1.5f;
-  const FloatPicture small = render_float(built, kWidth, kHeight, from_above(), options);
+  const FloatPicture small = render_float(built, kGroundWidth, kGroundHeight, from_above(), options);
   int fading = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kGroundHeight; ++y)
+    for (int x = 0; x < kGroundWidth; ++x) {
       const auto point = ground_at(built, from_above(), options.ground, x, y);
       if (!point) continue;
       const double part = glm::length(*point - options.ground.middle) / 1.5;
@@ -235,14 +236,14 @@ TEST_F(ground, grid_lines_are_as_bright_whatever_the_exposure_and_the_light) {
     options.lighting.environment_intensity = light;
     options.lighting.auto_exposure = automatic;
     options.lighting.exposure = exposure;
-    return render_float(built, kWidth, kHeight, from_above(), options);
+    return render_float(built, kGroundWidth, kGroundHeight, from_above(), options);
   };
   const FloatPicture given = drawn(1.0f, false, 1.0f);
   for (const FloatPicture& other :
        {drawn(1.0f, false, 4.0f), drawn(1.0f, true, 1.0f), drawn(400.0f, true, 1.0f), drawn(0.01f, true, 2.0f)}) {
     int lines = 0;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kGroundHeight; ++y)
+      for (int x = 0; x < kGroundWidth; ++x) {
         if (!ground_at(built, from_above(), options_for(GroundLook::grid).ground, x, y)) continue;
         lines += given.at(x, y).r > 0.2f;
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(other.at(x, y)[c], given.at(x, y)[c], 0.002) << x << ' ' << y;
@@ -253,7 +254,7 @@ TEST_F(ground, grid_lines_are_as_bright_whatever_the_exposure_and_the_light) {
 
 TEST_F(ground, cannot_be_seen_from_below_and_is_in_no_buffer) {
   const BuiltScene built = box_and_ball();
-  Headless pictures(*test_device(), built.scene, kWidth, kHeight);
+  Headless pictures(*test_device(), built.scene, kGroundWidth, kGroundHeight);
   const auto runs = [&](const View& view, const RenderOptions& options) {
     pictures.render(built.frame(), view, options);
     return pictures.report().passes[static_cast<std::size_t>(Pass::ground)].runs;
@@ -274,14 +275,15 @@ TEST_F(ground, cannot_be_seen_from_below_and_is_in_no_buffer) {
     without.ground.look = GroundLook::none;
     with.show = without.show = show;
     EXPECT_FALSE(runs(from_above(), with));
-    EXPECT_EQ(render_float(built, kWidth, kHeight, from_above(), with).pixels,
-              render_float(built, kWidth, kHeight, from_above(), without).pixels);
+    EXPECT_EQ(render_float(built, kGroundWidth, kGroundHeight, from_above(), with).pixels,
+              render_float(built, kGroundWidth, kGroundHeight, from_above(), without).pixels);
   }
 }
 
 TEST_F(ground, nothing_opaque_is_needed_to_see_its_grid) {
   const BuiltScene empty;
-  const FloatPicture drawn = render_float(empty, kWidth, kHeight, from_above(), options_for(GroundLook::grid));
+  const FloatPicture drawn =
+      render_float(empty, kGroundWidth, kGroundHeight, from_above(), options_for(GroundLook::grid));
   EXPECT_TRUE(std::any_of(drawn.pixels.begin(), drawn.pixels.end(), [](const glm::vec4& p) { return p.a > 0.1f; }));
 }
 

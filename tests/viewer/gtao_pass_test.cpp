@@ -16,11 +16,11 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr int kWidth = 63, kHeight = 48;
+constexpr int kGtaoWidth = 63, kGtaoHeight = 48;
 
 class gtao_pass : public DeviceTest {};
 
-RenderOptions options_with(float radius) {
+RenderOptions gtao_with(float radius) {
   RenderOptions options;
   options.show = Show::ao;
   options.ao.method = OcclusionMethod::gtao;
@@ -29,40 +29,23 @@ RenderOptions options_with(float radius) {
   return options;
 }
 
-View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
-
-struct Difference {
-  double mean = 0.0, darkest = 1.0;
-  int far = 0;  ///< pixels that differ by more than 0.03
-};
-
-Difference compare(const FloatPicture& picture, const std::vector<double>& expected) {
-  Difference d;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    const double error = std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
-    d.mean += error / static_cast<double>(expected.size());
-    d.far += error > 0.03;
-    d.darkest = std::min(d.darkest, expected[i]);
-  }
-  return d;
-}
-
 TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the_radius) {
   const BuiltScene built = box_and_sphere_on_floor();
   for (const float radius : {0.6f, 1.4f})
     for (const bool blur : {false, true})
       for (const OcclusionShape& shape : {OcclusionShape{}, OcclusionShape{.slices = 1, .steps = 4, .step = 1},
                                           OcclusionShape{.slices = 3, .steps = 2}}) {
-        RenderOptions options = options_with(radius);
+        RenderOptions options = gtao_with(radius);
         options.ao.blur = blur;
         options.ao.power = blur ? 1.7f : 1.0f;
-        const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
-        const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape),
-                                     reference_access(image, options, shape).access);
+        const auto image = gpu_depth_and_normals(built, kGtaoWidth, kGtaoHeight, view_of_floor(), options);
+        const AccessDifference d =
+            difference_of_access(render_float(built, kGtaoWidth, kGtaoHeight, view_of_floor(), options, {}, shape),
+                                 reference_access(image, options, shape).access);
         EXPECT_LT(d.darkest, 0.7) << "nothing is occluded: the comparison is empty";
         EXPECT_LT(d.mean, 2e-3) << shape.slices << ' ' << blur;
         // In float, a point on the border of two pixels, or at the radius, may fall to either side.
-        EXPECT_LT(d.far, kWidth * kHeight / 50) << shape.slices << ' ' << blur;
+        EXPECT_LT(d.far, kGtaoWidth * kGtaoHeight / 50) << shape.slices << ' ' << blur;
       }
 }
 
@@ -74,10 +57,10 @@ TEST_F(gtao_pass, agrees_with_the_reference_where_normals_point_away_from_the_pi
     built.add(showcase::sphere(side, 1.0f), white);
   built.add(showcase::box({0.0f, 0.0f, -1.7f}, {6.0f, 5.0f, 0.1f}), white);
   const View view = look_at({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 2.2, 0.05);
-  const RenderOptions options = options_with(0.6f);
-  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, options);
+  const RenderOptions options = gtao_with(0.6f);
+  const auto image = gpu_depth_and_normals(built, kGtaoWidth, kGtaoHeight, view, options);
   const std::vector<double> expected = reference_access(image, options).access;
-  const FloatPicture picture = render_float(built, kWidth, kHeight, view, options);
+  const FloatPicture picture = render_float(built, kGtaoWidth, kGtaoHeight, view, options);
   double mean = 0.0, occluded = 0.0;
   int quadrants[2][2] = {};
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -98,7 +81,7 @@ TEST_F(gtao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
   for (const double height : {8.0, 2.0, 0.3}) {
     BuiltScene built;
     built.add(square(30.0f), built.add_material(matte({1, 1, 1})));
-    RenderOptions options = options_with(0.5f);
+    RenderOptions options = gtao_with(0.5f);
     options.ao.blur = false;
     const View view = look_at({0.0, height, 6.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);
     for (const glm::vec4& pixel : render_float(built, 96, 64, view, options).pixels)
@@ -122,7 +105,7 @@ TEST_F(gtao_pass, is_what_is_open_beside_a_wall) {
   upright.row[0] = {0, 1, 0, 0};
   upright.row[1] = {-1, 0, 0, 0};
   built.add(square(30.0f), white, upright);
-  const RenderOptions options = options_with(1.0f);
+  const RenderOptions options = gtao_with(1.0f);
   View down = look_at({2.0, 8.0, 0.0}, {1.0, 0.0, 0.0}, 0.5, 0.05);
   const int width = 161, height = 121;
   const FloatPicture picture =
@@ -158,21 +141,21 @@ TEST_F(gtao_pass, N32_a_blocker_far_in_front_leaves_no_halo) {
   built.add(square(30.0f), white);
   built.add(showcase::box({0.0f, 5.0f, 0.0f}, {0.5f, 0.1f, 0.5f}), white);  // 5 m over the floor, seen from above
   const View view = look_at({0.0, 9.0, 0.01}, {0.0, 0.0, 0.0}, 0.8, 0.05);
-  for (const glm::vec4& pixel : render_float(built, 64, 64, view, options_with(0.5f)).pixels) EXPECT_GT(pixel.r, 0.99f);
+  for (const glm::vec4& pixel : render_float(built, 64, 64, view, gtao_with(0.5f)).pixels) EXPECT_GT(pixel.r, 0.99f);
 }
 
 TEST_F(gtao_pass, fades_out_when_its_radius_is_below_three_pixels_and_is_steady) {
   const BuiltScene built = box_and_sphere_on_floor();
-  const RenderOptions options = options_with(0.6f);
+  const RenderOptions options = gtao_with(0.6f);
   const auto at = [&](double distance) {
     const View view = look_at(distance * glm::normalize(glm::dvec3(2.5, 2.2, 4.0)), {0.0, 0.4, 0.0}, 0.8, 0.05);
-    return render_float(built, kWidth, kHeight, view, options).pixels;
+    return render_float(built, kGtaoWidth, kGtaoHeight, view, options).pixels;
   };
   const auto darkest = [](const std::vector<glm::vec4>& pixels) {
     return std::min_element(pixels.begin(), pixels.end(), [](const auto& a, const auto& b) { return a.r < b.r; })->r;
   };
   EXPECT_LT(darkest(at(5.0)), 0.7f);
-  EXPECT_NEAR(darkest(at(0.6 * 0.5 / std::tan(0.4) * kHeight / 1.2)), 1.0f,
+  EXPECT_NEAR(darkest(at(0.6 * 0.5 / std::tan(0.4) * kGtaoHeight / 1.2)), 1.0f,
               1e-6f);  // radius = 1.2 pixels at the target
   EXPECT_EQ(at(5.0), at(5.0));
 }

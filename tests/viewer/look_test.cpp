@@ -9,7 +9,7 @@ namespace {
 
 class look : public DeviceTest {};
 
-constexpr std::uint32_t kSize = 64;
+constexpr std::uint32_t kLookSize = 64;
 
 Material glowing(const glm::vec3& color) {
   Material material;
@@ -29,7 +29,7 @@ struct Seen {
     built.add(square(0.5f), built.add_material(glowing({1, 0, 0})));
   }
   Picture picture(std::uint32_t variant = kNone, const FrameResult* frame = nullptr) {
-    Headless renderer(*test_device(), built.scene, kSize, kSize);
+    Headless renderer(*test_device(), built.scene, kLookSize, kLookSize);
     RenderOptions options;
     options.transparent_background = true;
     return renderer.render(frame ? *frame : built.frame(), view, options, {}, variant);
@@ -42,7 +42,9 @@ std::size_t covered(const Picture& picture) {
   return count;
 }
 
-const std::uint8_t* middle(const Picture& picture) { return &picture.rgba[4 * (kSize / 2 * kSize + kSize / 2)]; }
+const std::uint8_t* middle(const Picture& picture) {
+  return &picture.rgba[4 * (kLookSize / 2 * kLookSize + kLookSize / 2)];
+}
 
 TEST_F(look, a_parallel_camera_shows_the_same_size_at_any_distance) {
   Seen seen;
@@ -59,9 +61,9 @@ TEST_F(look, a_parallel_camera_shows_the_same_size_at_any_distance) {
 TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
   Seen seen;
   seen.view = look_at({0.5, 3.0, 1.5}, {0.0, 0.0, 0.0}, 0.8, 0.5);
-  const auto without = gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {});
+  const auto without = gpu_depth_and_normals(seen.built, kLookSize, kLookSize, seen.view, {});
   seen.view.far_m = 4.5;
-  const auto with = gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {});
+  const auto with = gpu_depth_and_normals(seen.built, kLookSize, kLookSize, seen.view, {});
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < with.distance.size(); ++i) {
     drawn += with.distance[i] > 0.0;
@@ -70,7 +72,7 @@ TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
   EXPECT_GT(drawn, 100u);
   seen.view.far_m = 3.4;  // through the middle of the square
   std::size_t kept = 0;
-  for (const double d : gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {}).distance) {
+  for (const double d : gpu_depth_and_normals(seen.built, kLookSize, kLookSize, seen.view, {}).distance) {
     kept += d > 0.0;
     EXPECT_LE(d, 3.4001);
   }
@@ -81,7 +83,7 @@ TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
 TEST_F(look, ambient_access_of_a_plane_is_open_in_a_parallel_view) {
   Seen seen;
   seen.built.scene.materials[0] = matte({0.5f, 0.5f, 0.5f});
-  Headless renderer(*test_device(), seen.built.scene, kSize, kSize);
+  Headless renderer(*test_device(), seen.built.scene, kLookSize, kLookSize);
   RenderOptions options;
   options.show = Show::ao;
   const Picture picture = renderer.render(seen.built.frame(), seen.view, options);
@@ -213,7 +215,8 @@ TEST_F(look, what_is_deformed_covers_the_box_of_its_vertices_wherever_its_node_i
   draws.collect({&drawn, 1}, 0, seen.view, 1.0, 1.0f);
   CoveredArea expected(seen.view, 1.0);
   expected.add_box(seen.view.view_from_world, instance.bounds);
-  const VkRect2D area = draws.opaque_area().texels({kSize, kSize}, 1), box = expected.texels({kSize, kSize}, 1);
+  const VkRect2D area = draws.opaque_area().texels({kLookSize, kLookSize}, 1),
+                 box = expected.texels({kLookSize, kLookSize}, 1);
   EXPECT_EQ(area.offset.x, box.offset.x);
   EXPECT_EQ(area.offset.y, box.offset.y);
   EXPECT_EQ(area.extent.width, box.extent.width);

@@ -19,6 +19,7 @@
 #include <OpenEXR/ImfRgbaFile.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/file_text.h"
 #include "viewer/app/load_environment.h"
 
 namespace sinew::viewer {
@@ -29,11 +30,6 @@ using testing::HasSubstr;
 /// In the folder for temporary files, for this process alone.
 std::filesystem::path own_path(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("sinew-" + std::to_string(getpid()) + "-" + name);
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 tl::expected<Panorama, std::string> decoded(const std::string& bytes) {
@@ -62,7 +58,7 @@ std::filesystem::path write_exr(int width, int height, const std::vector<Imf::Rg
 
 std::string exr(int width, int height, const std::vector<Imf::Rgba>& texels) {
   const std::filesystem::path path = write_exr(width, height, texels);  // complete once its writer is gone
-  std::string bytes = bytes_of(path);
+  std::string bytes = test::text_of_file(path);
   std::filesystem::remove(path);
   return bytes;
 }
@@ -106,7 +102,7 @@ TEST(panorama, open_exr_has_its_texels_wherever_its_data_window_lies) {
     file.setFrameBuffer(texels.data() - window.min.x - window.min.y * 4, 1, 4);
     file.writePixels(2);
   }
-  const auto panorama = decoded(bytes_of(path));
+  const auto panorama = decoded(test::text_of_file(path));
   std::filesystem::remove(path);
   ASSERT_TRUE(panorama) << panorama.error();
   ASSERT_EQ(panorama->width, 4u);

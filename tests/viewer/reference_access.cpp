@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/viewer/reference_access.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/reference/gtao.h"
 #include "viewer/passes/ssao_kernel.h"
 
@@ -38,6 +41,18 @@ reference::PixelAccess reference_access(const reference::DepthAndNormals& image,
     half = reference::blurred(image, settings, half, true);
   }
   return reference::full_size(image, settings, half);
+}
+
+AccessDifference difference_of_access(const FloatPicture& picture, const std::vector<double>& expected) {
+  AccessDifference d;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double error = std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
+    d.mean += error / static_cast<double>(expected.size());
+    d.worst = std::max(d.worst, error);
+    d.far += error > 0.03;
+    d.darkest = std::min(d.darkest, expected[i]);
+  }
+  return d;
 }
 
 }  // namespace sinew::viewer

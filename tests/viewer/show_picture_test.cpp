@@ -13,7 +13,7 @@ namespace {
 
 class show_picture : public DeviceTest {};
 
-constexpr int kWidth = 36, kHeight = 28;
+constexpr int kShownWidth = 36, kShownHeight = 28;
 
 View the_view() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
 
@@ -38,7 +38,8 @@ TEST_F(show_picture, normals_are_those_of_the_seen_sides_in_view_space) {
   options.show = Show::normals;
   for (const bool transparent : {false, true}) {
     options.transparent_background = transparent;
-    expect_reference_picture(shapes(), the_view(), options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
+    expect_reference_picture(shapes(), the_view(), options,
+                             {.width = kShownWidth, .height = kShownHeight, .sharp = 0.5});
   }
 }
 
@@ -71,7 +72,7 @@ TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
   View cut = the_view();
   cut.far_m = 5.0;
   for (const View& view : {the_view(), parallel, cut})
-    expect_reference_picture(shapes(), view, options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
+    expect_reference_picture(shapes(), view, options, {.width = kShownWidth, .height = kShownHeight, .sharp = 0.5});
 }
 
 TEST_F(show_picture, ambient_access_is_white_where_nothing_asks_for_it) {
@@ -80,7 +81,7 @@ TEST_F(show_picture, ambient_access_is_white_where_nothing_asks_for_it) {
   rays.ao.method = OcclusionMethod::rays;  // and no vertex has any
   for (RenderOptions* options : {&off, &rays}) {
     options->show = Show::ao;
-    for (const glm::vec4& pixel : render_float(shapes(), kWidth, kHeight, the_view(), *options).pixels)
+    for (const glm::vec4& pixel : render_float(shapes(), kShownWidth, kShownHeight, the_view(), *options).pixels)
       ASSERT_NEAR(pixel.r, 1.0f, 1e-3f);  // of a half float
   }
 }
@@ -91,16 +92,16 @@ void expect_reference_access(const BuiltScene& built, double bound) {
   options.show = Show::ao;
   options.ao.radius_m = 0.7f;
   const FrameResult frame = built.frame();
-  const reference::PictureOf picture{built.scene, frame, the_view(), options, kWidth, kHeight};
-  reference::DepthAndNormals image = empty_image(kWidth, kHeight, the_view());
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  const reference::PictureOf picture{built.scene, frame, the_view(), options, kShownWidth, kShownHeight};
+  reference::DepthAndNormals image = empty_image(kShownWidth, kShownHeight, the_view());
+  for (int y = 0; y < kShownHeight; ++y)
+    for (int x = 0; x < kShownWidth; ++x) {
       const reference::DepthAndNormal at = reference::depth_at(picture, x + 0.5, y + 0.5);
       image.distance.push_back(at.distance_m);
       image.normals.push_back(at.normal);
     }
   const std::vector<double> access = reference_access(image, options).access;
-  const FloatPicture drawn = render_float(built, kWidth, kHeight, the_view(), options);
+  const FloatPicture drawn = render_float(built, kShownWidth, kShownHeight, the_view(), options);
   double mean = 0.0, occluded = 0.0;
   for (std::size_t i = 0; i < access.size(); ++i) {
     mean += std::abs(static_cast<double>(drawn.pixels[i].r) - access[i]) / static_cast<double>(access.size());

@@ -10,9 +10,7 @@ namespace {
 constexpr int kTable[] = {1, 2, 3};
 constexpr int kFour = 3 + 1;
 [[maybe_unused]] constexpr double kUnread = 0.5;
-constexpr struct {
-  int numbers[3], behind;
-} kThree{{1, 2, 3}, 9};
+constexpr struct { int numbers[3], behind; } kThree{{1, 2, 3}, 9};
 constexpr int two(int x) { return x + 2; }
 static_assert(sizeof(kTable) == 3 * sizeof(int));
 }  // namespace
