@@ -114,14 +114,18 @@ class ClipBuilder {
 
   std::optional<SamplerData> read(std::uint32_t channel, const ChannelTarget& target, std::uint32_t components) {
     const std::uint32_t sampler = document_.animations[index_].channels[channel].sampler;
-    auto data = read_sampler(document_, index_, sampler, target, components, log_);
-    if (data) out_.duration_s = std::max(out_.duration_s, static_cast<double>(data->times_s.back()));
-    return data;
+    return read_sampler(document_, index_, sampler, target, components, log_);
+  }
+
+  /// Channels that are ignored do not lengthen the clip.
+  void lengthen(const SamplerData& data) {
+    out_.duration_s = std::max(out_.duration_s, static_cast<double>(data.times_s.back()));
   }
 
   void add_bone(const ChannelTarget& target, std::uint32_t channel) {
     auto data = read(channel, target, target.property == AnimatedProperty::rotation ? 4 : 3);
     if (!data) return;
+    lengthen(*data);
     const std::uint32_t joint = order_.joint_of_node[target.node];
     BoneAnimation& bone = bones_[joint];
     bone.joint = joint;
@@ -146,8 +150,10 @@ class ClipBuilder {
                          "there are " + std::to_string(count) + " weights, none of them is " +
                              std::to_string(target.element) + "; the channel is ignored");
     const std::uint32_t components = whole ? static_cast<std::uint32_t>(count) : 1;
-    if (auto data = read(channel, target, components))
-      weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
+    auto data = read(channel, target, components);
+    if (!data) return;
+    lengthen(*data);
+    weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
   }
 
   /// Default weights of a mesh apply to all nodes that show the mesh and neither have nor animate weights of their own.
@@ -166,7 +172,8 @@ class ClipBuilder {
     if (!data) return;
     const auto indices = placements_.indices_in_scene(target.pointed, order_);
     if (indices.empty())
-      log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
+      return log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
+    lengthen(*data);
     for (const std::uint32_t index : indices)
       properties_[{target.pointed.kind, index, target.pointed.slot}] = number_track(*data, components);
   }

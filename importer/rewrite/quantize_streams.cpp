@@ -165,7 +165,7 @@ class Quantizer {
     const std::vector<float> values = floats_of(stream, n);
     filter(Filter::exponential, 4 * n, stream,
            [&] { meshopt_encodeFilterExp(stream.bytes.data(), stream.count, 4 * n, bits, values.data()); });
-    if (!accessor.contains("min")) return;
+    if (!has_bounds(accessor)) return;
     Stream decoded = stream;
     meshopt_decodeFilterExp(decoded.bytes.data(), decoded.count, 4 * n);
     const std::vector<float> rounded = floats_of(decoded, n);
@@ -214,7 +214,7 @@ KeyKinds find_keys(Draft& draft) {
 
 /// Bounds of the elements as they are now. Filtered vectors, which need none, lose them.
 void renew_bounds(const Stream& stream, Json& accessor) {
-  if (!accessor.contains("min") && !accessor.contains("max")) return;
+  if (!has_bounds(accessor)) return;
   if (stream.filter == Filter::none) {
     set_bounds(accessor, stored_values(stream, accessor), component_count(accessor));
   } else if (stream.filter != Filter::exponential) {

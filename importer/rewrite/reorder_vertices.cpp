@@ -224,7 +224,7 @@ class Reorder {
       meshopt_remapVertexBuffer(moved.data(), stream.bytes.data(), before, stream.stride, to.data());
       stream.bytes = std::move(moved);
       stream.count = after;
-      if (accessor(index).contains("min"))
+      if (has_bounds(accessor(index)))
         set_bounds(accessor(index), stored_values(stream, accessor(index)), component_count(accessor(index)));
     }
   }

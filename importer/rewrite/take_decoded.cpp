@@ -85,7 +85,7 @@ void take_decoded(const gltf::Document& document, Draft& draft) {
   for (std::uint32_t i = 0; i < accessors.size(); ++i) {
     const std::uint32_t view = document.accessors[i].buffer_view;
     const bool from_draco = view != kNone && document.buffer_views[view].buffer == kNone;
-    if (view == kNone || !(decoded[view] || from_draco) || !accessors[i].contains("min")) continue;
+    if (view == kNone || !(decoded[view] || from_draco) || !has_bounds(accessors[i])) continue;
     set_bounds(accessors[i], read_stored(document, i), element_layout(document.accessors[i]).components());
   }
   for (const char* name : {kDraco, "EXT_meshopt_compression", "KHR_meshopt_compression"}) undeclare(draft, name);

@@ -8,6 +8,9 @@ namespace sinew::rewrite {
 /// import has decoded. Accessors take the type and count of the decoder, and bounds are those of the decoded elements.
 void take_decoded(const gltf::Document& document, Draft& draft);
 
+/// True for an accessor that gives one of them. A file may have max alone, which glTF does not allow but readers take.
+inline bool has_bounds(const Json& accessor) { return accessor.contains("min") || accessor.contains("max"); }
+
 /// Sets min and max of an accessor from its elements.
 /// in    stored   as read_stored() gives them
 void set_bounds(Json& accessor, const std::vector<double>& stored, std::size_t components);

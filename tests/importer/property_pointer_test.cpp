@@ -219,6 +219,7 @@ TEST(property_pointer, G58_a_light_that_no_node_shows_is_moved_by_nothing) {
   EXPECT_TRUE(warns(result, "animation-pointer", kTarget));
   EXPECT_THAT(result->scene.lights, SizeIs(2));
   EXPECT_THAT(result->scene.animations[0].properties, IsEmpty());
+  EXPECT_EQ(result->scene.animations[0].duration_s, 0.0) << "a channel that is ignored lasts no time";
 }
 
 TEST(property_pointer, a_camera_has_no_pointer_to_what_the_other_kind_of_camera_has) {

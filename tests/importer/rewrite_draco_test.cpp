@@ -99,11 +99,15 @@ TEST(rewrite_draco, G62_the_weights_of_all_sets_of_a_decoded_vertex_are_1_togeth
 TEST(rewrite_draco, G15_bounds_are_those_of_the_decoded_elements) {
   TinyGltf gltf = draco_document(kRounded);
   const std::size_t positions = gltf.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
-  gltf.root["accessors"][positions]["min"] = {-9, -9, -9};
-  gltf.root["accessors"][positions]["max"] = {9, 9, 9};
-  const Json out = rewritten(gltf).json;
-  EXPECT_EQ(out["accessors"][positions]["min"], Json::array({0.0, 0.0, 0.0}));
-  EXPECT_EQ(out["accessors"][positions]["max"], Json::array({1.0, 1.0, 0.0}));
+  for (const char* missing : {"neither", "min", "max"}) {
+    Json& accessor = gltf.root["accessors"][positions];
+    accessor["min"] = {-9, -9, -9};
+    accessor["max"] = {9, 9, 9};
+    accessor.erase(missing);
+    const Json out = rewritten(gltf).json;
+    EXPECT_EQ(out["accessors"][positions]["min"], Json::array({0.0, 0.0, 0.0})) << missing;
+    EXPECT_EQ(out["accessors"][positions]["max"], Json::array({1.0, 1.0, 0.0})) << missing;
+  }
 }
 
 }  // namespace

@@ -306,6 +306,12 @@ TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   const auto again = import_gltf(rewrite(grid(), how(true, true))->file, "again.glb", careful);
   ASSERT_TRUE(again);
   for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
+  TinyGltf with_max_alone = grid();
+  with_max_alone.root["accessors"][0]["max"] = {9, 9, 9};
+  with_max_alone.root["accessors"][0].erase("min");
+  const Both other = recoded(with_max_alone, how(true, true));
+  for (const char* bound : {"min", "max"})
+    EXPECT_EQ(other.parts.json["accessors"][0][bound], out.parts.json["accessors"][0][bound]) << bound;
 }
 
 TEST(rewrite_streams, bounds_of_numbers_of_every_type_are_those_of_the_vertices_that_are_left) {
@@ -315,14 +321,17 @@ TEST(rewrite_streams, bounds_of_numbers_of_every_type_are_those_of_the_vertices_
                     ids = gltf.add<std::uint32_t>({4000000000u, 7, 3000000000u, 9}, "SCALAR", 5125, 1);
   primitive["attributes"] = {{"POSITION", position}, {"_ID", ids}};
   primitive["indices"] = gltf.add(std::vector<std::uint16_t>{1, 2, 3}, "SCALAR", 5123, 1);
-  gltf.root["accessors"][ids]["min"] = {7};
-  gltf.root["accessors"][ids]["max"] = {4000000000u};
-  const Json json = recoded(gltf, how(false, true)).parts.json;
-  const Json& written = json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["_ID"].get<std::size_t>()];
-  EXPECT_EQ(written["count"], 3);
-  EXPECT_EQ(written["componentType"], 5125);
-  EXPECT_EQ(written["min"][0].get<double>(), 7.0);
-  EXPECT_EQ(written["max"][0].get<double>(), 3e9);
+  for (const char* missing : {"neither", "min", "max"}) {
+    gltf.root["accessors"][ids]["min"] = {7};
+    gltf.root["accessors"][ids]["max"] = {4000000000u};
+    gltf.root["accessors"][ids].erase(missing);
+    const Json json = recoded(gltf, how(false, true)).parts.json;
+    const Json& written = json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["_ID"].get<std::size_t>()];
+    EXPECT_EQ(written["count"], 3);
+    EXPECT_EQ(written["componentType"], 5125);
+    EXPECT_EQ(written["min"][0].get<double>(), 7.0) << missing;
+    EXPECT_EQ(written["max"][0].get<double>(), 3e9) << missing;
+  }
 }
 
 TEST(rewrite_streams, accessors_have_a_stream_where_their_view_holds_all_elements) {

@@ -6,6 +6,7 @@
 
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
+#include "tests/viewer/cache_exhibit.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/reload/go_over.h"
 
@@ -99,6 +100,22 @@ TEST_F(framed_camera, frames_another_clip_in_what_is_free_of_the_picture) {
   follow_at(0.5);
   EXPECT_EQ(camera_.orbit.aside, aside);
   EXPECT_NEAR(camera_.orbit.distance_m, distance_m, 1e-5);
+}
+
+TEST_F(framed_camera, frames_and_follows_a_geometry_cache_where_it_is) {
+  const Bytes bytes = gliding_cache();
+  shown_.reset();
+  exhibit_ = exhibit_of_cache(bytes);
+  shown_ = show(exhibit_, {});
+  const double end_s = exhibit_.cache->duration_s();
+  shown_->playback().seek(end_s);
+  camera_.frame(Framing::pose, *shown_, kAspect);
+  EXPECT_NEAR(target().x, 4.5, 0.01);
+  camera_.frame(Framing::follow, *shown_, kAspect);
+  EXPECT_NEAR(target().x, 4.5, 0.01);
+  follow_at(0.5 * end_s);
+  EXPECT_NEAR(target().x, 2.5, 0.01);
+  shown_.reset();  // before the bytes
 }
 
 TEST_F(framed_camera, keeps_its_place_beside_what_it_follows_when_the_file_changes) {

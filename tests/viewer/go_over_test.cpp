@@ -323,6 +323,17 @@ TEST_F(reading_again, makes_the_centers_that_the_kind_of_skinning_needs) {
   EXPECT_FALSE(read(say_));
 }
 
+TEST_F(reading_again, keeps_the_light_that_is_there) {
+  ASSERT_TRUE(export_glb(first_state().scene, options_.file));
+  Exhibit exhibit = load();
+  ASSERT_EQ(exhibit.environment, nullptr);
+  exhibit.environment = std::make_shared<const Environment>();
+  ShownScene shown(*test_device(), exhibit, {}, kSlots, TextureFilter{});
+  const auto changed = reading(options_, exhibit, shown)(say_);
+  ASSERT_TRUE(changed) << changed.error().message;
+  EXPECT_EQ(changed->environment, exhibit.environment);
+}
+
 TEST_F(reading_again, casts_the_rays_of_the_clip_that_plays) {
   options_.occlusion_method = OcclusionMethod::rays;
   options_.key_poses = 2;

@@ -56,6 +56,32 @@ TEST_F(headless_run, looks_from_where_the_user_else_the_exhibit_says) {
             drawn(options, exhibit, placed(exhibit, *options.camera, 0.523598775598299), 0.8));
 }
 
+TEST_F(headless_run, a_placed_camera_sees_what_the_clip_brings_near) {
+  showcase::SceneBuilder builder;
+  const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})), joint = builder.add_joint("box", kNone, {});
+  Mesh mesh{"box", {showcase::box({0, 0, 0}, glm::vec3(0.3f))}, {}, {}};
+  mesh.primitives[0].material = red;
+  builder.add_instance(joint, builder.add_mesh(std::move(mesh)));
+  builder.add_prop("still", showcase::box({6, 0, 0}, glm::vec3(0.3f)), red);
+  BoneAnimation bone;
+  bone.joint = joint;
+  bone.translation.times_s = {0.0f, static_cast<float>(kDuration_s)};
+  bone.translation.values = {{0, 0, 0}, {5, 0, 4}};
+  builder.add_animation({"come", kDuration_s, {bone}, {}});
+  Exhibit exhibit;
+  exhibit.scene = builder.finish();
+  Options options = small_picture();
+  options.camera = PlacedCamera{{5, 0, 5.5f}, {5, 0, 0}};
+  options.time_s = kDuration_s;
+  const View view = placed(exhibit, *options.camera, exhibit.fov_y_rad);
+  const std::string picture = drawn(options, exhibit, view, kDuration_s);
+  EXPECT_EQ(written(options, exhibit), picture);
+  const glm::dvec3 eye(options.camera->eye);
+  const View late = look_at(eye, options.camera->target, exhibit.fov_y_rad,
+                            near_plane_for(eye, clip_extent(exhibit.scene, 0).largest));
+  EXPECT_NE(drawn(options, exhibit, late, kDuration_s), picture) << "that of the largest pose cuts the box off";
+}
+
 TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_exhibit_says) {
   Exhibit exhibit = gliding_box();
   exhibit.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};

@@ -96,16 +96,6 @@ TEST_F(headless_sequence, small_meshes_are_not_held_while_the_camera_moves) {
   EXPECT_TRUE(plan_says("every frame: the camera moves with the clip")) << plan_;
 }
 
-/// A square of 1 m that glides 4 m along x in 20 frames of a geometry cache.
-Bytes gliding_cache() {
-  std::vector<std::vector<glm::vec3>> frames;
-  for (int frame = 0; frame < 20; ++frame) {
-    const float x = 4.0f * static_cast<float>(frame) / 19.0f;
-    frames.push_back({{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0}, {x, 1, 0}});
-  }
-  return *encode_geometry_cache(test::take_of(std::move(frames), {0, 1, 2, 0, 2, 3}), {.segment_frames = 8});
-}
-
 TEST_F(headless_sequence, a_geometry_cache_is_shown_wherever_it_goes_and_begins_again_after_its_end) {
   const Bytes bytes = gliding_cache();
   const Exhibit exhibit = exhibit_of_cache(bytes);
@@ -116,6 +106,22 @@ TEST_F(headless_sequence, a_geometry_cache_is_shown_wherever_it_goes_and_begins_
   const std::vector<std::string> pictures = sequence(options, exhibit, kNone);
   EXPECT_EQ(pictures, alone(options, exhibit, exhibit.cache->duration_s(), kNone));
   EXPECT_NE(pictures[2], pictures[3]) << "it is there, and then at its start again";
+}
+
+TEST_F(headless_sequence, a_geometry_cache_is_framed_where_it_is_at_the_time) {
+  const Bytes bytes = gliding_cache();
+  const Exhibit exhibit = exhibit_of_cache(bytes);
+  Options options = small_picture();
+  options.transparent = true;
+  options.camera = PlacedCamera{{0, 0, 9}, {0, 0, 90}};
+  const std::string nothing = written(options, exhibit, kNone);
+  options.camera.reset();
+  for (const Framing framing : {Framing::pose, Framing::follow})
+    for (const double time_s : {0.0, exhibit.cache->duration_s()}) {
+      options.framing = framing;
+      options.time_s = time_s;
+      EXPECT_NE(written(options, exhibit, kNone), nothing) << static_cast<int>(framing) << ' ' << time_s;
+    }
 }
 
 TEST_F(headless_sequence, small_meshes_are_not_held_while_a_geometry_cache_plays) {

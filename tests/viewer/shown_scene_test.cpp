@@ -287,5 +287,42 @@ TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time
   EXPECT_EQ(shown_->update_levels().reason(), "every frame: the camera moves with the clip");
 }
 
+TEST_F(shown_scene, catches_up_with_a_time_that_was_set_however_small_it_is_seen) {
+  show(gliding_box(false), {.updates = Updates::held});
+  const View far = look_at({2.0, 0.0, 900.0}, {2.0, 0.0, 0.0}, 0.8, 0.05);
+  shown_->playback().toggle();
+  for (int i = 0; i < 12; ++i) {
+    shown_->playback().advance(0.004);
+    submit(far);
+    shown_->newest();
+  }
+  ASSERT_NE(shown_->update_levels().level(), UpdateLevel::every);
+  for (int frame = 0; frame < 8; ++frame) {  // whether the last pose was a held one or not
+    const double time_s = 0.3 + 0.2 * frame;
+    shown_->playback().seek(time_s);
+    shown_->catch_up();
+    EXPECT_NEAR(place_m(), 2.0 * time_s, 1e-5) << frame;
+    shown_->playback().advance(0.004);
+    submit(far);
+  }
+}
+
+TEST_F(shown_scene, vertices_have_the_ambient_access_of_the_time) {
+  Exhibit exhibit = gliding_box(false);
+  VertexAccess access;
+  access.clip = 0;
+  access.times_s = {0.0, 2.0};
+  access.values = {{std::vector<float>(2 * exhibit.scene.meshes[0].primitives[0].positions.size(), 0.5f)}};
+  for (const bool has_access : {true, false}) {
+    exhibit.access = has_access ? std::make_shared<const VertexAccess>(access) : nullptr;
+    show(exhibit);
+    shown_->playback().seek(0.5);
+    const DrawnScene drawn = shown_->upload(0, kNone);
+    EXPECT_EQ(drawn.access, (has_access ? AccessBlend{0, 1, 0.25f} : AccessBlend{}));
+    const PrimitiveBuffers& buffers = drawn.scene->meshes().primitive(0, 0);
+    EXPECT_EQ(buffers.attributes[static_cast<std::size_t>(Attribute::access)] != kAbsent, has_access);
+  }
+}
+
 }  // namespace
 }  // namespace sinew::viewer

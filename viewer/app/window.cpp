@@ -19,28 +19,11 @@ std::string last_complaint() {
   return text ? text : "no reason given";
 }
 
-Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
-
-void listen(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-    input_of(w).any = true;
-    if (action != GLFW_RELEASE) input_of(w).keys.push_back(key);
-  });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
-    input_of(w).any = true;
-    input_of(w).wheel += y;
-  });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { input_of(w).any = true; });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { input_of(w).any = true; });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).any = true; });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).any = true; });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w).any = true; });
-}
+Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 }  // namespace
 
-Window::Window(std::uint32_t width, std::uint32_t height, const std::string& title)
-    : input_(std::make_unique<Input>()) {
+Window::Window(std::uint32_t width, std::uint32_t height, const std::string& title) {
   if (!glfwInit()) throw DeviceError("no display for a window (" + last_complaint() + ")" + kWithoutWindow);
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
@@ -50,9 +33,45 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
     throw DeviceError("the window cannot be opened (" + why + ")" + kWithoutWindow);
   }
   glfwSetWindowSizeLimits(window_, 160, 120, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  glfwSetWindowUserPointer(window_, input_.get());
-  listen(window_);
-  glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+  listen();
+  glfwGetCursorPos(window_, &mouse_.x, &mouse_.y);
+}
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+    of(w).input_.any = true;
+    if (action != GLFW_RELEASE) of(w).input_.keys.push_back(key);
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+    of(w).input_.any = true;
+    of(w).input_.wheel += y;
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { of(w).input_.any = true; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).move_mouse({x, y}); });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).input_.any = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).input_.any = true; });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { of(w).input_.any = true; });
+}
+
+// Buttons are as they were on this piece of the way: pressed and released between two polls, they drag just that far.
+void Window::move_mouse(const glm::dvec2& to) {
+  const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
+  const bool shift =
+      glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS || glfwGetKey(window_, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+  const bool left = held(GLFW_MOUSE_BUTTON_LEFT);
+  const bool moves = held(GLFW_MOUSE_BUTTON_RIGHT) || held(GLFW_MOUSE_BUTTON_MIDDLE) || (left && shift);
+  glm::ivec2 size(0), pixels(0);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
+  const glm::dvec2 way =
+      size.x > 0 && size.y > 0 ? (to - mouse_) * glm::dvec2(pixels) / glm::dvec2(size) : glm::dvec2(0.0);
+  if (moves)
+    input_.moved += way;
+  else if (left)
+    input_.turned += way;
+  input_.any = true;
+  mouse_ = to;
 }
 
 Window::~Window() {
@@ -95,26 +114,7 @@ Input Window::poll(double wait_s) {
     glfwWaitEventsTimeout(wait_s);
   else
     glfwPollEvents();
-  Input seen = std::exchange(*input_, {});
-  const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
-  const bool shift =
-      glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS || glfwGetKey(window_, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
-  const bool left = held(GLFW_MOUSE_BUTTON_LEFT);
-  seen.move_held = held(GLFW_MOUSE_BUTTON_RIGHT) || held(GLFW_MOUSE_BUTTON_MIDDLE) || (left && shift);
-  seen.turn_held = left && !seen.move_held;
-
-  double x = 0.0, y = 0.0;
-  int width = 1, height = 1, pixels_wide = 1, pixels_high = 1;
-  glfwGetCursorPos(window_, &x, &y);
-  glfwGetWindowSize(window_, &width, &height);
-  glfwGetFramebufferSize(window_, &pixels_wide, &pixels_high);
-  if (width > 0 && height > 0) {
-    seen.moved_x = (x - mouse_x_) * pixels_wide / width;
-    seen.moved_y = (y - mouse_y_) * pixels_high / height;
-  }
-  mouse_x_ = x;
-  mouse_y_ = y;
-  return seen;
+  return std::exchange(input_, {});
 }
 
 }  // namespace sinew::viewer

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <vulkan/vulkan.h>
+#include <glm/vec2.hpp>
 
 struct GLFWwindow;
 
@@ -13,14 +13,15 @@ namespace sinew::viewer {
 
 /// What the user did since the last poll.
 struct Input {
-  std::vector<int> keys;                ///< pressed or repeated, key codes of keys.h
-  double moved_x = 0.0, moved_y = 0.0;  ///< of the mouse, framebuffer pixels, y down
+  std::vector<int> keys;  ///< pressed or repeated, key codes of keys.h
+  /// Ways of the mouse, framebuffer pixels, y down: with the left button, and with the right or middle one or shift and
+  /// left.
+  glm::dvec2 turned{0.0}, moved{0.0};
   double wheel = 0.0;
-  bool turn_held = false, move_held = false;  ///< what the held mouse buttons do
-  bool any = false;                           ///< some event arrived, possibly none of the above
+  bool any = false;  ///< some event arrived, possibly none of the above
 };
 
-/// A window of the desktop. Only window.cpp and panel_backend.cpp know GLFW.
+/// A window of the desktop, which stays where it is in memory. Only window.cpp and panel_backend.cpp know GLFW.
 class Window {
  public:
   /// err  DeviceError when there is no display or the display cannot do Vulkan
@@ -43,9 +44,12 @@ class Window {
   GLFWwindow* handle() const noexcept { return window_; }
 
  private:
+  void listen();
+  void move_mouse(const glm::dvec2& to);
+
   GLFWwindow* window_ = nullptr;
-  std::unique_ptr<Input> input_;  ///< callbacks hold its address
-  double mouse_x_ = 0.0, mouse_y_ = 0.0;
+  Input input_;  ///< since the last poll
+  glm::dvec2 mouse_{0.0};
 };
 
 }  // namespace sinew::viewer

@@ -61,8 +61,7 @@ class WindowLoop {
     if (!options.smooth_edges && device_.is_software())
       settings_.smooth_edges = false;  // it would take most of the time
     for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
-    show_exhibit(options.first_exhibit(), clip);
-    if (options.time_s) shown_->playback().seek(*options.time_s);
+    show_exhibit(options.first_exhibit(), clip, options.time_s);
   }
 
   int run();
@@ -71,7 +70,7 @@ class WindowLoop {
   std::unique_ptr<ShownScene> make_shown(const Exhibit& exhibit, const Evaluation& evaluation) {
     return std::make_unique<ShownScene>(device_, exhibit, evaluation, Frame::kSlots, options_.filter);
   }
-  void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
+  void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s);
   void add_access(std::uint32_t clip);
   void place_camera();
   void frame_all();
@@ -113,7 +112,7 @@ class WindowLoop {
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
-void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip) {
+void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s) {
   device_.wait_idle();
   if (index != exhibit_) settings_.camera = settings_.variant = kNone;  // they belong to the last scene
   exhibit_ = index;
@@ -123,6 +122,7 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   shown_ = make_shown(exhibits_[index], settings_.evaluation());
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
+  if (time_s) shown_->playback().seek(*time_s);
   window_.set_title(exhibits_[index].name + " - sinew");
   place_camera();
 }
@@ -180,12 +180,13 @@ void WindowLoop::react(const Input& input) {
       if (const auto action = action_of_key(key)) act(*action);
   if (panel_.wants_mouse()) return;
   const double height = swapchain_.extent().height;
-  if (input.turn_held || input.move_held || input.wheel != 0.0) {
+  const bool turns = input.turned != glm::dvec2(0.0), moves = input.moved != glm::dvec2(0.0);
+  if (turns || moves || input.wheel != 0.0) {
     leave_file_camera();
     as_framed_ = false;
   }
-  if (input.turn_held) camera_.orbit.orbit(input.moved_x, input.moved_y, height);
-  if (input.move_held) camera_.orbit.pan(input.moved_x, input.moved_y, height);
+  if (turns) camera_.orbit.orbit(input.turned.x, input.turned.y, height);
+  if (moves) camera_.orbit.pan(input.moved.x, input.moved.y, height);
   if (input.wheel != 0.0) camera_.orbit.zoom(input.wheel);
 }
 
@@ -263,7 +264,7 @@ void WindowLoop::draw() {
 
 // Does what the panel or a key asked for and what cannot be done within a frame.
 void WindowLoop::grant_wishes() {
-  if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
+  if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt, std::nullopt);
   wished_exhibit_.reset();
   if (settings_.evaluation() == shown_->evaluation()) return;
   shown_->stop();  // the job thread must not read the scene while it changes
