@@ -21,8 +21,9 @@ finish() {
 }
 trap finish EXIT
 
-# The server picks a free display itself: two tests at the same time never take the same one.
-Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> "$pictures/display" 2> "$pictures/server" &
+# The server picks a free display itself: two tests at the same time never take the same one. It would begin anew when its last window
+# closes, and the next one might find it closed.
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp -noreset 3> "$pictures/display" 2> "$pictures/server" &
 server=$!
 for ((i = 0; i < 1200; i++)); do [ -s "$pictures/display" ] && break; sleep 0.1; done
 [ -s "$pictures/display" ] || { echo "FAILED: no virtual display"; cat "$pictures/server"; exit 1; }
