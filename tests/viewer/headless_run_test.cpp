@@ -58,7 +58,8 @@ TEST_F(headless_run, looks_from_where_the_user_else_the_exhibit_says) {
 
 TEST_F(headless_run, a_placed_camera_sees_what_the_clip_brings_near) {
   showcase::SceneBuilder builder;
-  const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})), joint = builder.add_joint("box", kNone, {});
+  const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})),
+                      joint = builder.add_joint("box", kNone, {});
   Mesh mesh{"box", {showcase::box({0, 0, 0}, glm::vec3(0.3f))}, {}, {}};
   mesh.primitives[0].material = red;
   builder.add_instance(joint, builder.add_mesh(std::move(mesh)));
