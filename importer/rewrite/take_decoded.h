@@ -8,7 +8,7 @@ namespace sinew::rewrite {
 /// import has decoded. Accessors take the type and count of the decoder, and bounds are those of the decoded elements.
 void take_decoded(const gltf::Document& document, Draft& draft);
 
-/// True for an accessor that gives one of them. A file may have max alone, which glTF does not allow but readers take.
+/// True for an accessor with min or max. Some files have one alone, though glTF wants both.
 inline bool has_bounds(const Json& accessor) { return accessor.contains("min") || accessor.contains("max"); }
 
 /// Sets min and max of an accessor from its elements.

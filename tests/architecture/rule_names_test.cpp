@@ -2,8 +2,6 @@
 // Rules that comments and READMEs of the importer name exist: in rules.inc, or as a string in the code that reports
 // them.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
@@ -13,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/source_tree.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -32,11 +31,6 @@ void add_matches(const std::string& text, const std::regex& expression, Names& o
     out.insert((*match)[1]);
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// A line before its comment, and the comment.
 std::pair<std::string, std::string> parts_of(const std::string& line) {
   const std::size_t comment = line.find("//");
@@ -47,7 +41,7 @@ std::pair<std::string, std::string> parts_of(const std::string& line) {
 /// Strings in code that look like rules.
 Names known_rules(const std::vector<SourceFile>& files) {
   Names known;
-  for (const std::string& line : lines_of(text_of(fs::path(SINEW_SOURCE_DIR) / "importer/rules.inc")))
+  for (const std::string& line : lines_of(text_of_file(fs::path(SINEW_SOURCE_DIR) / "importer/rules.inc")))
     add_matches(line.substr(0, line.find("\", ") + 1), kInString, known);  // what follows is the sentence
   for (const SourceFile& file : files)
     if (file.in("importer") || file.in("runtime"))
@@ -94,7 +88,7 @@ TEST(rule_names, that_readmes_name_exist) {
   for (const auto& entry : fs::recursive_directory_iterator(root / "importer")) {
     if (entry.path().filename() != "README.md") continue;
     Names named;
-    for (const std::string& line : lines_of(text_of(entry.path()))) add_matches(line, kInQuotes, named);
+    for (const std::string& line : lines_of(text_of_file(entry.path()))) add_matches(line, kInQuotes, named);
     EXPECT_THAT(unknown(entry.path().lexically_relative(root).string(), named, known), testing::IsEmpty());
   }
 }

@@ -8,12 +8,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include "importer/export_glb.h"
 #include "samples/showcase/showcase.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -47,13 +47,6 @@ class Samples {
   fs::path folder_;
 };
 
-std::string stored(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// Runs `sinew plan SAMPLE ARGUMENTS...` and compares what it prints with the stored text.
 void expect_plan(const Samples& samples, const std::string& name, const std::string& sample,
                  std::vector<std::string> arguments) {
@@ -61,7 +54,8 @@ void expect_plan(const Samples& samples, const std::string& name, const std::str
   const CommandOutcome outcome = run_tool(arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   if (std::getenv("SINEW_RECORD")) std::ofstream(kPlans / name, std::ios::binary) << outcome.out;
-  EXPECT_EQ(outcome.out, stored(kPlans / name)) << name << "; if that was meant: SINEW_RECORD=1 sinew-test-plan-text";
+  EXPECT_EQ(outcome.out, text_of_file(kPlans / name))
+      << name << "; if that was meant: SINEW_RECORD=1 sinew-test-plan-text";
 }
 
 TEST(plan_text, of_the_samples_is_what_is_stored) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "importer/ambient/ambient_attribute.h"
 #include "importer/export_glb.h"

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "importer/tool/poses/npz_file.h"
 #include "importer/tool/poses/zip_records.h"

@@ -4,13 +4,12 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "runtime/plan/run_plan.h"
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
+#include "tests/support/file_text.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/headless_run.h"
@@ -72,11 +71,6 @@ inline Options small_picture() {
   return options;
 }
 
-inline std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {(std::istreambuf_iterator<char>(in)), {}};
-}
-
 class HeadlessRunTest : public DeviceTest {
  protected:
   void SetUp() override {
@@ -92,7 +86,7 @@ class HeadlessRunTest : public DeviceTest {
   std::string written(Options options, const Exhibit& exhibit, std::uint32_t clip = 0) {
     options.headless = (folder_ / "a.png").string();
     EXPECT_EQ(write_pictures(*test_device(), options, exhibit, clip), 0);
-    return bytes_of(options.headless);
+    return test::text_of_file(options.headless);
   }
   /// The picture of this view, evaluated and drawn here.
   std::string drawn(Options options, const Exhibit& exhibit, const View& view, double time_s, std::uint32_t clip = 0) {
@@ -117,7 +111,7 @@ class HeadlessRunTest : public DeviceTest {
                  renderer.render(frame.result(), view, look, settings.skeleton ? lines : std::span<const LineVertex>(),
                                  settings.variant, access));
     EXPECT_TRUE(writer.finish().empty());
-    return bytes_of(folder_ / "b.png");
+    return test::text_of_file(folder_ / "b.png");
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("sinew-headless-run-" + std::to_string(getpid()));

@@ -240,7 +240,7 @@ TEST(png_writer, is_finished_when_the_last_picture_is_written_and_not_when_it_is
   std::thread reader([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     begun = true;  // until somebody reads, the writer waits
-    EXPECT_FALSE(bytes_of(pipe).empty());
+    EXPECT_FALSE(test::text_of_file(pipe).empty());
   });
   PngWriter writer;
   writer.write(pipe, Picture{1, 1, {1, 2, 3, 4}});

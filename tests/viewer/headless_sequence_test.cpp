@@ -20,7 +20,7 @@ class headless_sequence : public HeadlessRunTest {
     plan_ = testing::internal::GetCapturedStdout();
     std::vector<std::string> pictures;
     for (std::uint32_t n = options.frames->first; n <= options.frames->last; ++n)
-      pictures.push_back(bytes_of(picture_in(options.headless, n)));
+      pictures.push_back(test::text_of_file(picture_in(options.headless, n)));
     EXPECT_EQ(static_cast<std::size_t>(std::distance(fs::directory_iterator(options.headless), {})), pictures.size());
     return pictures;
   }

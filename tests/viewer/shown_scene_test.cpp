@@ -41,6 +41,7 @@ Exhibit gliding_box(bool camera, std::uint32_t others = 0) {
 
 const View kAhead = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 0.0}, 0.8, 0.05),
            kAway = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 40.0}, 0.8, 0.05),
+           kFar = look_at({2.0, 0.0, 900.0}, {2.0, 0.0, 0.0}, 0.8, 0.05),
            kFloor = look_at({-2.0, -3.0, 6.0}, {-2.0, -3.5, -1.8}, 0.3, 0.05);
 
 class shown_scene : public DeviceTest {
@@ -65,6 +66,17 @@ class shown_scene : public DeviceTest {
     }
     ADD_FAILURE() << "the pose does not come";
     return shown_->newest();
+  }
+  /// A box that plays so far away that it is not evaluated for every frame.
+  void play_far_away() {
+    show(gliding_box(false), {.updates = Updates::held});
+    shown_->playback().toggle();
+    for (int i = 0; i < 12; ++i) {
+      shown_->playback().advance(0.004);
+      submit(kFar);
+      shown_->newest();
+    }
+    ASSERT_NE(shown_->update_levels().level(), UpdateLevel::every);
   }
   /// Negative where no joint was evaluated.
   double place_m() {
@@ -261,21 +273,13 @@ TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) 
 }
 
 TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time_stands_still) {
-  show(gliding_box(false), {.updates = Updates::held});
-  const View far = look_at({2.0, 0.0, 900.0}, {2.0, 0.0, 0.0}, 0.8, 0.05);
-  shown_->playback().toggle();
-  for (int i = 0; i < 12; ++i) {
-    shown_->playback().advance(0.004);
-    submit(far);
-    shown_->newest();
-  }
-  EXPECT_NE(shown_->update_levels().level(), UpdateLevel::every);
+  play_far_away();
   for (int frame = 0; frame < 4; ++frame) {  // whether the last pose was a held one or not
     shown_->playback().advance(0.004);
-    submit(far);
+    submit(kFar);
     shown_->playback().pause();
     for (int i = 0; i < 4000 && !shown_->settled(); ++i) {  // while the worker is busy, nothing is requested
-      submit(far);
+      submit(kFar);
       shown_->newest();
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -283,27 +287,19 @@ TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time
     EXPECT_EQ(shown_->update_levels().reason(), "every frame: the time stands still");
     shown_->playback().toggle();
   }
-  shown_->submit(far, true, 1.5, false);
+  shown_->submit(kFar, true, 1.5, false);
   EXPECT_EQ(shown_->update_levels().reason(), "every frame: the camera moves with the clip");
 }
 
 TEST_F(shown_scene, catches_up_with_a_time_that_was_set_however_small_it_is_seen) {
-  show(gliding_box(false), {.updates = Updates::held});
-  const View far = look_at({2.0, 0.0, 900.0}, {2.0, 0.0, 0.0}, 0.8, 0.05);
-  shown_->playback().toggle();
-  for (int i = 0; i < 12; ++i) {
-    shown_->playback().advance(0.004);
-    submit(far);
-    shown_->newest();
-  }
-  ASSERT_NE(shown_->update_levels().level(), UpdateLevel::every);
+  play_far_away();
   for (int frame = 0; frame < 8; ++frame) {  // whether the last pose was a held one or not
     const double time_s = 0.3 + 0.2 * frame;
     shown_->playback().seek(time_s);
     shown_->catch_up();
     EXPECT_NEAR(place_m(), 2.0 * time_s, 1e-5) << frame;
     shown_->playback().advance(0.004);
-    submit(far);
+    submit(kFar);
   }
 }
 
