@@ -79,6 +79,7 @@ settle() {
 }
 # The pictures of two frames are the same, and become NAME.
 still() { settle && shot before && settle && shot "$1" && same before "$1"; }
+title_is() { [ "$(xdotool getwindowname "$window")" = "$1 - sinew" ]; }
 is_grey() { shot now && [ "$(convert "$pictures/now.ppm" -colorspace HSL -channel G -separate -format '%[fx:mean<0.02]' info:)" = 1 ]; }
 
 : > "$pictures/messages"
@@ -158,8 +159,12 @@ xdotool windowsize "$window" 640 400
 eventually "a window that was hidden is filled again" corner_is_drawn 640x400
 xdotool windowfocus "$window"
 shot before_tab
-press Tab
-eventually "tab shows the next scene" differs_now before_tab
+for scene in "twisted arms" "morphed face" "flag in wind"; do
+  press Tab
+  eventually "tab shows the next scene: $scene" title_is "$scene"
+  eventually "and its picture" differs_now before_tab
+  shot before_tab
+done
 press d n p l Up Down v space
 
 sleep 0.3
