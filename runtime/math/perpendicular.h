@@ -5,7 +5,7 @@
 namespace sinew {
 
 /// A unit vector perpendicular to unit u.
-/// eq   u x e, e the coordinate axis that u is farthest from, so that the product never vanishes
+/// eq   normalise(u x e), e the coordinate axis with the largest angle to u, so the product never vanishes
 template <class T>
 Vec3<T> perpendicular_to(const Vec3<T>& u) noexcept {
   const Vec3<T> a(std::abs(u.x), std::abs(u.y), std::abs(u.z));
