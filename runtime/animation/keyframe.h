@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// One whole key of a joint: its local transform, in its parent's space, at a time.
+/// One whole key of a joint: its transform in its parent's space at a time.
 template <class T>
 struct KeyframeT {
   double time_s = 0.0;

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// A bone of a human body that a joint plays, by its name in VRM 1.0 ("hips", "leftThumbProximal").
+/// Assigns a joint to a bone of the human body, by the bone's name in VRM 1.0 ("hips", "leftThumbProximal").
 struct NamedBone {
   std::string name;
   std::uint32_t joint = kNone;

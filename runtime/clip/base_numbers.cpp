@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-/// Rising, the last one for each number, without those that are as at rest.
+/// Sorts by `at`, keeps the last value for each `at`, and drops those equal to the rest value.
 void tidy(std::vector<BaseNumbers::Own>& own, const std::vector<float>& rest) {
   std::stable_sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::size_t kept = 0;

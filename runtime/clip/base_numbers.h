@@ -10,32 +10,33 @@
 
 namespace sinew {
 
-/// Numbers at rest that several clips refer to. Never null where there are any.
+/// Rest values that several clips share. Null only in default-constructed objects.
 using RestNumbers = std::shared_ptr<const std::vector<float>>;
 
-/// The numbers that a sample starts from: those at rest, and what constant tracks of the clip put in their place. The
-/// clips of a scene share the numbers at rest, so that a clip takes memory for what it moves and not for all joints.
+/// The values that sampling starts from: the rest values, with those of the clip's constant tracks in their place. The
+/// clips of a scene share the rest values, so a clip takes memory only for the joints that it changes.
 class BaseNumbers {
  public:
   struct Own {
     std::uint32_t at;
     float value;
   };
-  /// A clip that sets more than one number in kFewOwn has a copy of all, which is written as one block.
+  /// A clip that changes more than one value in kFewOwn has its own copy of all values instead.
   static constexpr std::size_t kFewOwn = 16;
 
   BaseNumbers() = default;
-  /// in   rest  fewer than 2^32 numbers
-  ///      own   in any order; of several for one number the last one counts. Those with the bits at rest take no memory
-  /// cost O(own log own); O(rest) where they are many
+  /// in   rest  fewer than 2^32 values
+  ///      own   in any order; if several have the same `at`, the last one counts; rest values are dropped
+  /// cost O(own log own); O(rest) if there are more than rest / kFewOwn
   explicit BaseNumbers(RestNumbers rest, std::vector<Own> own = {});
 
-  /// Numbers as given, of which those at rest are shared.    in   numbers  as many as at rest    cost O(numbers)
+  /// The given values, of which those equal to `rest` are shared.
+  /// in   numbers  as many as in rest    cost O(numbers)
   static BaseNumbers over(const RestNumbers& rest, std::span<const float> numbers);
 
   std::size_t size() const noexcept { return size_; }
   const RestNumbers& rest() const noexcept { return rest_; }
-  /// Those of this clip alone, rising.
+  /// The values that differ from the rest values, sorted by `at`; empty for a clip with its own copy.
   std::span<const Own> own() const noexcept { return own_; }
   float operator[](std::size_t at) const noexcept;
 
@@ -48,15 +49,15 @@ class BaseNumbers {
     copy_to(numbers.data());
     return numbers;
   }
-  /// Of this clip alone.
+  /// Bytes that are not shared with other clips.
   std::size_t byte_size() const noexcept { return own_.size() * sizeof(Own) + (is_copy_ ? size_ * sizeof(float) : 0); }
 
  private:
-  const float* first_ = nullptr;  ///< of `rest_`
+  const float* first_ = nullptr;  ///< data of `rest_`
   std::size_t size_ = 0;
   RestNumbers rest_;
   std::vector<Own> own_;
-  bool is_copy_ = false;  ///< `rest_` is of this clip alone
+  bool is_copy_ = false;  ///< `rest_` belongs to this clip alone
 };
 
 inline RestNumbers rest_numbers(std::vector<float> numbers) {

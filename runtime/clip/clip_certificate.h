@@ -6,25 +6,27 @@
 
 namespace sinew {
 
-/// What is known of a clip that was compiled within a budget: measured on the compiled clip, as it is and unpacked
-/// (unpack_clip.h), against the authoring form in double precision, at and between all keys. Lengths are in the units
-/// of the file, which are metres by glTF's convention.
+/// The measured error and size of a clip that was compiled within an error budget. The error is the difference between
+/// the compiled clip and the authoring form in double precision, at and between all keys. The clip is measured both
+/// packed and unpacked (unpack_clip.h). Lengths are in the units of the file, which are metres by glTF's convention.
 ///
-/// A joint's error is the largest distance between where the clip and the truth put a corner of its box of virtual
-/// vertices (compress/virtual_vertices.h), in model space. Linear skinning averages the joints of a vertex, so that no
-/// vertex of a skin is farther from its true place.
+/// Each joint has a box of virtual vertices (compress/virtual_vertices.h). Its error is the largest model-space
+/// distance between a corner of the box as the clip places it and the true position. Linear skinning averages over
+/// joints, so no vertex has a larger error.
 struct ClipCertificate {
   double asked_m = 0.0;
-  double measured_m = 0.0;    ///< largest sum of the errors of joints and of morph weights at one time
-  double weights_m = 0.0;     ///< the part of the weights: what they displace vertices by, largest over the clip
-  double worst_time_s = 0.0;  ///< where `measured_m` was found
-  std::uint32_t worst_joint = kNone;  ///< kNone: no joint is off
+  double measured_m = 0.0;            ///< largest sum of joint error and morph weight error at one time
+  double weights_m = 0.0;             ///< largest morph weight error over the clip, as the displacement of vertices
+  double worst_time_s = 0.0;          ///< time of `measured_m`
+  std::uint32_t worst_joint = kNone;  ///< kNone if no joint has an error
   std::uint32_t times_checked = 0;
-  std::uint32_t animated_joints = 0;             ///< with tracks in the authoring form
-  std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; folded tracks keep one
-  std::uint64_t source_bytes = 0, bytes = 0;     ///< saved (clip_file.h): with every key in full float, and this one
+  std::uint32_t animated_joints = 0;             ///< joints with tracks in the authoring form
+  std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; a folded track counts one
+  /// In a file (clip_file.h): of the clip with every key in full float, and of this clip.
+  std::uint64_t source_bytes = 0, bytes = 0;
 
-  /// False only where the budget is below what float arithmetic itself is off by: such clips keep everything.
+  /// False only if the budget is below the error of float arithmetic itself. Then the clip keeps every key in full
+  /// float.
   bool is_met() const noexcept { return measured_m <= asked_m; }
 
   double bytes_per_joint_second(double duration_s) const noexcept {

@@ -9,22 +9,22 @@
 
 namespace sinew {
 
-/// What joints, morph weights and properties are without a clip. Clips that are compiled with one of these share it.
+/// Rest values of joints, morph weights and properties. Clips that are compiled with the same ClipRest share them.
 struct ClipRest {
   std::size_t joint_count = 0;
-  RestNumbers pose;  ///< the planes of BasePose
+  RestNumbers pose;  ///< in the order of BasePose::planes
   RestNumbers weights, properties;
 };
 
 /// cost O(joints + weights + properties), allocates
 ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties);
 
-/// Takes the numbers of a clip in place of those with the same bits, so that they exist once.
+/// Replaces arrays of `rest` by those of the clip if they have the same bits, so that they exist once.
 /// cost O(joints + weights + properties)
 void share_rest(const Clip& clip, ClipRest& rest);
 
-/// compile_clip (clip.h) for clips that share what is at rest.
-/// in   rest        of the skeleton, of the weights that `first_weight` counts, and of `properties`
+/// As compile_clip in clip.h, for clips that share rest values.
+/// in   rest  clip_rest() of the same skeleton, weights and properties
 /// cost O(total keys), whatever the number of joints; allocates the clip
 Clip compile_clip(const Animation& animation, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                   const PropertyTable& properties = {}, const KeyTolerances& rounding = {});

@@ -4,12 +4,12 @@
 
 namespace sinew {
 
-/// How far keys may be moved when a clip is compiled, so that they take fewer bits. 0, or no entry here, keeps the full
-/// float bit for bit. Only step and linear tracks are rounded.
+/// How far compile_clip may round keys, so that they take fewer bits. A tolerance of 0, or no entry, keeps the full
+/// float. Only step and linear tracks are rounded.
 struct KeyTolerances {
   struct OfBone {
-    double translation = 0.0;  ///< a length
-    double rotation = 0.0;     ///< the distance by which a point one unit from the axis moves: radians, for small ones
+    double translation = 0.0;  ///< in metres
+    double rotation = 0.0;  ///< the distance by which a point one unit from the axis moves; for small angles, radians
     double scale = 0.0;
   };
   std::vector<OfBone> bones;                 ///< parallel to Animation::bones, or empty
