@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// [clips][instances] Where the mesh instances of a scene are while each clip plays, as clip_boxes (lod/clip_bounds.h)
-/// found it when the clips were compiled. There may be fewer lists than clips, and an empty list says that the boxes of
-/// its clip were not computed. An empty box says that nothing is known of the instance.
+/// [clips][instances] Bounds of each mesh instance over the whole of each clip, computed by clip_boxes
+/// (lod/clip_bounds.h) when the clips were compiled. An empty or missing list means that the bounds of that clip were
+/// not computed. An empty box means that the bounds of that instance are unknown.
 using ClipBoxes = std::vector<std::vector<Aabb>>;
 
 }  // namespace sinew

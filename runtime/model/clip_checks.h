@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// The part of check(Scene) that looks at animations, of some that are not yet in the scene.
+/// The part of check(Scene) for animations, here of ones that are not in the scene yet.
 ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
 
 }  // namespace sinew

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Calls `use(world_from_copy)` for every copy of an instance; once, with `world_from_mesh`, when it has none.
-/// in   world_from_mesh   InstanceResult::world_from_mesh, in the precision that products are wanted in
+/// Calls `use(world_from_copy)` for every copy of an instance; once, with `world_from_mesh`, if it has no copies.
+/// in   world_from_mesh   InstanceResult::world_from_mesh; products are computed in its precision T
 template <class T, class Use>
 void for_each_copy(const MeshInstance& instance, const AffineT<T>& world_from_mesh, Use&& use) {
   if (instance.copies.empty()) return use(world_from_mesh);

@@ -6,10 +6,9 @@
 
 namespace sinew {
 
-/// Hides what one of Scene::scenes does not hold: root joints that are neither among its roots nor above one of them
-/// join `hidden_joints`. They are evaluated all the same, since skins may hang on them (G32). Do it before plans are
-/// compiled.
-/// in   index  of the scene; kNone = all roots are shown, and nothing changes
+/// Shows one of Scene::scenes: adds to `hidden_joints` all root joints that are neither roots of it nor above one.
+/// Hidden joints are still evaluated, since skins may use them. Call it before plans are compiled.
+/// in   index  into Scene::scenes; kNone = all roots are shown, nothing changes
 /// cost O(J)
 void show_scene(Scene& scene, std::uint32_t index);
 
