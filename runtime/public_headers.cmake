@@ -35,7 +35,6 @@ set(sinew_public_headers
   runtime/math/two_bones.h
   runtime/animation/bone_animation.h
   runtime/animation/close_loop.h
-  runtime/animation/keyframe.h
   runtime/animation/mirror_animation.h
   runtime/animation/mirror_map.h
   runtime/animation/named_bone.h

@@ -5,11 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "runtime/animation/keyframe.h"
 #include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
+#include "runtime/math/transform.h"
 
 namespace sinew {
+
+/// One whole key of a joint: its transform in its parent's space at a time.
+template <class T>
+struct KeyframeT {
+  double time_s = 0.0;
+  Vec3<T> translation{T(0)};
+  Quat<T> rotation{T(1), T(0), T(0), T(0)};  // w x y z
+  Vec3<T> scale{T(1)};
+};
+
+using Keyframe = KeyframeT<float>;
 
 /// The animation of one joint in authoring form: plain tracks, the *truth* that compiled clips are compared with.
 /// Translation, rotation and scale have their own key times, as in glTF. A property without a track keeps its rest
