@@ -45,13 +45,11 @@ set(sinew_public_headers
   runtime/animation/track.h
   runtime/animation/truth_pose.h
   runtime/clip/clip.h
-  runtime/clip/clip_certificate.h
   runtime/clip/base_numbers.h
   runtime/clip/clip_file.h
   runtime/clip/clip_rest.h
   runtime/clip/decompile_clip.h
   runtime/clip/keep_joints.h
-  runtime/clip/key_tolerances.h
   runtime/clip/unpack_clip.h
   runtime/library/bind_clips.h
   runtime/library/clip_channels.h
