@@ -37,7 +37,6 @@ set(sinew_public_headers
   runtime/animation/close_loop.h
   runtime/animation/mirror_animation.h
   runtime/animation/mirror_map.h
-  runtime/animation/named_bone.h
   runtime/animation/property_track.h
   runtime/animation/side_names.h
   runtime/animation/skeleton.h

@@ -30,4 +30,10 @@ struct Skeleton {
   std::optional<std::uint32_t> find(std::string_view name) const noexcept;
 };
 
+/// Assigns a joint to a bone of the human body, by the bone's name in VRM 1.0 ("hips", "leftThumbProximal").
+struct NamedBone {
+  std::string name;
+  std::uint32_t joint = kNone;
+};
+
 }  // namespace sinew
