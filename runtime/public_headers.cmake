@@ -44,7 +44,6 @@ set(sinew_public_headers
   runtime/animation/track.h
   runtime/animation/truth_pose.h
   runtime/clip/clip.h
-  runtime/clip/base_numbers.h
   runtime/clip/clip_file.h
   runtime/clip/clip_rest.h
   runtime/clip/decompile_clip.h

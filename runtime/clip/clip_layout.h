@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "runtime/base/shared_array.h"
-#include "runtime/clip/base_numbers.h"
 #include "runtime/clip/clip.h"
+#include "runtime/clip/clip_rest.h"
 #include "runtime/clip/key_times.h"
 #include "runtime/clip/packed_rows.h"
 

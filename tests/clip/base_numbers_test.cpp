@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/clip/base_numbers.h"
+#include "runtime/clip/clip_rest.h"
 
 #include <gtest/gtest.h>
 
