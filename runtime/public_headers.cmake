@@ -66,7 +66,6 @@ set(sinew_public_headers
   runtime/model/pose_samples.h
   runtime/model/scene.h
   runtime/model/scene_look.h
-  runtime/model/show_scene.h
   runtime/model/skeleton_lod.h
   runtime/model/skin.h
   runtime/pose/add_pose.h

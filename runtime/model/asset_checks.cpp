@@ -3,8 +3,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "runtime/model/clip_checks.h"
 #include "runtime/model/mesh_checks.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {

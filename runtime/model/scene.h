@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -102,5 +103,14 @@ void finish_scene(Scene& scene);
 /// The inside of clips is checked when they are made (compile_clip, load_clips), and masks by compile_plan.
 /// err  the first broken rule;  cost O(size of the scene), allocates O(meshes)
 ErrorCode check(const Scene& scene);
+
+/// Shows one of Scene::scenes: adds to `hidden_joints` all root joints that are neither roots of it nor above one.
+/// Hidden joints are still evaluated, since skins may use them. Call it before plans are compiled.
+/// in   index  into Scene::scenes; kNone = all roots are shown, nothing changes
+/// cost O(J)
+void show_scene(Scene& scene, std::uint32_t index);
+
+/// The part of check(Scene) for animations, here of ones that are not in the scene yet.
+ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
 
 }  // namespace sinew
