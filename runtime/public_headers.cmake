@@ -56,10 +56,8 @@ set(sinew_public_headers
   runtime/paging/cut_clip.h
   runtime/paging/page_table.h
   runtime/paging/paged_clip.h
-  runtime/model/clip_boxes.h
   runtime/model/material.h
   runtime/model/mesh.h
-  runtime/model/mesh_copies.h
   runtime/model/mirror_scene.h
   runtime/model/morph_set.h
   runtime/model/pose_corrective.h

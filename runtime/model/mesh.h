@@ -24,6 +24,11 @@ struct Aabb {
   }
 };
 
+/// [clips][instances] Bounds of each mesh instance over the whole of each clip, computed by clip_boxes
+/// (lod/clip_bounds.h) when the clips were compiled. An empty or missing list means that the bounds of that clip were
+/// not computed. An empty box means that the bounds of that instance are unknown.
+using ClipBoxes = std::vector<std::vector<Aabb>>;
+
 /// The material of a primitive in one of the Scene::variants.
 struct VariantMaterial {
   std::uint32_t variant = 0, material = 0;
