@@ -23,7 +23,6 @@ set(sinew_public_headers
   runtime/math/matrix_rotation.h
   runtime/math/negligible.h
   runtime/math/normal_transform.h
-  runtime/math/perpendicular.h
   runtime/math/quat_log_exp.h
   runtime/math/quaternion.h
   runtime/math/rotation_about.h

@@ -7,7 +7,7 @@
 #include "runtime/math/determinant_sign.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/normal_transform.h"
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 
 namespace sinew {
 namespace {

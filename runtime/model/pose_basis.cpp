@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 #include "runtime/math/swing_twist.h"
 
 namespace sinew {

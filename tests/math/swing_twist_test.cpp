@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/math/axis_angle.h"
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew {

@@ -10,8 +10,8 @@
 #include "runtime/math/euler.h"
 #include "runtime/math/inverse.h"
 #include "runtime/math/normal_transform.h"
-#include "runtime/math/perpendicular.h"
 #include "runtime/math/rotation_about.h"
+#include "runtime/math/rotation_between.h"
 #include "runtime/math/swing_twist.h"
 
 namespace sinew::test {
