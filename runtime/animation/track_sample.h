@@ -5,7 +5,7 @@
 #include <span>
 
 #include "runtime/animation/track.h"
-#include "runtime/math/squad.h"
+#include "runtime/math/interpolate.h"
 
 /// Evaluates authoring tracks in float or double. The double results are the truth for compiled clips.
 namespace sinew {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/math/interpolate.h"
-#include "runtime/math/squad.h"
 #include "tests/math/numeric_variants.h"
 #include "tests/support/numeric_read.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/math/squad.h"
+#include "runtime/math/interpolate.h"
 
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
