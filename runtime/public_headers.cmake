@@ -7,6 +7,7 @@ set(sinew_public_headers
   runtime/base/contract.h
   runtime/base/index.h
   runtime/base/result.h
+  runtime/base/run_job.h
   runtime/base/same_bits.h
   runtime/base/shared_array.h
   runtime/base/shared_name.h

@@ -50,7 +50,8 @@ class Poses {
   void look_at(const Moment& moment) {
     const PoseSpan pose = memory_.span();
     if (moment.clip != kNone)
-      run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
+      run_unchecked(
+          SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
     for (std::size_t j = 0; j < local.size(); ++j)
       local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
     model_from_local(scene_.skeleton, local, model);
