@@ -42,7 +42,7 @@ std::string part_of(const std::string& path) {
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
   for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "viewer/app",
-                           "viewer/light", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
+                           "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -51,7 +51,7 @@ bool sees(const std::string& from, const std::string& to) {
   static const std::set<std::string> kAssets = {"runtime/base", "runtime/math", "runtime/animation", "runtime/clip",
                                                 "runtime/model"};
   if (to == "tests") return from == "tests";
-  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study")
+  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app")
     return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer/geometry_cache")
@@ -75,8 +75,8 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
     {"GLFW/", {"viewer", "viewer/app", "tests"}},
     {"imgui", {"viewer/app", "tests"}},
-    {"CLI/", {"importer/tool", "viewer/app", "viewer/study", "tests"}},
-    {"nlohmann/", {"importer", "importer/tool", "viewer/study", "tests"}},
+    {"CLI/", {"importer/tool", "viewer/app", "tests"}},
+    {"nlohmann/", {"importer", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
       "importer/tool", "tests"}},

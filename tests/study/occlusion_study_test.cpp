@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares rays with the plain reference that tests every triangle, and checks what the study must find on every
 // device.
-#include "viewer/study/occlusion_study.h"
+#include "tests/study/occlusion_study.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/passes/frame_renderer.h"
-#include "viewer/study/exhaustive_access.h"
+#include "tests/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viewer/device/device_error.h"
-#include "viewer/study/shading_study.h"
+#include "tests/study/shading_study.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/ray_caster.h"
+#include "tests/study/ray_caster.h"
 
 #include <array>
 #include <cmath>

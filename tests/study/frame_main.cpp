@@ -13,7 +13,7 @@
 #include "runtime/plan/run_plan.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/device/device_error.h"
-#include "viewer/study/frame_study.h"
+#include "tests/study/frame_study.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/exhaustive_access.h"
+#include "tests/study/exhaustive_access.h"
 
 #include <algorithm>
 #include <cmath>

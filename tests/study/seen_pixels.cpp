@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/seen_pixels.h"
+#include "tests/study/seen_pixels.h"
 
 #include <cmath>
 

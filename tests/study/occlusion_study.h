@@ -9,8 +9,8 @@
 #include "viewer/passes/occlusion_shape.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
-#include "viewer/study/ray_caster.h"
-#include "viewer/study/seen_pixels.h"
+#include "tests/study/ray_caster.h"
+#include "tests/study/seen_pixels.h"
 
 namespace sinew::viewer {
 

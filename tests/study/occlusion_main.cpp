@@ -14,8 +14,8 @@
 #include "viewer/app/exhibit.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/scene_choice.h"
-#include "viewer/study/occlusion_json.h"
-#include "viewer/study/occlusion_study.h"
+#include "tests/study/occlusion_json.h"
+#include "tests/study/occlusion_study.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/shading_study.h"
+#include "tests/study/shading_study.h"
 
 #include <algorithm>
 

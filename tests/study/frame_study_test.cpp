@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/frame_study.h"
+#include "tests/study/frame_study.h"
 
 #include <gmock/gmock.h>
 
 #include <utility>
 
 #include "tests/viewer/device_fixture.h"
-#include "viewer/study/study_scenes.h"
+#include "tests/study/study_scenes.h"
 
 namespace sinew::viewer {
 namespace {

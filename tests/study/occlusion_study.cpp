@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/occlusion_study.h"
+#include "tests/study/occlusion_study.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "importer/ambient/access_surfaces.h"
 #include "viewer/app/headless.h"
-#include "viewer/study/exhaustive_access.h"
+#include "tests/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/shading_study.h"
+#include "tests/study/shading_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "runtime/base/contract.h"
 #include "viewer/app/headless.h"
-#include "viewer/study/study_scenes.h"
+#include "tests/study/study_scenes.h"
 #include "viewer/upload/srgb_codes.h"
 
 namespace sinew::viewer {

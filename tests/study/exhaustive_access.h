@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "viewer/study/seen_pixels.h"
+#include "tests/study/seen_pixels.h"
 
 namespace sinew::viewer {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rays in scenes whose answers have a closed form.
-#include "viewer/study/ray_caster.h"
+#include "tests/study/ray_caster.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/occlusion_json.h"
+#include "tests/study/occlusion_json.h"
 
 #include <nlohmann/json.hpp>
 

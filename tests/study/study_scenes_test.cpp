@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/study_scenes.h"
+#include "tests/study/study_scenes.h"
 
 #include <gmock/gmock.h>
 

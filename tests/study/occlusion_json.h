@@ -2,7 +2,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "viewer/study/occlusion_study.h"
+#include "tests/study/occlusion_study.h"
 
 namespace sinew::viewer {
 

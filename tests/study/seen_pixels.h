@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "viewer/passes/view.h"
-#include "viewer/study/ray_caster.h"
+#include "tests/study/ray_caster.h"
 
 namespace sinew::viewer {
 
