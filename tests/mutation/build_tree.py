@@ -21,7 +21,8 @@ class Tree:
             self.commands[target] = entry['command']
             self.source[target] = os.path.relpath(entry['file'], root)
         self.libraries, self.programs = {}, {}
-        for command in self.ninja('-t', 'commands').splitlines():
+        tests = ['sinew-tests'] if re.search('^sinew-tests:', self.ninja('-t', 'targets', 'all'), re.M) else []
+        for command in self.ninja('-t', 'commands', 'all', *tests).splitlines():
             archive = re.search(r' qc (\S+\.a)\s+(.*?)(?: && |$)', command)
             program = re.search(r'^: && (.*? -o bin/(sinew-test-\S+) .*?)(?: && |$)', command)
             if archive:
