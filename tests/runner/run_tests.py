@@ -79,7 +79,7 @@ def main():
     parser.add_argument('-R', dest='only', metavar='REGEX', help='only tests whose names match: pose/sample_clip, corpus, G06')
     parser.add_argument('-E', dest='but', metavar='REGEX', help='no tests whose names match')
     parser.add_argument('-N', dest='names', action='store_true', help='print the names of the tests and run none')
-    parser.add_argument('--programs', nargs='+', metavar='NAME', help='only the tests of these entries of CTest')
+    parser.add_argument('--programs', metavar='NAME,...', help='only the tests of these programs')
     parser.add_argument('--no-skips', action='store_true', help='a skipped test fails')
     options, for_ctest = parser.parse_known_args()
     build, started = os.path.abspath(options.build), time.monotonic()
@@ -88,7 +88,8 @@ def main():
     if options.only or options.but or options.programs or options.names:
         entries = entries_of(build)
         if options.programs:
-            entries = {e: c for e, c in entries.items() if e in options.programs or (program_of(c) or ('',))[0] in options.programs}
+            programs = options.programs.split(',')
+            entries = {e: c for e, c in entries.items() if (program_of(c) or ('',))[0] in programs}
         chosen = chosen_entries(entries, options.only, options.but)
         if options.names:
             for entry in chosen:
