@@ -4,25 +4,24 @@
 #include <cmath>
 
 #include "runtime/math/axis_angle.h"
-#include "runtime/math/perpendicular.h"
 #include "runtime/math/rotation_between.h"
 
 namespace sinew {
 
-/// Places of the joints of a limb: hip, knee and ankle of a leg, for example.
+/// Positions of the joints of a limb, for example hip, knee and ankle of a leg.
 template <class T>
 struct TwoBonesT {
   Vec3<T> root{T(0)}, middle{T(0)}, tip{T(0)};
 };
 
-/// How the two bones turn: rotations in the space of the places, to be applied after those that the bones have.
+/// Rotations of the two bones in the space of the positions, to be applied after the current rotations of the bones.
 template <class T>
 struct TwoBoneTurnsT {
   Quat<T> upper = quat_identity<T>(), lower = quat_identity<T>();
 };
 
-/// Distance of the tip from the root that the limb reaches exactly: all but the last hundredth of its length, or what
-/// it has.
+/// Distance from the root up to which the tip reaches a goal exactly. It is 99 % of the limb's length, or the current
+/// distance of the tip if that is larger.
 template <class T>
 T free_reach(const TwoBonesT<T>& limb) noexcept {
   const T straight = safe_length(limb.middle - limb.root) + safe_length(limb.tip - limb.middle);
@@ -31,8 +30,8 @@ T free_reach(const TwoBonesT<T>& limb) noexcept {
 
 namespace two_bones {
 
-/// Length of the limb for a wanted one: as wanted up to `free`; beyond, what is left of the limb is never quite spent,
-/// so that the middle joint slows down before the limb is straight.
+/// Distance of the tip from the root for a wanted distance. Up to `free` it is the wanted one. Beyond, it approaches
+/// upper + lower exponentially, so the middle joint does not snap when the limb straightens.
 template <class T>
 T reached(T wanted, T free, T upper, T lower) noexcept {
   const T rest = upper + lower - free;
@@ -40,8 +39,8 @@ T reached(T wanted, T free, T upper, T lower) noexcept {
   return (std::max)(wanted, std::abs(upper - lower));
 }
 
-/// Unit direction to which the middle joint is off the line from root to tip. Within 2 % of the limb's length of the
-/// line `bend` takes over: what is left there is mostly noise.
+/// Unit direction from the line between root and tip to the middle joint. It blends to `bend` where the middle joint
+/// is closer to the line than 2 % of the limb's length, since there the direction is mostly noise.
 template <class T>
 Vec3<T> bend_direction(const Vec3<T>& along, const Vec3<T>& to_middle, const Vec3<T>& bend, T length) noexcept {
   constexpr T kStraight = T(0.02);
@@ -53,14 +52,15 @@ Vec3<T> bend_direction(const Vec3<T>& along, const Vec3<T>& to_middle, const Vec
 
 }  // namespace two_bones
 
-/// Turns two bones so that their tip comes to a place, in the plane in which they are bent.
+/// Two-bone inverse kinematics: turns both bones so that the tip reaches a goal, in the plane in which the limb is
+/// bent.
 /// eq   with bones of lengths a, b and the tip at distance d of the root, the middle joint is
-///      x = (a^2 - b^2 + d^2) / 2d along the line to the tip, and y beside it, where by Heron's formula
-///      y = sqrt((a + b + d) (a + b - d) (d + a - b) (d - a + b)) / 2d: no difference of squares, so that digits last
-///      where the limb is nearly straight
-/// in   bend  direction to which the middle joint goes where the limb is straight, of any length
-///      goal  what is out of reach is approached: the distance stays below a + b, as two_bones::reached says
-/// out  identities within rounding where the tip is at the goal; identities for bones without length
+///      x = (a^2 - b^2 + d^2) / 2d along the line to the tip, and by Heron's formula
+///      y = sqrt((a + b + d) (a + b - d) (d + a - b) (d - a + b)) / 2d beside it. This form has no difference of
+///      squares, so no digits are lost where the limb is nearly straight.
+/// in   bend  direction in which the middle joint goes if the limb is straight, of any length
+///      goal  if it is out of reach, the tip stops before it: the distance stays below a + b (two_bones::reached)
+/// out  identities within rounding if the tip is at the goal; identities if a bone has no length
 template <class T>
 TwoBoneTurnsT<T> turn_two_bones(const TwoBonesT<T>& limb, const Vec3<T>& goal, const Vec3<T>& bend) noexcept {
   const Vec3<T> upper = limb.middle - limb.root, lower = limb.tip - limb.middle, whole = limb.tip - limb.root;

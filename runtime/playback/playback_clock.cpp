@@ -20,7 +20,7 @@ SumAndRest add(double a, double b) noexcept {
   return {sum, (a - (sum - b_kept)) + (b - b_kept)};
 }
 
-/// False for NaN.
+/// True for finite numbers up to kMost; false for NaN.
 bool is_usable(double number) noexcept { return std::fabs(number) <= PlaybackClock::kMost; }
 
 }  // namespace
@@ -69,11 +69,11 @@ void PlaybackClock::wrap_around(double period_s) noexcept {
   double phase_s = std::fmod(total_s, period_s);
   if (phase_s < 0.0) {
     const SumAndRest lifted = add(phase_s, period_s);
-    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it, which is 0
+    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a time just before the seam may round to it
     phase_rest_s_ += lifted.error;
   }
   turns_ = std::clamp(turns_ + std::nearbyint((total_s - phase_s) / period_s), -kMost, kMost);
-  phase_s_ = phase_s + 0.0;  // no negative zero
+  phase_s_ = phase_s + 0.0;  // turns -0 into 0
 }
 
 void PlaybackClock::stop_at_ends(double direction) noexcept {

@@ -31,7 +31,7 @@ DualQuatd power(DualQuatd m, double count) noexcept {
   return result;
 }
 
-/// Clip time of a phase: the way back of ping-pong runs from the end to the start.
+/// Clip time of a phase. In ping-pong, phases above the duration run from the end to the start.
 double clip_time_s(const PlaybackStep& step, double phase_s) noexcept {
   return phase_s <= step.duration_s ? phase_s : 2.0 * step.duration_s - phase_s;
 }
