@@ -102,6 +102,7 @@ set(sinew_public_headers
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
+  runtime/playback/root_track.h
   runtime/retarget/feet_map.h
   runtime/retarget/hold_feet.h
   runtime/retarget/hold_feet_animation.h
