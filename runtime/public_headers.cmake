@@ -7,6 +7,7 @@ set(sinew_public_headers
   runtime/base/contract.h
   runtime/base/index.h
   runtime/base/result.h
+  runtime/base/run_job.h
   runtime/base/same_bits.h
   runtime/base/shared_array.h
   runtime/base/shared_name.h
@@ -101,6 +102,7 @@ set(sinew_public_headers
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
+  runtime/playback/root_track.h
   runtime/retarget/feet_map.h
   runtime/retarget/hold_feet.h
   runtime/retarget/hold_feet_animation.h

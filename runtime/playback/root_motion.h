@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "runtime/animation/bone_animation.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/playback/playback_clock.h"
@@ -36,9 +38,33 @@ DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const Roo
 ///     world = normalised(world * root_motion(root, rest, parts, step));
 ///     frame.root = world * inverse of root_place(root, rest, parts, clock.time_s());   // removes it from the pose
 ///
+/// With several clips, both what moves and what is removed are blended: blend_root_motion. RootTrack (root_track.h)
+/// gives the same without the authoring keys.
 /// out  rigid, unit.  cost O(log K + log turns), no allocation
 DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                       const PlaybackStep& step) noexcept;
+
+/// One clip's share of a blend: its motion in this frame, its place at its time, and its layer's weight.
+struct RootShare {
+  DualQuatd motion, place;
+  double weight = 0.0;
+};
+
+/// The motion that carries the character, and the place to take out of the blended pose.
+struct BlendedRoot {
+  DualQuatd motion, place;
+};
+
+/// Root motion of clips that blend.
+/// eq   Both are means over sum w, as blend_poses makes them: translations linearly, rotations as quaternions of one
+///      hemisphere. The blended root joint stands at the mean of the clips' places, so taking out the place of one clip
+///      alone would leave the rest in the pose, and the character would be in two places at once.
+///
+///     world = normalised(world * blended.motion);
+///     frame.root = world * inverse of blended.place;
+///
+/// in   weights at least 0, of the layers that blend.   out  identities where no weight is above 0
+BlendedRoot blend_root_motion(std::span<const RootShare> shares) noexcept;
 
 /// The root motion of a mirrored clip: the motion of the clip, reflected at a plane through the origin.
 /// eq   S D S:  q' = n q n^-1,  t' = t - 2 n (n . t), n the normal as a pure quaternion

@@ -86,7 +86,9 @@ TEST(clip_fields, that_are_all_right_make_a_clip) {
   EXPECT_EQ(save_clips({&one, 1}), valid().block()) << "the form is the one that clips are saved in";
   test::PoseBuffer pose(4);
   std::vector<float> weights(3), numbers(2);
-  run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = weights, .properties = numbers});
+  EXPECT_EQ(
+      run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = weights, .properties = numbers}),
+      ErrorCode::ok);
   EXPECT_EQ(pose.span().get(3).translation, glm::vec3(0.125f, 0.25f, 0.375f));  // rest value
   EXPECT_EQ(pose.span().get(1).translation,
             glm::vec3(0.125f + 19 * 0.0078125f, 0.125f, 0.125f + 9 * 0.0078125f));  // 0x3333: 10011 and 1001

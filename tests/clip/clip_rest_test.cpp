@@ -41,7 +41,7 @@ std::vector<float> planes_at(const Clip& clip, double time_s) {
   test::PoseBuffer pose(clip.joint_count());
   const SampleClipJob job{.clip = &clip, .time_s = time_s, .pose = pose.span()};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   const float* planes = pose.span().planes;
   return {planes, planes + PoseSpan::floats_for(clip.joint_count())};
 }

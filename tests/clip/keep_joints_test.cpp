@@ -29,7 +29,7 @@ Sample sample(const Clip& clip, double time_s) {
   Sample out{{}, std::vector<float>(clip.weight_count())};
   const SampleClipJob job{.clip = &clip, .time_s = time_s, .pose = pose, .weights = out.weights};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < clip.joint_count(); ++j) out.pose.push_back(pose.get(j));
   return out;
 }

@@ -25,7 +25,7 @@ Sample sample(const Clip& clip, double time_s) {
   const SampleClipJob job{
       .clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = out.weights, .properties = out.numbers};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < clip.joint_count(); ++j) out.pose.push_back(pose.span().get(j));
   return out;
 }

@@ -33,7 +33,8 @@ struct Sample {
   std::vector<float> weights;
 
   Sample(const Clip& clip, double time_s) : pose(clip.joint_count()), weights(clip.weight_count()) {
-    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = weights});
+    EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = weights}),
+              ErrorCode::ok);
   }
 };
 
@@ -124,8 +125,8 @@ TEST(unpack_clip, lanes_of_every_packed_block_reach_their_joints) {
   const Clip clip = compile_clip(animation, chain_skeleton(joints), {}, {}, {}, coarse(animation)),
              exact = compile_clip(animation, chain_skeleton(joints), {}, {});
   PoseBuffer rounded(joints), pose(joints);
-  run(SampleClipJob{.clip = &clip, .time_s = 0.4, .pose = rounded.span(), .weights = {}});
-  run(SampleClipJob{.clip = &exact, .time_s = 0.4, .pose = pose.span(), .weights = {}});
+  EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = 0.4, .pose = rounded.span(), .weights = {}}), ErrorCode::ok);
+  EXPECT_EQ(run(SampleClipJob{.clip = &exact, .time_s = 0.4, .pose = pose.span(), .weights = {}}), ErrorCode::ok);
   for (std::uint32_t j = 0; j < joints; ++j)
     ASSERT_LT(angle_between(rounded.span().get(j).rotation, pose.span().get(j).rotation), 0.1) << j;
 }

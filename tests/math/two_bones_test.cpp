@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
@@ -120,6 +122,35 @@ TEST(two_bones, float_is_double_within_rounding_also_where_a_limb_is_nearly_stra
     const auto exact = turned(limb, turn_two_bones(limb, Vec3d(goal), Vec3d(bend)));
     const auto found = turned(in_float, turn_two_bones(in_float, goal, bend));
     EXPECT_TRUE(test::is_near(Vec3d(found.tip), exact.tip, 4e-6)) << i;
+  }
+}
+
+// `d + a - b` lost all digits of d below 3e-8 of a bone, and the limb jumped from folded to fully stretched.
+template <class T>
+void expect_folds_towards_the_root() {
+  const TwoBonesT<T> leg{{0, 0, 0}, {0, T(-0.6), T(0.8)}, {0, T(-1.2), 0}};  // bones of 1 m
+  for (T distance = T(1); distance > std::numeric_limits<T>::min(); distance /= T(7)) {
+    const Vec3<T> goal = normalised_or(Vec3<T>(1, -2, 0), Vec3<T>(0)) * distance;
+    const auto found = turned(leg, turn_two_bones(leg, goal, Vec3<T>(0, 0, 1)));
+    EXPECT_LT(glm::length(found.tip - goal), T(8) * std::numeric_limits<T>::epsilon()) << distance;
+  }
+  const auto folded = turned(leg, turn_two_bones(leg, leg.root, Vec3<T>(0, 0, 1)));
+  EXPECT_LT(glm::length(folded.tip), T(8) * std::numeric_limits<T>::epsilon());
+  EXPECT_NEAR(glm::length(folded.middle), T(1), T(8) * std::numeric_limits<T>::epsilon());
+}
+
+TEST(two_bones, equal_bones_fold_onto_a_goal_near_the_root) {
+  expect_folds_towards_the_root<double>();
+  expect_folds_towards_the_root<float>();
+}
+
+TEST(two_bones, without_soft_reach_goals_up_to_the_whole_length_are_reached) {
+  const TwoBonesT<double> leg{{0, 0, 0}, {0, -0.6, 0.8}, {0, -1.2, 0}};
+  for (const double wanted : {1.98, 1.9999, 2.0, 2.5}) {
+    const auto hard = turned(leg, turn_two_bones(leg, Vec3d(0, -wanted, 0), Vec3d(0, 0, 1), 0.0));
+    EXPECT_NEAR(hard.tip.y, -std::min(wanted, 2.0), 1e-14);
+    const auto soft = turned(leg, turn_two_bones(leg, Vec3d(0, -wanted, 0), Vec3d(0, 0, 1), 0.1));
+    EXPECT_GT(soft.tip.y, -std::min(wanted, 2.0)) << "slows down from 1.8 m on";
   }
 }
 

@@ -47,8 +47,8 @@ struct HourTest : testing::Test {
   }
   static bool same(const PageSample& at, double time_s) {
     static test::PoseBuffer a(kJoints), b(kJoints);
-    run(SampleClipJob{&at.page, at.time_s, a.span(), {}});
-    run(SampleClipJob{whole, time_s, b.span(), {}});
+    EXPECT_EQ(run(SampleClipJob{&at.page, at.time_s, a.span(), {}}), ErrorCode::ok);
+    EXPECT_EQ(run(SampleClipJob{whole, time_s, b.span(), {}}), ErrorCode::ok);
     return same_bits<float>({a.span().planes, PoseSpan::floats_for(kJoints)},
                             {b.span().planes, PoseSpan::floats_for(kJoints)});
   }
