@@ -191,7 +191,7 @@ void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lan
     return add_packed_blocks(group, property, lane.track->interpolation, targets, packed);
   TrackBlock block = block_of(property, lane.track->interpolation, n);
   make_room(block, group.times.key_count());
-  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.own());
+  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.writable());
   block.targets = std::move(targets);
   group.blocks.push_back(std::move(block));
 }
