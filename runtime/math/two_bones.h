@@ -62,8 +62,8 @@ Vec3<T> bend_direction(const Vec3<T>& along, const Vec3<T>& to_middle, const Vec
 ///      x = ((a + b) r + d) / 2,   y = sqrt((a + b + d) (a + b - d) (1 + r) (1 - r)) / 2.
 ///      This has no difference of squares, so no digits are lost where the limb is nearly straight or folded.
 /// in   bend        direction in which the middle joint goes if the limb is straight, of any length
-///           goal        if it is out of reach, the tip stops before it: the distance stays below a + b
-///           (two_bones::reached) soft_reach  as kSoftReach; with 0 the tip reaches every goal up to a + b exactly
+///      goal        if it is out of reach, the tip stops before it, at less than a + b (two_bones::reached)
+///      soft_reach  as kSoftReach; with 0 the tip reaches every goal up to a + b exactly
 /// out  identities within rounding if the tip is at the goal; identities if a bone has no length
 template <class T>
 TwoBoneTurnsT<T> turn_two_bones(const TwoBonesT<T>& limb, const Vec3<T>& goal, const Vec3<T>& bend,
