@@ -78,11 +78,11 @@ struct JointPlaces {
 ///     step rotations           x y z w
 ///     linear rotations         x y z w | arc
 ///     cubic rotations          in xyzw | value xyzw | out xyzw
-///     squad rotations          x y z w | control of this key | control of the next | sign that aligns the next key (1,
-///     -1) weights, numbers         value, or in | value | out
+///     squad rotations          x y z w | control of this key | control of the next | sign of the next key
+///     weights, numbers         value, or in | value | out
 ///
 /// `arc` is half the rotation angle to the next key on the short arc, at least kSmallestArc. It is negative if the next
-/// key must be negated for that arc.
+/// key must be negated for that arc. The sign of squad, 1 or -1, aligns the next key.
 struct TrackBlock {
   Property property = Property::translation;
   Interpolation interpolation = Interpolation::linear;
