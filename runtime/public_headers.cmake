@@ -26,7 +26,6 @@ set(sinew_public_headers
   runtime/math/normal_transform.h
   runtime/math/quat_log_exp.h
   runtime/math/quaternion.h
-  runtime/math/rotation_about.h
   runtime/math/rotation_between.h
   runtime/math/stretch.h
   runtime/math/swing_twist.h
