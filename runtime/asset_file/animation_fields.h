@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of clips in authoring form, as asset_fields.h has those of models.
+// The fields of clips in authoring form; see asset_fields.h.
 #pragma once
 #include "runtime/asset_file/asset_fields.h"
 

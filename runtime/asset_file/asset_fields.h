@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of each asset, in the order in which a file has them. Structured bindings name all members: who adds one
-// gets a compile error here, and a new kAssetBlockVersion with it.
+// The fields of each asset, in file order. Structured bindings name all members, so adding a member is a compile error
+// here. Add the field and raise kAssetBlockVersion.
 #pragma once
 #include <concepts>
 #include <tuple>

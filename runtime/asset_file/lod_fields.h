@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The fields of skeleton LODs, as asset_fields.h has those of models.
+// The fields of skeleton LODs; see asset_fields.h.
 #pragma once
 #include "runtime/asset_file/asset_fields.h"
 #include "runtime/model/skeleton_lod.h"
 
 namespace sinew {
 
-/// A skeleton LOD with the joints that are kept as numbers, 0 or 1.
+/// A skeleton LOD; `kept` has its flags for kept joints as bytes, 0 or 1.
 struct StoredSkeletonLod {
   CompiledSkeletonLod lod;
   std::vector<std::uint8_t> kept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of page tables, as asset_fields.h has those of models. Offsets count from the first byte of the page keys.
+// The fields of page tables; see asset_fields.h. Offsets count from the first byte of the block AssetKind::page_keys.
 #pragma once
 #include "runtime/asset_file/asset_fields.h"
 #include "runtime/paging/page_table.h"

@@ -6,19 +6,21 @@
 
 namespace sinew {
 
-/// Attributes that the input has and the output has room for.
+/// The attributes that the input has and the output has room for.
 struct AttributesPresent {
   bool normals = false, tangents = false;
 };
 
 AttributesPresent present(const VertexInput& in, const VertexOutput& out) noexcept;
 
-/// Every attribute of the input has the vertex count of the positions, and its output, where wanted, has room for it.
+/// Checks that every attribute of the input has as many vertices as the positions, and that its output has room for
+/// them.
 /// err  size_mismatch
 ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept;
 
-/// Groups cover [0, vertex_count) in order, their joints and weights exist, and every joint is below `joint_count`.
-/// err  size_mismatch, index_out_of_range, unsupported (more than kMostWidened influences that have to be converted)
+/// Checks that groups cover [0, vertex_count) in order, that their joints and weights exist, and that every joint is
+/// below `joint_count`.
+/// err  size_mismatch, index_out_of_range, unsupported (more than kMostWidened influences that must be converted)
 /// cost O(influences)
 ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count,
                            std::size_t joint_count) noexcept;

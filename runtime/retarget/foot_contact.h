@@ -6,23 +6,23 @@
 
 namespace sinew {
 
-/// How firmly the source's foot is on the ground, and by what. Internal to retarget/
+/// How firmly the foot of the source stands on the ground, and on which part. Internal to retarget/
 template <class T>
 struct FootContact {
   T held = T(0);       ///< 0 in the air, 1 on the ground
-  T toes = T(0);       ///< share of the toes: 0 where the ankle is lower, 1 where the toes are
-  Vec3<T> foot{T(0)};  ///< from the places at rest, of the source
-  Vec3<T> ball{T(0)};
+  T toes = T(0);       ///< share of the toes in the contact: 0 where the ankle is lower, 1 where the toes are lower
+  Vec3<T> foot{T(0)};  ///< displacement of the ankle from its rest place, in the source
+  Vec3<T> ball{T(0)};  ///< displacement of the ball of the foot from its rest place, in the source
 };
 
-/// Smooth from 0 at `low` to 1 at `high`.
+/// Smoothstep: 0 below `low`, 1 above `high`.
 template <class T>
 T smooth_step(T low, T high, T x) noexcept {
   const T t = std::clamp((x - low) / (high - low), T(0), T(1));
   return t * t * (T(3) - T(2) * t);
 }
 
-/// Height of the ankle or of the toes, whichever is lower, above that of the rest pose.
+/// Height above the rest pose of the ankle or the toes, whichever is lower.
 template <class T>
 T lowest_height(const LegPair& leg, const LegPose<T>& pose) noexcept {
   const T foot = pose.foot.place.y - static_cast<T>(leg.source_foot.y);
@@ -41,7 +41,7 @@ FootContact<T> foot_contact(const LegPair& leg, const LegPose<T>& source, T grou
   return contact;
 }
 
-/// Where the target's ankle goes when the foot is held.
+/// Place of the target's ankle when its foot is fully held.
 template <class T>
 Vec3<T> foot_goal(const LegPair& leg, const FootContact<T>& contact, T ratio, const LegPose<T>& target) noexcept {
   const Vec3<T> by_foot = Vec3<T>(leg.target_foot) + contact.foot * ratio;

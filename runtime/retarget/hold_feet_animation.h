@@ -5,18 +5,16 @@
 
 namespace sinew {
 
-/// Holds the feet of a retargeted animation: rotations of legs, and translations of hips that come down, get linear
-/// keys of hold_feet (hold_feet.h) at all key times and 60 times a second. A leg that turns by no more than rounding
-/// keeps its tracks.
-/// in   animation    of the source
-///      retargeted   the same by retarget_animation
-/// out  retargeted   tracks of the joints of legs and hips, new ones behind
+/// Foot locking for a retargeted animation (hold_feet.h). Leg rotations, and translations of hips that come down, get
+/// linear keys at all key times and 60 times a second. A leg that turns by no more than rounding keeps its tracks.
+/// in   animation    of the source retargeted   that animation after retarget_animation
+/// out  retargeted   new tracks for the joints of legs and hips; new bones are appended
 /// cost O(duration * joints), allocates
 void hold_feet(const FeetMap& feet, const Animation& animation, const Skeleton& source, const Skeleton& target,
                Animation& retargeted);
 
-/// How far feet slide: from when a foot comes down to when it goes up, the farthest that its ankle or its toes,
-/// whichever is on the ground, strays from the source's path, which is scaled by heights.
+/// How far feet slide while they are on the ground. The slide of a contact is the largest distance of the ankle or toes
+/// from the source's path. The path is scaled by the height ratio.
 struct FootSlide {
   double largest = 0.0;  ///< over all contacts, in units of the target
   double mean = 0.0;
