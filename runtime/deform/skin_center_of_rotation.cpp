@@ -20,7 +20,7 @@
 namespace sinew {
 namespace {
 
-/// The scalar path: one vertex, with every degenerate case.
+/// The scalar path: skins one vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
 void skin_vertex(const SkinCenterOfRotationJob& job, const VertexJoints<kCount>& joints, const glm::vec3& center,
                  const In& in, const Out& out, std::size_t v) noexcept {
@@ -45,7 +45,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// eq   M c of a tile, M the blended matrices
+/// eq   M c for a tile, M the blended matrices
 template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
                                 [[maybe_unused]] bool share_joints, const glm::vec3* centers) {
@@ -66,7 +66,7 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
 #endif
 }
 
-/// Centers of a tile that is not full, filled up as its vertices are.
+/// Centers of an incomplete tile, padded like its vertices.
 struct CenterCopies {
   glm::vec3 centers[kTileSize];
 
@@ -100,7 +100,7 @@ struct SkinRow {
   }
 
  private:
-  /// Returns the vertices that are done.
+  /// Skins a tile. Returns the vertices that are done.
   HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
                                          const glm::vec3* centers) const {
     const Lanes3 moved = moved_centers(job.palette.data(), row.joints(t), kept.share_joints(), centers);
@@ -113,8 +113,7 @@ struct SkinRow {
     return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
   }
 
-  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
-  /// path.
+  /// Skins some vertices of a tile by the scalar path: their blend cancels or is tiny, or their directions lose digits.
   HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
                                  const glm::vec3* centers) const {
     for_each_lane_not_in(skin_tile(kept, row, t, centers), [&](std::size_t lane) {

@@ -20,7 +20,7 @@
 namespace sinew {
 namespace {
 
-/// The scalar path: one vertex, with every degenerate case.
+/// The scalar path: skins one vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
 void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const In& in, const Out& out,
                  std::size_t v) noexcept {
@@ -63,7 +63,7 @@ struct SkinRow {
   }
 
  private:
-  /// Returns the vertices that are done.
+  /// Skins a tile. Returns the vertices that are done.
   HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
     const DualQuatLanes motion = kept.template motion<kCount>();
     StretchLanes stretch{};
@@ -74,8 +74,7 @@ struct SkinRow {
     return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
   }
 
-  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
-  /// path.
+  /// Skins some vertices of a tile by the scalar path: their blend cancels or is tiny, or their directions lose digits.
   HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
     for_each_lane_not_in(skin_tile(kept, row, t), [&](std::size_t lane) {
       const std::size_t v = vertex_of_lane(lane);

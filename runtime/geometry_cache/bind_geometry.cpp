@@ -10,14 +10,14 @@
 namespace sinew {
 namespace {
 
-/// As `sinew bake` names it.
+/// The name that `sinew bake` gives the mesh.
 std::string name_of(const Mesh& mesh, std::size_t primitive) {
   return mesh.primitives.size() == 1 ? mesh.name : mesh.name + " " + std::to_string(primitive);
 }
 
 std::string in_quotes(const std::string& name) { return "\"" + name + "\""; }
 
-/// Binds one instance after another; each mesh of the cache is taken once.
+/// Binds one instance after another; each mesh of the cache is bound at most once.
 class NameBinder {
  public:
   NameBinder(const GeometryCache& cache, const Scene& scene)
@@ -91,7 +91,7 @@ Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& mesh, cons
     vertex = mesh.triangles[c];
   }
   for (std::uint32_t& vertex : taken)
-    if (vertex == kNone) vertex = 0;  // of no triangle, so never seen
+    if (vertex == kNone) vertex = 0;  // part of no triangle, so never visible
   return taken;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 std::uint32_t byte_of(std::uint32_t number, unsigned byte) { return number >> (8 * byte) & 0xffu; }
 
-/// Offsets of key frames are stored as differences from the block before: blocks that follow each other are near.
+/// Offsets of key frames are stored as differences to the previous block, because consecutive blocks are near each
+/// other.
 std::vector<std::array<std::uint32_t, 3>> stored_offsets(std::span<const BlockMotion> blocks) {
   std::vector<std::array<std::uint32_t, 3>> stored;
   std::array<std::int32_t, 3> before{};
@@ -29,15 +30,15 @@ bool may_follow(FramePlace place, BlockBase base) noexcept {
   return place == FramePlace::later || base == BlockBase::last;
 }
 
-/// The planes of both sections: byte `b` of plane `p` is at p * (bytes of a plane) + b.
+/// The byte planes of both sections. Byte `b` of plane `p` is at p * (bytes of a plane) + b.
 struct Planes {
   const std::uint8_t *kinds, *widths, *upper_offsets, *shifts, *upper_matrices;  // coarse
   const std::uint8_t *offsets, *matrices;                                        // fine
-  unsigned offset_planes;                                                        // above the lowest byte
+  unsigned offset_planes;  // number of planes above the lowest byte
   std::size_t blocks, turning;
 };
 
-/// Lays the planes over the sections; false where these are of another size.
+/// Finds the planes in the sections; false if the sizes do not fit.
 bool find_planes(std::span<const std::uint8_t> coarse, std::span<const std::uint8_t> fine, std::size_t blocks,
                  Planes& out) noexcept {
   if (coarse.size() < 1 + blocks || coarse[0] > kMostOffsetPlanes) return false;

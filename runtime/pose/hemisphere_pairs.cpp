@@ -7,8 +7,8 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kMostJoints = 4096;     ///< for which a table of all pairs is small
-constexpr std::size_t kMostEntries = 65'536;  ///< that vertices can name
+constexpr std::size_t kMostJoints = 4096;     ///< limit for the table of all pairs of joints
+constexpr std::size_t kMostEntries = 65'536;  ///< number of joints that 16-bit indices can name
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
   std::vector<JointPair> edges;
   for (const std::uint16_t entry : order) {
     const std::uint32_t joint = skin.joints[entry];
-    std::uint32_t above = entry_of[joint] != kNone ? joint : skeleton.parents[joint];  // a joint may be there twice
+    std::uint32_t above = entry_of[joint] != kNone ? joint : skeleton.parents[joint];  // a skin may list a joint twice
     while (above != kNone && entry_of[above] == kNone) above = skeleton.parents[above];
     if (above != kNone) edges.push_back({static_cast<std::uint16_t>(entry_of[above]), entry});
     if (entry_of[joint] == kNone) entry_of[joint] = entry;

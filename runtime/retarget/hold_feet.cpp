@@ -16,17 +16,17 @@
 namespace sinew {
 namespace {
 
-/// The two poses that a foot is held between: how their joints are read, and how those of the target are written.
+/// Access to the two poses: reads joints of source and target, writes rotations of the target.
 template <class SourceLocal, class TargetLocal, class Set>
 struct FootPoses {
   SourceLocal source;  ///< (joint) -> TransformT<T>
   TargetLocal target;
-  Set set_rotation;  ///< (joint, rotation), of the target
+  Set set_rotation;  ///< (joint, rotation) of the target
 };
-template <class SourceLocal, class TargetLocal, class Set>  // clang deduces these of aggregates from version 17 on
+template <class SourceLocal, class TargetLocal, class Set>  // deduction guide, which clang before version 17 needs
 FootPoses(SourceLocal, TargetLocal, Set)->FootPoses<SourceLocal, TargetLocal, Set>;
 
-/// A leg of the target before it is held, and where its ankle goes.
+/// A leg of the target before it is held, and the goal of its ankle.
 template <class T>
 struct LegGoal {
   LegPose<T> pose;
@@ -43,8 +43,8 @@ LegGoal<T> leg_goal(const LegPair& leg, T ratio, T ground, const Poses& poses) {
   return goal;
 }
 
-/// How far the hips come down so that the leg reaches its goal, at most a fourth of its length. 0 below a parent that
-/// flattens space, in which no offset is that far.
+/// How far the hips must come down so that the leg reaches its goal, at most a fourth of its length. 0 if the parent of
+/// the hips flattens space, because no offset reaches that far.
 template <class T>
 T drop_of(const LegPair& leg, const LegGoal<T>& goal) {
   if (determinant(goal.pose.above_hips) == T(0)) return T(0);
@@ -69,7 +69,8 @@ void hold_leg(const LegPair& leg, const LegGoal<T>& goal, const Vec3<T>& hips_of
   set(leg.target.foot, turns.lower * pose.foot.above, pose.foot.rotation);
 }
 
-/// The goals of all legs. Those of the first legs are kept, so that each is placed once; a leg is no part of another.
+/// The goals of all legs. The first legs' goals are stored, so that each leg is evaluated only once. Legs share no
+/// joint.
 template <class T, class Poses>
 class LegGoals {
  public:
@@ -91,7 +92,7 @@ class LegGoals {
   std::array<LegGoal<T>, kKept> kept_;
 };
 
-/// out  how far the hips go, in the space of their parent
+/// out  returns the offset of the hips, in the space of their parent
 template <class T, class Poses>
 Vec3<T> hold_all(const FeetMap& feet, T ground, const Poses& poses) {
   const LegGoals<T, Poses> goals(feet, ground, poses);

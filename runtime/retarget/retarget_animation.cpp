@@ -15,13 +15,13 @@ namespace {
 using Quatd = Quat<double>;
 using Vec3d = Vec3<double>;
 
-/// The joint as its nearest mapped joint above sees it.
+/// The transform of a joint relative to its nearest mapped ancestor.
 struct Seen {
   Quatd rotation = quat_identity<double>();
   Vec3d place{0.0};
 };
 
-/// in   local(j)  transform of a joint of the source
+/// in   local(j)  returns the local transform of a source joint
 template <class Local>
 Seen seen(const MappedJoint& joint, const Skeleton& source, const Local& local) {
   Seen seen;
@@ -41,7 +41,7 @@ Vec3d mapped_place(const MappedJoint& joint, const Vec3d& rest, const Vec3d& pla
 
 glm::quat in_float(const Quatd& q) noexcept { return quat_cast<float>(q); }
 
-/// The tracks of one joint of the target.
+/// Makes the tracks of one joint of the target.
 class JointBake {
  public:
   JointBake(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
@@ -86,7 +86,7 @@ class JointBake {
       return;
     }
     Quatd above = quat_identity<double>(), below = quat_identity<double>();
-    bool is_above = false;  // the path goes up
+    bool is_above = false;  // true while walking up the path
     for (const std::uint32_t j : path_) {
       if (j == moved[0])
         is_above = true;
@@ -108,7 +108,7 @@ class JointBake {
       track.values.push_back(in_float(normalised(mapped(seen_at(static_cast<double>(t)).rotation))));
   }
 
-  /// The place follows one track alone where nothing above it on the path moves.
+  /// The translation follows a single track if no joint above it on the path is animated.
   void bake_translation(Vec3Track& track) const {
     const JointTracks& own = tracks_[joint_.source];
     std::vector<float> times;
@@ -170,9 +170,9 @@ class JointBake {
   const MappedJoint& joint_;
   const SkeletonMap& map_;
   const Skeleton& source_;
-  Transformd rest_;  // of the target's joint
+  Transformd rest_;  // of the target joint
   std::span<const JointTracks> tracks_;
-  std::vector<std::uint32_t> path_;  // from the joint up
+  std::vector<std::uint32_t> path_;  // source joints, from the joint up to its mapped ancestor
 };
 
 }  // namespace

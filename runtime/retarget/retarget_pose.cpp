@@ -18,7 +18,7 @@
 namespace sinew {
 namespace {
 
-/// Puts joints that are mapped over several into the scratch pose, as the mapped joint above sees them.
+/// Composes the chains of joints between mapped ones into the scratch pose, relative to the mapped ancestor.
 PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
 
 }  // namespace
@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Replaces `kCount` planes from `first` on by `map(numbers of the source, factors, distance of their planes)`.
+/// Replaces `kCount` planes from `first` on by `map(source values, factors, stride of their planes)`.
 template <std::size_t kCount, class Map>
 HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, const PoseSpan& to, PoseSpan::Plane first,
                         const Map& map) {
@@ -120,7 +120,7 @@ void fill_up(RetargetedJoints& joints) {
   }
 }
 
-/// Writes the planes of factors: `factors_of(joint)` of each, one after another.
+/// Writes the planes of factors; `factors_of(joint)` gives those of each joint.
 template <class FactorsOf>
 void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint*>& by_target,
                    const FactorsOf& factors_of) {
@@ -133,7 +133,7 @@ void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint
   }
 }
 
-/// Copies, or one of the joints of `mapped`.
+/// Adds a joint to the copies, or to `mapped`.
 void add(const MappedJoint& joint, bool is_copied, std::vector<std::uint32_t> (&copied)[2], RetargetedJoints& mapped) {
   (is_copied ? copied[0] : mapped.targets).push_back(joint.target);
   (is_copied ? copied[1] : mapped.sources).push_back(joint.source);
@@ -179,9 +179,9 @@ void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton&
   pass.scales.sources.push_back(joint.source);
 }
 
-/// The joints of each pass.
+/// Distributes the joints over passes.
 std::vector<std::vector<const MappedJoint*>> in_passes(const SkeletonMap& map, std::size_t source_count) {
-  std::vector<std::vector<const MappedJoint*>> passes, seen;  // seen: [source joints] one that sees it
+  std::vector<std::vector<const MappedJoint*>> passes, seen;  // seen[pass][source joint]: a mapped joint that uses it
   for (const MappedJoint& joint : map.joints) {
     const auto is_taken = [&](const std::vector<const MappedJoint*>& by) {
       return by[joint.source] != nullptr && by[joint.source]->above_source != joint.above_source;

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-/// The rotation of a twist joint for that of its driver.
+/// The rotation of a twist joint for a given rotation of its driver.
 Quat<double> shared(const TwistJoint& twist, const Quat<double>& driver) noexcept {
   const Quat<double> unrest = quat_conjugate(twist.driver_rest);
   const HalfTwistT<double> half = half_twist(twist.is_below_driver ? unrest * driver : driver * unrest, twist.axis);
@@ -60,7 +60,7 @@ void share_twist(const TwistMap& twists, Animation& animation) {
   for (const TwistJoint& twist : twists.joints) {
     const QuatTrack* driver = tracks_of_joint(animation, twist.driver).rotation;
     if (driver == nullptr) continue;
-    QuatTrack track = shared_track(twist, *driver);  // before the animation grows
+    QuatTrack track = shared_track(twist, *driver);  // made first: adding a bone would invalidate `driver`
     last_bone_of(animation, twist.joint).rotation = std::move(track);
   }
 }

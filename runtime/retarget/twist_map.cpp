@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// A bone of a limb: the joint that turns it, and the joint at its other end.
+/// A limb bone: the joint that turns it, and the joint at its far end.
 struct Limb {
   std::uint32_t joint = kNone, tip = kNone;
   bool is_upper = false;
@@ -41,7 +41,7 @@ bool says_twist(const std::string& name) {
 
 /// Nothing for a joint that does not lie along the bone.
 std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, const Limb& limb, std::uint32_t joint) {
-  constexpr double kBeyond = 0.1, kAside = 0.25;  // of the bone's length
+  constexpr double kBeyond = 0.1, kAside = 0.25;  // tolerances, as fractions of the bone's length
   const Vec3<double> bone = rest_transform(skeleton, limb.tip).translation,
                      place = rest_transform(skeleton, joint).translation;
   const double length = safe_length(bone);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blended splits of the vertices of a tile, kept in memory: blends wait for loads, the rest for arithmetic, and
-// processors do not look far enough ahead to overlap the two. So the blends of some tiles come first.
+// Blended dual quaternions and stretches of a tile, kept in memory. Blending waits for loads, the rest for arithmetic,
+// and processors do not look far enough ahead to overlap the two. So several tiles are blended before the rest is done.
 #if defined(SINEW_KEPT_SPLITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_KEPT_SPLITS_INL_H_
 #undef SINEW_KEPT_SPLITS_INL_H_
@@ -15,11 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Blends of one tile: dual quaternions, and stretches where joints stretch.
+/// Blends of one tile: dual quaternions, and stretches if any joint stretches.
 template <bool kStretch>
 class KeptSplits {
  public:
-  /// in   one_side  all signs are known to be +: dual quaternion and stretch are then blended as one
+  /// in   one_side  all rotations are in one hemisphere: dual quaternion and stretch are then blended as one
   template <int kCount>
   HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
     share_joints_ = false;
@@ -36,7 +36,7 @@ class KeptSplits {
                              [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
   }
 
-  /// The vertices of the tile share their joints.
+  /// True if all vertices of the tile have the same joints.
   HWY_INLINE bool share_joints() const { return share_joints_; }
 
   template <int kCount>
@@ -50,10 +50,11 @@ class KeptSplits {
 
  private:
   static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
-  bool share_joints_ = false;  ///< floats_ are kFloats vectors of one vertex a lane, else kFloats of each vertex
+  /// If true floats_ holds kFloats vectors with one vertex per lane, else kFloats per vertex
+  bool share_joints_ = false;
   HWY_ALIGN float floats_[kTileSize][kFloats];
 
-  /// Both halves of an entry at once: one address and one weight for both.
+  /// Blends dual quaternion and stretch together: they share address and weight.
   template <int kCount>
   HWY_INLINE void keep_whole(const RigidStretch* split, const TileInfluences<kCount>& tile) {
     const TileTag d;
@@ -90,7 +91,7 @@ class KeptSplits {
   }
 };
 
-/// How many tiles are blended before the rest of their work.
+/// Number of tiles that are blended ahead.
 constexpr std::size_t kTilesAhead = 8;
 
 }  // namespace sinew::HWY_NAMESPACE
