@@ -18,7 +18,7 @@ struct ClipWithin {
 /// farther than `budget_m` from its place in the authoring form, at keys and between them. Nearly constant tracks
 /// become constant. Keys are dropped where the track's own interpolation restores them. The other keys are rounded to
 /// the fewest bits. The budget is shared out along the skeleton by how much an error of each joint moves everything
-/// below it (joint_reach.h). The compiled clip is then measured (clip_error.h), and the search repeats: joints above
+/// below it (joint_reach.h). The compiled clip is then measured (clip_error.h), and the search goes on. Joints above
 /// vertices over the budget get a smaller share, and joints with room get a larger one. The smallest clip within the
 /// budget wins. If none is found in kMostRounds rounds, every key is kept.
 ///

@@ -19,7 +19,7 @@ BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 /// The authoring form of a clip at one time, in the form that compiled clips are compared with.
 struct TruthSample {
   std::vector<BoxCorners> corners;  ///< [J] of the virtual vertices, model space
-  std::vector<double> weights;      ///< values of the animation's weight tracks, one track after the other
+  std::vector<double> weights;      ///< values of the weight tracks, one track after the other.
   /// [instances] Longest image in model space of a unit length of mesh space; 0 for instances without weight tracks.
   /// Empty if the animation has no weight tracks.
   std::vector<double> stretch;

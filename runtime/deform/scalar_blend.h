@@ -69,9 +69,9 @@ DualQuat blend_dual_quaternion(std::span<const RigidStretch> split, const Vertex
   return {sum.real / length, sum.dual / length};
 }
 
-/// eq   S = sum(w S_i): phase one of two-phase dual-quaternion skinning, in bind space (N19). A vertex with one
-/// influence
-///      takes the joint's stretch as it is.
+/// Blended stretch in bind space, the first phase of two-phase skinning. A vertex with one influence takes the joint's
+/// stretch as it is.
+/// eq   S = sum(w S_i)
 template <int kCount>
 Mat3<float> blend_stretch(std::span<const RigidStretch> split, const VertexJoints<kCount>& vertex,
                           double scale = 1.0) noexcept {

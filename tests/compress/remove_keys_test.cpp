@@ -120,7 +120,7 @@ TEST(remove_keys, weights_count_by_what_they_displace) {
   EXPECT_EQ(track.values, (std::vector<float>{0, 0, 2, 0}));
 }
 
-/// Each key in turn is the one that is farthest from the others.
+/// Makes each key in turn the one that is farthest from the others.
 template <class TrackType, class Set>
 void expect_each_key_to_count(const Set& set) {
   for (std::size_t odd = 0; odd < 4; ++odd) {
@@ -146,7 +146,7 @@ TEST(remove_keys, hold_still_looks_at_every_key) {
 }
 
 TEST(remove_keys, hold_still_turns_to_the_mean_of_all_rotations_on_one_side) {
-  // Three keys by 0 and one by 0.04 rad, in either sign: the mean is near 0.01, the farthest 0.03 away.
+  // Three keys at 0 and one at +-0.04 rad: the mean is near 0.01 and the farthest key is 0.03 away.
   for (std::size_t odd = 0; odd < 4; ++odd)
     for (const float sign : {1.0f, -1.0f}) {
       QuatTrack track{Interpolation::linear, evenly(4), std::vector<glm::quat>(4, quat_identity<float>())};
@@ -173,16 +173,17 @@ TEST(remove_keys, hold_still_gives_each_weight_its_own_middle) {
 
 TEST(remove_keys, weights_that_overshoot_between_equal_keys_do_not_hold_still) {
   const std::vector<float> metres{1.0f, 1.0f};
-  // Rows of in-tangents, values and out-tangents; the second weight leaves its key at 4 per second: up to 4 * 4/27.
+  // Rows of in-tangents, values and out-tangents. The second weight leaves its key at 4 per second and rises to 4 *
+  // 4/27.
   WeightTrack track{Interpolation::cubic_spline, {0, 1}, {0, 0, 1, 1, 0, 4, 0, 0, 1, 1, 0, 0}, 2};
   EXPECT_FALSE(hold_still(LooseTrack{&track, 0.5, metres}));
   EXPECT_TRUE(hold_still(LooseTrack{&track, 0.6, metres}));
 }
 
 TEST(remove_keys, cubic_curves_are_compared_between_keys_too) {
-  // All keys are 0 and lie on the line between the ends; only the curves between them leave it, by 4/27 of a tangent.
+  // All keys are 0, on the line between the ends. Only the curves between them leave it, by 4/27 of a tangent.
   Vec3Track track{Interpolation::cubic_spline, evenly(5), std::vector<glm::vec3>(15)};
-  track.values[3 * 2 + 2].y = 1.0f;  // out of the third key
+  track.values[3 * 2 + 2].y = 1.0f;  // out-tangent of the third key
   EXPECT_THAT(needed(track, 0.1), ElementsAre(0, 2, 3, 4)) << "the curve stays";
   EXPECT_THAT(needed(track, 0.15), ElementsAre(0, 4));
   const std::vector<float> metres{1.0f};
@@ -194,7 +195,7 @@ TEST(remove_keys, cubic_curves_are_compared_between_keys_too) {
 }
 
 TEST(remove_keys, rotations_are_compared_along_the_arc) {
-  // 0, 0.2 and 0.4 rad are on one arc at even times; at 0, 1/4 and 1 of it they are not: 0.1 rad off.
+  // 0, 0.2 and 0.4 rad are on one slerp at even times. At times 0, 1/4 and 1 the middle key is off by 0.1 rad.
   const auto turned = [](double angle) {
     return quat_xyzw(0.0f, static_cast<float>(std::sin(angle / 2)), 0.0f, static_cast<float>(std::cos(angle / 2)));
   };

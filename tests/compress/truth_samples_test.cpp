@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-/// A swinging chain with a mesh of two morph targets at its tip, whose weights move, too.
+/// A swinging chain. Its tip has a mesh with two animated morph targets.
 Scene swinging_scene(std::size_t keys) {
   Scene scene;
   scene.skeleton = scenes::long_chain(6);

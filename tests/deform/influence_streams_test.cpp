@@ -17,7 +17,7 @@ namespace {
 
 using test::Way;
 
-/// Normalised weights that still sum to 1: the heaviest takes what rounding leaves.
+/// Integer weights that still sum to 1: the heaviest takes the rounding remainder.
 template <class Number>
 std::vector<Number> normalised_weights(const test::SkinnedVertices& s) {
   constexpr double kMost = std::numeric_limits<Number>::max();
@@ -82,7 +82,7 @@ TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_
   }
 }
 
-/// Vertices at (1, 0, 0) of a joint that rests, and of one that takes them to the origin: x is the first weight.
+/// Vertices at (1, 0, 0) between a joint at rest and one that moves them to the origin: x is the first weight.
 template <class Number>
 void expect_quotients() {
   constexpr std::uint32_t kSteps = std::uint32_t{1} << std::numeric_limits<Number>::digits;
@@ -118,8 +118,8 @@ TEST(influence_streams, every_small_weight_is_its_quotient_rounded_once) {
   }
 }
 
-/// What rounding weights costs, as a part of the spread of where single joints would put a vertex. Only linear blending
-/// is linear in its weights.
+// The error of rounded weights, relative to the spread of the places to which the single joints move a vertex. Only
+// linear blending is linear in its weights, so only there a bound is known.
 TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_half_a_step_for_each_influence_at_the_most) {
   test::FixedRandom random(82);
   const std::uint32_t counts[] = {4, 8};

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// Blocks with arbitrary numbers in all their fields.
+/// Blocks with random values in all fields.
 struct AnyBlocks {
   std::vector<BlockMotion> motions;
   std::vector<std::uint8_t> payload, corners;

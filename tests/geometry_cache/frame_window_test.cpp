@@ -121,7 +121,7 @@ TEST_F(frame_window, that_waits_for_all_of_its_reads_asks_for_nothing_more) {
   window.prefetch(0);
   ASSERT_EQ(window.pending_reads(), 3u);
   const std::uint64_t asked = window.bytes_asked();
-  window.prefetch(8);  // a seek, before anything came
+  window.prefetch(8);  // a seek before any read has finished
   EXPECT_EQ(decoder.decode(8, window), GeometryStatus::not_there);
   EXPECT_EQ(window.bytes_asked(), asked);
   EXPECT_EQ(disk_.reads, 3u);
@@ -163,7 +163,7 @@ TEST_F(frame_window, playing_allocates_nothing) {
   EXPECT_EQ(counter.count(), 0u);
 }
 
-/// What playing a cache of so many frames takes, once through, as an engine streams it.
+/// Memory and reads for playing a cache of some length once, as an engine streams it.
 struct Played {
   std::size_t decoder_bytes = 0, window_bytes = 0, largest_frame = 0, allocations = 0;
   std::uint64_t file_bytes = 0, frames_decoded = 0;
@@ -199,7 +199,7 @@ TEST(frame_window_length, ten_minutes_take_the_memory_of_ten_seconds_and_allocat
     EXPECT_EQ(played.allocations, 0u);
     EXPECT_EQ(played.window_bytes, kWindow * played.largest_frame);
   }
-  // Only the largest residuals of a frame differ, by chance.
+  // Only the size of the largest frame differs, by chance.
   EXPECT_LE(longer.decoder_bytes, shorter.decoder_bytes + kBlockNumbers * sizeof(std::int32_t));
   EXPECT_LE(longer.window_bytes, shorter.window_bytes * 5 / 4);
 }

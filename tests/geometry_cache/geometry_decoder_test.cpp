@@ -17,7 +17,7 @@ namespace {
 
 using Points = std::vector<glm::vec3>;
 
-/// A baked flag of 40 frames in segments of 8, its frames decoded forward.
+/// A baked flag of 40 frames in segments of 8, and its frames decoded in order.
 class geometry_decoder : public testing::Test {
  protected:
   geometry_decoder() : file_(*encode_geometry_cache(flag_take(), {.segment_frames = 8})) {
@@ -104,7 +104,7 @@ TEST_F(geometry_decoder, frames_allocate_nothing) {
 }
 
 TEST_F(geometry_decoder, between_frames_lie_on_the_line_between_them) {
-  for (const double at : {0.25, 6.5, 7.75, 8.125, 38.5, 3.5}) {  // also across the start of a segment, and backwards
+  for (const double at : {0.25, 6.5, 7.75, 8.125, 38.5, 3.5}) {  // also across segments, and backwards
     ASSERT_EQ(decoder_.decode_time(cache_.start_s() + at * cache_.frame_s(), source_), GeometryStatus::ok);
     const auto frame = static_cast<std::size_t>(at);
     const double part = at - static_cast<double>(frame);
@@ -194,7 +194,7 @@ TEST_F(geometry_decoder, bounds_hold_every_vertex_and_are_known_before) {
   }
 }
 
-/// Has the frames below a limit.
+/// A source that has only the frames below a limit.
 struct SomeFrames {
   FrameSource all;
   std::uint32_t limit = 0;

@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// A flag that a cache of its own shows.
+/// A flag, played from its own cache.
 class geometry_player : public testing::Test {
  protected:
   geometry_player() : made_(*scene_of(cache_, mapped_)), player_(cache_, mapped_, made_.scene, made_.bindings) {
@@ -84,7 +84,7 @@ TEST_F(geometry_player, playing_forward_decodes_each_frame_once) {
   }
 }
 
-/// The same with frames that come through a window.
+/// Same, with frames that come through a window.
 class geometry_player_window : public geometry_player {
  protected:
   const FrameResult& play_from(GeometryPlayer& player, FrameBuffer& frame, double time_s,
@@ -182,7 +182,7 @@ TEST_F(geometry_player_window, a_damaged_frame_leaves_the_pose_and_the_next_segm
   expect_bits(frame.result(), 16);
 }
 
-/// A strip of four triangles, with normals and colours of its own.
+/// A strip of four triangles with stored normals and colours.
 GeometryTake strip_take() {
   GeometryTake take = take_of({}, {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5});
   TakeMesh& mesh = take.meshes[0];
@@ -231,8 +231,7 @@ TEST(geometry_player_streams, normals_of_the_cache_are_unit_and_colours_are_thos
   }
 }
 
-/// Three meshes apart from each other; the last has normals that are its own for each vertex, of which one is none,
-/// and one colour.
+/// Three separate meshes. The last has its own normal for each vertex, one of them zero, and a single colour.
 GeometryTake three_meshes() {
   GeometryTake take = noise_take(5, 3, 1e-3);
   take.meshes.push_back(noise_take(70, 3, 1e-3).meshes[0]);
@@ -347,7 +346,7 @@ TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh_however_m
           << m;
 }
 
-/// A strip of which pairs of vertices lie in one place and have normals of their own.
+/// A strip in which pairs of vertices share a position but not a normal.
 TEST(geometry_player_streams, a_mesh_may_have_more_normals_than_places) {
   GeometryTake take = strip_take();
   TakeMesh& mesh = take.meshes[0];
@@ -370,7 +369,7 @@ TEST(geometry_player_streams, a_mesh_may_have_more_normals_than_places) {
 }
 
 TEST(geometry_player_streams, a_mesh_without_normals_has_smooth_ones_over_its_points) {
-  // Two squares that meet at a right angle; the seam is twice there, and the two are one point.
+  // Two squares that meet at a right angle. Vertices of the seam are doubled, and each pair is one point.
   const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1},
                                           {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 6, 5, 7};

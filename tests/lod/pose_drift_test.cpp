@@ -10,11 +10,11 @@
 namespace sinew::test {
 namespace {
 
-const double kEighthTurn = 2.0 * std::sin(3.14159265358979 / 8.0);  // how far it moves a point a metre away
+const double kEighthTurn = 2.0 * std::sin(3.14159265358979 / 8.0);  // movement of a point one metre away
 
 glm::quat turned(float degrees) { return glm::angleAxis(glm::radians(degrees), glm::vec3(0, 0, 1)); }
 
-/// A joint that moves 2 m in a second while it turns by 90 degrees and grows to three times its size.
+/// A joint that moves 2 m in one second while it turns by 90 degrees and grows to three times its size.
 Animation moving_root(Interpolation translation = Interpolation::linear) {
   BoneAnimation root;
   root.joint = 0;
