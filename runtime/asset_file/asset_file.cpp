@@ -138,7 +138,7 @@ tl::expected<AssetFile, AssetFileError> AssetFile::open(std::span<const std::byt
   const auto count = head.number<std::uint32_t>();
   if (head.number<std::uint64_t>() != file.size())
     return refuse("asset-size", 16, "the file is longer or shorter than it says");
-  if (count > kMostBlocks) return refuse("asset-value", 12, "the file has too many blocks");
+  if (count > kMaxBlocks) return refuse("asset-value", 12, "the file has too many blocks");
   if (count > (file.size() - kAssetHead) / kAssetEntry)
     return refuse("asset-size", 12, "the file ends inside of its table");
   const auto table = file.subspan(kAssetHead, count * kAssetEntry);

@@ -14,7 +14,7 @@ inline constexpr char kAssetMagic[8] = {'S', 'I', 'N', 'E', 'W', 'A', 'S', 'T'};
 inline constexpr std::uint32_t kPackedByZstd = 1;
 
 /// Limit for the number of blocks. It exceeds the number of kinds, so that later versions have room.
-inline constexpr std::uint32_t kMostBlocks = 64;
+inline constexpr std::uint32_t kMaxBlocks = 64;
 
 /// Arrays of numbers begin at multiples of this many bytes from the start of their block.
 inline constexpr std::size_t kArrayAlignment = 16;

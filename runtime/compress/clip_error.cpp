@@ -166,7 +166,7 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
     if (k + 1 == keys.size()) break;
     for (const double f : kBetween) times.push_back(key + f * (static_cast<double>(keys[k + 1]) - key));
   }
-  std::size_t step = times.size() * joint_count / kMostJointTimes + 1;
+  std::size_t step = times.size() * joint_count / kMaxJointTimes + 1;
   if (step == 1) return times;
   while (std::gcd(step, std::size(kBetween) + 1) > 1)
     ++step;  // otherwise the stride would always hit the same places between keys

@@ -23,9 +23,9 @@ std::vector<float> key_times(const Animation& truth);
 
 /// Times at which a clip is measured: all key times of all tracks, both ends of the clip and five times between each
 /// two. Before each jump (stepped keys, keys that share a time) the last moment is added. If that would be more than
-/// kMostJointTimes joint poses, the list is thinned out evenly.
+/// kMaxJointTimes joint poses, the list is thinned out evenly.
 std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
-inline constexpr std::size_t kMostJointTimes = 10'000'000;
+inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 
 /// Samples a clip in float, as a frame does, and compares it in double with BoneAnimation::interpolate. Both
 /// hierarchies are evaluated in double, so that only the clip's own error counts. For several forms of a clip, each

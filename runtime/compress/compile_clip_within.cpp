@@ -22,7 +22,7 @@ namespace {
 constexpr double kUsed = 0.97;
 /// Number of rounds with other shares after a clip was found.
 constexpr int kLoosened = 9;
-constexpr double kMostLoosened = 2.0;
+constexpr double kMaxLoosened = 2.0;
 /// First guess for the morph weights' part of the budget.
 constexpr double kOfWeights = 0.25;
 /// Fraction of a track's tolerance for rounding its keys; the rest is for dropping keys. Which split gives the smaller
@@ -79,13 +79,13 @@ class Shares {
   /// Raises the share of each joint as far as the errors below it allow, and that of the weights likewise.
   void loosen(const ClipError& error) {
     const double left_m = std::max(kUsed * budget_m_ - error.weights_m, 0.25 * budget_m_);
-    std::vector<double> factor(of_joint_.size(), kMostLoosened);
+    std::vector<double> factor(of_joint_.size(), kMaxLoosened);
     for (std::size_t j = factor.size(); j-- > 0;) {
       factor[j] = std::min(factor[j], std::max(left_m / std::max(error.of_joint_m[j], 0.01 * budget_m_), 1.0));
       if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
       of_joint_[j] *= factor[j];
     }
-    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMostLoosened);
+    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMaxLoosened);
   }
 
  private:
@@ -215,11 +215,11 @@ struct Found {
 };
 
 /// Tightens the shares until the clip is within the budget. Then loosens and tightens a few more times to make it
-/// smaller. Finds nothing if no clip is within the budget in kMostRounds rounds.
+/// smaller. Finds nothing if no clip is within the budget in kMaxRounds rounds.
 Found fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
   Found found;
-  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
+  for (int round = 0, more = 0; round < kMaxRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
     Attempt attempt = try_shares(task, shares, of_rounding);
     found.truth_poses += attempt.error.truth_poses;
     if (shares.tighten(attempt.error)) continue;

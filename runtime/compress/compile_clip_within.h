@@ -20,7 +20,7 @@ struct ClipWithin {
 /// the fewest bits. The budget is shared out along the skeleton by how much an error of each joint moves everything
 /// below it (joint_reach.h). The compiled clip is then measured (clip_error.h), and the search goes on. Joints above
 /// vertices over the budget get a smaller share, and joints with room get a larger one. The smallest clip within the
-/// budget wins. If none is found in kMostRounds rounds, every key is kept.
+/// budget wins. If none is found in kMaxRounds rounds, every key is kept.
 ///
 /// Morph weights share the budget by how far they displace vertices. Properties keep every key: a length in metres
 /// means nothing for colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
@@ -29,7 +29,7 @@ struct ClipWithin {
 /// cost seconds for ten thousand joints or an hour; allocates
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                double budget_m);
-inline constexpr int kMostRounds = 32;
+inline constexpr int kMaxRounds = 32;
 
 /// The search of compile_clip_within in parts that several threads may run at the same time. The clip does not depend
 /// on how they run. The arguments must outlive it.

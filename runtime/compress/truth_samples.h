@@ -30,12 +30,12 @@ struct TruthSample {
 /// every use. The scene, the animation, the vertices and the times must outlive it. Any number of threads may read it.
 class TruthSamples {
  public:
-  static constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
 
   /// in   times_s  rising
   /// cost O(kept times x J), allocates
   TruthSamples(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
-               std::span<const double> times_s, std::size_t kept_bytes = kMostKeptBytes);
+               std::span<const double> times_s, std::size_t kept_bytes = kMaxKeptBytes);
 
   /// Memory for samples that are not kept. Each thread needs its own.
   struct Scratch {

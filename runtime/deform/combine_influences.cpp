@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 /// They fill half a second-level cache. With more matrices, combining was up to twice as slow as not combining.
-constexpr std::size_t kMostMatrices = 8192;
+constexpr std::size_t kMaxMatrices = 8192;
 
 /// Cost of reading one matrix for a combination, in units of the matrix reads that combining saves a vertex. Measured
 /// on surfaces of 200 to 10,000 vertices with 2, 3 and 4 influences, in random order, with 1.5 to 16 vertices per
@@ -96,7 +96,7 @@ CombinedInfluences combine_influences(const VertexInfluences& influences, std::s
   }
   const std::size_t vertex_count = combined.vertices.joints.size(), spared = influences.joints.size() - vertex_count;
   const bool wins = spared > 0 && spared >= kCostOfBlend * combined.combinations.joints.size();
-  if (wins && first_matrix + combined.combination_count <= kMostMatrices) {
+  if (wins && first_matrix + combined.combination_count <= kMaxMatrices) {
     combined.vertices.groups = {{0, static_cast<std::uint32_t>(vertex_count), 1, 0}};
     combined.vertices.weights.assign(vertex_count, 1.0f);
   } else {

@@ -13,7 +13,7 @@ namespace sinew {
 /// convert 8-bit joints and integer weights tile by tile. The results are those of the converted numbers.
 struct InfluenceStreams {
   /// The largest number of influences per vertex that can be converted.
-  static constexpr std::uint32_t kMostWidened = 32;
+  static constexpr std::uint32_t kMaxConverted = 32;
 
   std::span<const InfluenceGroup> groups;
   std::variant<std::span<const std::uint16_t>, std::span<const std::uint8_t>> joints;

@@ -20,7 +20,7 @@ namespace sinew {
 ///      blending. Vertices with one influence are blended linearly whatever their center is.
 ///      influences, pairs[any]  as SkinDualQuaternionJob
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 /// cost O(V * influences), no allocation
 struct SkinCenterOfRotationJob {
   InfluenceStreams influences;

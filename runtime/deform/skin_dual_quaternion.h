@@ -25,7 +25,7 @@ namespace sinew {
 ///      palette[N or none]  the matrices that were split. With it, vertices with one influence are moved by their
 ///      joint's matrix as in linear blending, in half the time.
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 ///      If the real part of a blend cancels (norm^2 < 1e-12), the vertex follows the pivot alone.
 /// cost O(V * influences), no allocation
 struct SkinDualQuaternionJob {

@@ -94,7 +94,7 @@ struct SkinRow {
 
   /// Consecutive vertices with one and the same joint are moved by its matrix directly. Shorter runs do not pay for
   /// twelve broadcasts and a mispredicted branch. The importer orders such vertices one after another.
-  static constexpr std::size_t kFewestFollowers = 16;
+  static constexpr std::size_t kMinFollowers = 16;
 
   /// Kernels with one vertex per lane have no non-temporal stores for tangents, and with four lanes for no attribute at
   /// all.
@@ -102,7 +102,7 @@ struct SkinRow {
 
   static HWY_INLINE bool shares_joints(const Row& row, std::size_t t) {
     if constexpr (kMayShareJoints<kCount>) {
-      constexpr std::size_t kFewest = SharedMatrices<kCount>::kFewestTiles;
+      constexpr std::size_t kFewest = SharedMatrices<kCount>::kMinTiles;
       return may_run_in_lanes(row) && row.place.whole && row.tile_count - t >= kFewest &&
              share_joints<kCount, kFewest * kTileSize>(row.joints(t).first.joints);
     } else {
@@ -112,7 +112,7 @@ struct SkinRow {
   /// The end of the tiles from `t` on whose vertices all share the joints of the first tile.
   static HWY_INLINE std::size_t end_of_shared(const Row& row, std::size_t t) {
     const std::uint16_t* first = row.joints(t).first.joints;
-    for (t += SharedMatrices<kCount>::kFewestTiles; t < row.tile_count; ++t) {
+    for (t += SharedMatrices<kCount>::kMinTiles; t < row.tile_count; ++t) {
       const std::uint16_t* joints = row.joints(t).first.joints;
       if (!std::equal(first, first + kCount, joints) || !share_joints<kCount>(joints)) break;
     }
@@ -129,14 +129,14 @@ struct SkinRow {
   static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
     constexpr bool kPays =
         kCount == 1 && (kTileSize > 4 || kNormals);  // without normals it would take 19 instructions instead of 17
-    if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kFewestFollowers / kTileSize) return false;
+    if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kMinFollowers / kTileSize) return false;
     const std::uint16_t* joints = row.joints(t).first.joints;
-    return joints[0] == joints[kFewestFollowers - 1] && have_one_joint(joints, kFewestFollowers);
+    return joints[0] == joints[kMinFollowers - 1] && have_one_joint(joints, kMinFollowers);
   }
   /// The end of the tiles from `t` on that follow the joint of the first tile.
   static HWY_INLINE std::size_t end_of_run(const Row& row, std::size_t t) {
     const std::uint16_t joint = *row.joints(t).first.joints;
-    for (t += kFewestFollowers / kTileSize; t < row.tile_count; ++t) {
+    for (t += kMinFollowers / kTileSize; t < row.tile_count; ++t) {
       const std::uint16_t* joints = row.joints(t).first.joints;
       if (*joints != joint || !have_one_joint(joints, kTileSize)) break;
     }

@@ -21,7 +21,7 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
 /// out  vertices    must not overlap the input; in world space when the palette is. A normal that collapses to zero
 ///      keeps its input value.
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 /// cost O(V * influences), no allocation. Non-temporal stores write outputs of 8 MiB and more, and with `past_caches`
 ///      all outputs on machines whose vectors have 8 lanes. They need all attributes aligned to 64 bytes at the same
 ///      vertices.

@@ -20,7 +20,7 @@ ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept
 
 /// Checks that groups cover [0, vertex_count) in order, that their joints and weights exist, and that every joint is
 /// below `joint_count`.
-/// err  size_mismatch, index_out_of_range, unsupported (more than kMostWidened influences that must be converted)
+/// err  size_mismatch, index_out_of_range, unsupported (more than kMaxConverted influences that must be converted)
 /// cost O(influences)
 ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count,
                            std::size_t joint_count) noexcept;

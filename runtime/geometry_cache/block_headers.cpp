@@ -41,7 +41,7 @@ struct Planes {
 /// Finds the planes in the sections; false if the sizes do not fit.
 bool find_planes(std::span<const std::uint8_t> coarse, std::span<const std::uint8_t> fine, std::size_t blocks,
                  Planes& out) noexcept {
-  if (coarse.size() < 1 + blocks || coarse[0] > kMostOffsetPlanes) return false;
+  if (coarse.size() < 1 + blocks || coarse[0] > kMaxOffsetPlanes) return false;
   out.offset_planes = coarse[0];
   out.blocks = blocks;
   out.kinds = coarse.data() + 1;
@@ -67,7 +67,7 @@ std::uint32_t offset_at(const Planes& planes, std::size_t axis, std::size_t bloc
 }  // namespace
 
 std::size_t most_coarse_bytes(std::size_t blocks) noexcept {
-  return 1 + blocks * (1 + 3 + 3 * kMostOffsetPlanes + 1 + 9);
+  return 1 + blocks * (1 + 3 + 3 * kMaxOffsetPlanes + 1 + 9);
 }
 std::size_t most_fine_bytes(std::size_t blocks) noexcept { return blocks * (3 + 9); }
 
@@ -119,7 +119,7 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
             !((block.turns || block.spreads) && block.base == BlockBase::space);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       block.width[axis] = planes.widths[axis * blocks.size() + b];
-      sound = sound && block.width[axis] <= kMostWidth;
+      sound = sound && block.width[axis] <= kMaxWidth;
       const std::uint32_t offset = before[axis] + static_cast<std::uint32_t>(unzigzag(offset_at(planes, axis, b)));
       block.offset[axis] = static_cast<std::int32_t>(offset);
       if (block.base == BlockBase::space) before[axis] = offset;
@@ -127,7 +127,7 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
     block.shift = 0;
     if (!block.turns) continue;
     block.shift = planes.shifts[turning];
-    sound = sound && block.shift <= kMostShift;
+    sound = sound && block.shift <= kMaxShift;
     for (std::size_t k = 0; k < 9; ++k) {
       const std::size_t at = k * planes.turning + turning;
       block.matrix[k] =

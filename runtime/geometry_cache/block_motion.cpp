@@ -252,7 +252,7 @@ ErrorCode check(const MoveBlocksJob& job) noexcept {
   std::size_t bytes = kPayloadPadding;
   for (const BlockMotion& block : job.blocks)
     for (const std::uint8_t width : block.width) {
-      if (width > kMostWidth) return ErrorCode::index_out_of_range;
+      if (width > kMaxWidth) return ErrorCode::index_out_of_range;
       bytes += kBlockPoints / 8 * std::size_t{width};
     }
   return job.payload.size() < bytes ? ErrorCode::size_mismatch : ErrorCode::ok;

@@ -17,7 +17,7 @@ namespace sinew {
 inline constexpr std::size_t kBlockPoints = 64;
 /// Integers of one block: the x of all its points, then y, then z.
 inline constexpr std::size_t kBlockNumbers = 3 * kBlockPoints;
-inline constexpr std::uint8_t kMostWidth = 32;
+inline constexpr std::uint8_t kMaxWidth = 32;
 /// Bytes after the last packed residual that SIMD loads may read.
 inline constexpr std::size_t kPayloadPadding = 16;
 /// Stands for a missing corner of a parallelogram.

@@ -95,7 +95,7 @@ class GeometryHeadReader {
     mesh.name.assign(name.begin(), name.end());
     mesh.vertex_count = in_.number<std::uint32_t>();
     const auto corners = in_.number<std::uint32_t>();
-    require(mesh.vertex_count <= kMostPoints && corners % 3 == 0, "a mesh is too large, or not of triangles");
+    require(mesh.vertex_count <= kMaxPoints && corners % 3 == 0, "a mesh is too large, or not of triangles");
     mesh.triangles = numbers(corners, mesh.vertex_count, "a triangle names a vertex that is not there");
     mesh.certificate.between_m = finite();
     for (int axis = 0; axis < 3; ++axis) mesh.bounds.lower[axis] = in_.number<float>();

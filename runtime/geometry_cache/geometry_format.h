@@ -31,11 +31,11 @@ inline constexpr std::size_t kSectionHeads = kSections * sizeof(std::uint32_t);
 inline constexpr std::uint8_t kTurnsBit = 4, kSpreadsBit = 8;
 
 /// Byte planes of the offsets above the lowest byte. The first byte of the coarse section says how many there are.
-inline constexpr unsigned kMostOffsetPlanes = 3;
-inline constexpr std::uint8_t kMostShift = 30;
+inline constexpr unsigned kMaxOffsetPlanes = 3;
+inline constexpr std::uint8_t kMaxShift = 30;
 
 /// Limit for one cache, so that sizes fit their types.
-inline constexpr std::uint32_t kMostPoints = 1u << 26;
+inline constexpr std::uint32_t kMaxPoints = 1u << 26;
 
 /// Bytes of the packed residuals of these blocks.
 inline std::size_t payload_bytes(std::span<const BlockMotion> blocks) noexcept {

@@ -77,7 +77,7 @@ TEST(truth_samples, what_is_measured_does_not_depend_on_how_many_are_kept) {
     return measure_clip(truth, forms);
   };
   const std::size_t all = times_s.size(), some = all / 3;
-  const ClipError kept = measured(TruthSamples::kMostKeptBytes, all);
+  const ClipError kept = measured(TruthSamples::kMaxKeptBytes, all);
   EXPECT_GT(kept.worst_m, 1e-3);
   EXPECT_GT(kept.weights_m, 1e-3);
   EXPECT_EQ(kept.truth_poses, 0u);

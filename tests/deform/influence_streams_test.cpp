@@ -57,7 +57,7 @@ class SkinningInputs : public testing::TestWithParam<Way> {};
 
 TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_numbers_that_they_stand_for) {
   test::FixedRandom random(81);
-  const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMostWidened};
+  const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMaxConverted};
   for (const std::uint32_t group_size : {1u, 7u, 17u, 40u, 300u}) {
     auto s = test::random_skinned_vertices(random, counts, group_size, 64, true);
     const std::vector<std::uint8_t> joints8(s.influences.joints.begin(), s.influences.joints.end()),
@@ -148,7 +148,7 @@ TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_half_a_step_for_
 }
 
 TEST(influence_streams, are_rejected_where_a_vertex_has_more_influences_than_are_widened) {
-  constexpr std::uint32_t kMany = InfluenceStreams::kMostWidened + 1;
+  constexpr std::uint32_t kMany = InfluenceStreams::kMaxConverted + 1;
   const InfluenceGroup groups[] = {{0, 1, kMany, 0}};
   const std::vector<std::uint8_t> joints(kMany, 0), weights(kMany, 0);
   const std::vector<std::uint16_t> wide_joints(kMany, 0);

@@ -29,7 +29,7 @@ BlockMotion any_motion(FixedRandom& random, BlockBase base, unsigned state_bits)
   BlockMotion motion{.base = base, .turns = base != BlockBase::space && random.below(2) == 0};
   motion.spreads = base != BlockBase::space && random.below(3) == 0;
   motion.shift = static_cast<std::uint8_t>(random.below(31));
-  for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMostWidth + 1));
+  for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMaxWidth + 1));
   for (auto& number : motion.matrix) number = static_cast<std::int16_t>(random.bits());
   for (auto& number : motion.offset) number = number_of_bits(random, state_bits);
   return motion;
@@ -86,7 +86,7 @@ TEST(block_motion, every_instruction_set_moves_blocks_as_the_equation_says) {
 TEST(block_motion, every_width_of_residuals_is_unpacked) {
   for (const std::int64_t target : simd_targets()) {
     const OnlyTarget only(target);
-    for (std::uint8_t width = 0; width <= kMostWidth; ++width) {
+    for (std::uint8_t width = 0; width <= kMaxWidth; ++width) {
       AnyBlocks in = any_blocks(width + 1u, 1, 20);
       in.motions = {BlockMotion{.base = BlockBase::last, .width = {width, width, width}}};
       in.payload.assign(std::size_t{24} * width + kPayloadPadding, 0);

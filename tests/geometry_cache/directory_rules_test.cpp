@@ -201,7 +201,7 @@ TEST(directory_rules, triangles_are_whole_and_name_vertices_that_are_there) {
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {0, 1, 3}; }), "cache-value");
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {2, 2, 2, 0, 0, 0}; }), "");
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {}; }), "");
-  EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.vertices = kMostPoints + 1; }), "cache-value");
+  EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.vertices = kMaxPoints + 1; }), "cache-value");
 }
 
 TEST(directory_rules, boxes_and_certificates_are_finite) {

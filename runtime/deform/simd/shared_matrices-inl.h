@@ -91,7 +91,7 @@ template <int kCount>
 class SharedMatrices {
  public:
   static constexpr bool kSpread = kTileSize == 4 && HWY_ARCH_X86;
-  static constexpr std::size_t kFewestTiles = kSpread ? 2 : 1;  ///< fewest tiles that pay for the preparation
+  static constexpr std::size_t kMinTiles = kSpread ? 2 : 1;  ///< fewest tiles that pay for the preparation
 
   HWY_INLINE SharedMatrices(const JointMatrix* palette, const std::uint16_t* joints) {
     for (std::size_t i = 0; i < kCount; ++i) {

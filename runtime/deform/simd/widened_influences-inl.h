@@ -75,7 +75,7 @@ class WidenedInfluences {
 
  private:
   static constexpr std::size_t kRoom =
-      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMostWidened});
+      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMaxConverted});
   HWY_ALIGN std::uint16_t joints_[kRoom];
   HWY_ALIGN float weights_[kRoom];
 };
