@@ -102,7 +102,8 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
                                       const std::vector<JointReach>& reach, const Shares& shares) {
   std::vector<LooseTrack> tracks;
   const auto add = [&](auto& track, double tolerance) {
-    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0}))
+    if (track.key_count() > 1 && track.interpolation != Interpolation::squad &&
+        !flatten_to_constant(LooseTrack{&track, 0.0}))
       tracks.push_back({&track, tolerance});
   };
   for (BoneAnimation& bone : animation.bones) {
@@ -146,7 +147,7 @@ KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> 
 }
 
 void reduce(std::vector<LooseTrack> tracks) {
-  std::erase_if(tracks, [](const LooseTrack& track) { return hold_still(track); });
+  std::erase_if(tracks, [](const LooseTrack& track) { return flatten_to_constant(track); });
   std::map<std::vector<float>, std::vector<LooseTrack>> groups;
   for (const LooseTrack& track : tracks) groups[track.times_s()].push_back(track);
   for (auto& [times_s, group] : groups)

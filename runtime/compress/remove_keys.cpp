@@ -138,14 +138,14 @@ bool is_near(const TrackType& track, const LooseTrack& loose, const Other& other
 }
 
 template <class V>
-bool hold_still(Track<V>& track, const LooseTrack& loose) {
+bool flatten_to_constant(Track<V>& track, const LooseTrack& loose) {
   const V middle = middle_of(track);
   if (!is_near(track, loose, [&](const Place&) { return in_double(middle); })) return false;
   track = {Interpolation::step, {track.times_s.front(), track.times_s.back()}, {middle, middle}};
   return true;
 }
 
-bool hold_still(WeightTrack& track, const LooseTrack& loose) {
+bool flatten_to_constant(WeightTrack& track, const LooseTrack& loose) {
   std::vector<float> middle = middle_of(track);
   if (!is_near(track, loose, [&](const Place&, std::size_t i) { return static_cast<double>(middle[i]); })) return false;
   const std::vector<float> once = middle;
@@ -247,8 +247,8 @@ void keep_keys(const LooseTrack& loose, std::span<const std::uint32_t> keys) {
       loose.track);
 }
 
-bool hold_still(const LooseTrack& loose) {
-  return std::visit([&](auto* track) { return hold_still(*track, loose); }, loose.track);
+bool flatten_to_constant(const LooseTrack& loose) {
+  return std::visit([&](auto* track) { return flatten_to_constant(*track, loose); }, loose.track);
 }
 
 std::vector<std::vector<LooseTrack>> split_into_time_groups(std::vector<LooseTrack> tracks) {

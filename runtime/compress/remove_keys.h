@@ -37,7 +37,7 @@ void keep_keys(const LooseTrack& track, std::span<const std::uint32_t> keys);
 
 /// Replaces the track by one constant value if that is within its tolerance.
 /// out  true if it was
-bool hold_still(const LooseTrack& track);
+bool flatten_to_constant(const LooseTrack& track);
 
 /// Splits tracks that share their key times into groups that keep different keys, if that takes fewer bytes. Otherwise
 /// one track that needs every key would keep the keys of all. Every group costs kTimeGroupBytes for its own key search

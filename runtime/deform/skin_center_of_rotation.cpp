@@ -81,7 +81,7 @@ struct SkinRow {
   using Row = TileRow<kCount>;
   const SkinCenterOfRotationJob& job;
   CenterCopies& copies;
-  bool one_side;
+  bool one_hemisphere;
 
   HWY_INLINE void operator()(const Row& row) const {
     const glm::vec3* centers = job.centers.data() + row.place.first_vertex;
@@ -89,7 +89,7 @@ struct SkinRow {
     KeptSplits<kStretch> kept[kTilesAhead];
     for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
       const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
-      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_hemisphere);
       auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t)
         sound = hn::And(sound, skin_tile(kept[t - first], row, t, centers + t * kTileSize));
@@ -125,11 +125,11 @@ struct SkinRow {
 
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
-  const bool one_side = are_on_one_side(job.pairs, job.split);
+  const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
     if constexpr (count != 1)
       for_each_row<count>(job.influences, group, job.vertices, job.out,
-                          SkinRow<count, stretched>{job, copies, one_side});
+                          SkinRow<count, stretched>{job, copies, one_hemisphere});
   });
 }
 
@@ -147,7 +147,7 @@ ErrorCode check(const SkinCenterOfRotationJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   if (job.centers.size() != count || job.palette.size() != job.split.size()) return ErrorCode::size_mismatch;
   if (!have_memory(job.centers, job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
-  if (!are_inside(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
+  if (!are_in_range(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 

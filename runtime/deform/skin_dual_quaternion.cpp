@@ -48,13 +48,13 @@ template <int kCount, bool kStretch>
 struct SkinRow {
   using Row = TileRow<kCount>;
   const SkinDualQuaternionJob& job;
-  bool one_side;
+  bool one_hemisphere;
 
   HWY_INLINE void operator()(const Row& row) const {
     KeptSplits<kStretch> kept[kTilesAhead];
     for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
       const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
-      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_hemisphere);
       auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t) sound = hn::And(sound, skin_tile(kept[t - first], row, t));
       if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
@@ -84,10 +84,10 @@ struct SkinRow {
 };
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
-  const bool one_side = are_on_one_side(job.pairs, job.split);
+  const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
     if (count == 1 && !job.palette.empty()) return;
-    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_side});
+    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_hemisphere});
   });
 }
 
@@ -105,7 +105,7 @@ ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
   const std::size_t count = job.split.size();
   if (!job.palette.empty() && job.palette.size() < count) return ErrorCode::size_mismatch;
   if (!have_memory(job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
-  if (!are_inside(job.pairs, count)) return ErrorCode::index_out_of_range;
+  if (!are_in_range(job.pairs, count)) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, count);
 }
 

@@ -20,10 +20,10 @@ namespace sinew {
 ///      0.5, they are brought to a sum of 1, so that tiny weights skin as accurately as others. Otherwise S is not
 ///      divided by the sum of the weights.
 ///      split[N]     from SplitPaletteJob;   any_stretch  false skips the stretch phase pairs[any]   all distinct
-///      (heaviest joint, other joint) pairs of the vertices (sharing_pairs). If all pairs are on one hemisphere, signs
-///      are not compared per vertex; the bits are the same. Empty = not known.
-///      palette[N or none]  the matrices that were split. With it, vertices with one influence are moved by their
-///      joint's matrix as in linear blending, in half the time.
+///      (heaviest joint, other joint) pairs of the vertices (joint_pairs_of_vertices). If all pairs are on one
+///      hemisphere, signs are not compared per vertex; the bits are the same. Empty = not known. palette[N or none] the
+///      matrices that were split. With it, vertices with one influence are moved by their joint's matrix as in linear
+///      blending, in half the time.
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 ///      If the real part of a blend cancels (norm^2 < 1e-12), the vertex follows the pivot alone.

@@ -39,7 +39,7 @@ FrameRead* FrameWindow::ask(std::uint32_t frame) noexcept {
     const GeometryFrame& at = cache_.frames()[frame];
     slot.frame_ = frame;
     slot.state_.store(FrameRead::State::reading, std::memory_order_relaxed);
-    bytes_asked_ += at.size;
+    bytes_requested_ += at.size;
     const ReadOutcome outcome = reader_.read(reader_.context, at.offset, slot.room_.first(at.size), slot);
     if (outcome != ReadOutcome::pending) slot.finish(outcome == ReadOutcome::done);
     return &slot;
@@ -75,7 +75,7 @@ FrameWindow::operator FrameSource() noexcept {
   return {bytes_of, this, prefetch};
 }
 
-std::uint32_t FrameWindow::frames_there() const noexcept {
+std::uint32_t FrameWindow::frames_loaded() const noexcept {
   std::uint32_t count = 0;
   for (std::uint32_t s = 0; s < slot_count_; ++s)
     count += slots_[s].state_.load(std::memory_order_acquire) == FrameRead::State::ready;

@@ -45,7 +45,7 @@ struct FrameReader {
 /// does not depend on the length of the file.
 ///
 ///     window.prefetch(decoder.next_for(frame));   // requests missing frames among the next ones
-///     decoder.decode(frame, window);              // not_there: the decoder holds the newest loaded frame
+///     decoder.decode(frame, window);              // not_loaded: the decoder holds the newest loaded frame
 class FrameWindow {
  public:
   /// The cache must outlive this. Every read must have finished before this is destroyed (pending_reads).
@@ -60,8 +60,10 @@ class FrameWindow {
   operator FrameSource() noexcept;  ///< valid as long as this; requests a frame that is missing
 
   std::size_t pending_reads() const noexcept;
-  std::uint32_t frames_there() const noexcept;  ///< loaded frames; may be called while another thread plays
-  std::uint64_t bytes_asked() const noexcept { return bytes_asked_; }  ///< bytes requested from the reader so far
+  std::uint32_t frames_loaded() const noexcept;  ///< loaded frames; may be called while another thread plays
+  std::uint64_t bytes_requested() const noexcept {
+    return bytes_requested_;
+  }  ///< bytes requested from the reader so far
   std::size_t memory_bytes() const noexcept { return memory_.size(); }
 
  private:
@@ -75,7 +77,7 @@ class FrameWindow {
   std::vector<std::byte> memory_;
   std::unique_ptr<FrameRead[]> slots_;
   std::uint32_t slot_count_ = 0, next_ = 0;
-  std::uint64_t bytes_asked_ = 0;
+  std::uint64_t bytes_requested_ = 0;
 };
 
 }  // namespace sinew

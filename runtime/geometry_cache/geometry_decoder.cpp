@@ -131,7 +131,7 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
 GeometryStatus GeometryDecoder::advance(std::uint32_t frame, FrameSource source) noexcept {
   const std::span<const std::byte> bytes = source.bytes(source.context, frame);
   const GeometryFrame& expected = cache_.frames()[frame];
-  if (bytes.empty() && expected.size > 0) return GeometryStatus::not_there;
+  if (bytes.empty() && expected.size > 0) return GeometryStatus::not_loaded;
   const std::uint32_t from_key = frame - cache_.key_frame_of(frame);
   const FramePlace place = from_key == 0 ? FramePlace::key : from_key == 1 ? FramePlace::second : FramePlace::later;
   const bool follows = frame_ != kNone && frame_ + 1 == frame;
@@ -157,7 +157,7 @@ GeometryStatus GeometryDecoder::decode(std::uint32_t frame, FrameSource source) 
   const bool is_ahead = frame_ != kNone && frame_ < frame;
   if (const std::uint32_t next = next_for(frame); !is_ahead || next != frame_ + 1) {
     const GeometryStatus status = advance(next, source);
-    const bool frames_before_may_help = status == GeometryStatus::not_there && is_ahead;
+    const bool frames_before_may_help = status == GeometryStatus::not_loaded && is_ahead;
     if (status != GeometryStatus::ok && !frames_before_may_help) return status;
   }
   while (frame_ != frame)

@@ -32,7 +32,7 @@ enum class FramePlace : std::uint8_t;
 
 enum class GeometryStatus : std::uint8_t {
   ok,
-  not_there,     ///< the source has not loaded all bytes yet; the decoder holds the newest frame that it could reach
+  not_loaded,    ///< the source has not loaded all bytes yet; the decoder holds the newest frame that it could reach
   damaged,       ///< the bytes of a frame have changed since they were written; the decoder holds no frame
   out_of_range,  ///< no such frame, stream or time; nothing has changed
   size_mismatch  ///< the buffer has not the size of the stream; nothing has changed

@@ -120,7 +120,7 @@ void add_skinned_parts(const Scene& scene, const MeshInstance& instance, double 
 }
 
 /// Attaches the parts of left-out joints to their nearest kept ancestors.
-void hang(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
+void attach_left_out_parts(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
   std::vector<Part> hung;
   for (const Part& part : parts) {
     const JointMapping& mapped = joint_map[part.joint];
@@ -182,11 +182,12 @@ std::vector<Aabb> boxes_over(const Scene& scene, std::span<const JointMapping> j
   if (keys.size() > kMaxBoundsPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMaxBoundsPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    attach_left_out_parts(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);
-  const auto look_at = [&](double begin_s, double end_s) {
-    drift.look_at(begin_s, end_s);
+  const auto bound_interval = [&](double begin_s, double end_s) {
+    drift.bound_interval(begin_s, end_s);
     for (std::size_t i = 0; i < boxes.size(); ++i) add_piece(drift, parts[i], boxes[i]);
   };
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
@@ -195,11 +196,11 @@ std::vector<Aabb> boxes_over(const Scene& scene, std::span<const JointMapping> j
                                         begin_s);  // ends just before the next key, which may jump
     for (std::size_t p = 0; p < pieces; ++p) {
       const double step_s = (end_s - begin_s) / static_cast<double>(pieces);
-      look_at(begin_s + static_cast<double>(p) * step_s,
-              p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
+      bound_interval(begin_s + static_cast<double>(p) * step_s,
+                     p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
     }
   }
-  look_at(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
+  bound_interval(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
   return boxes;
 }
 

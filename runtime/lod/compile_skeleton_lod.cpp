@@ -47,7 +47,7 @@ class Poses {
   explicit Poses(const Scene& scene)
       : local(scene.skeleton.joint_count()), model(local.size()), scene_(scene), memory_(local.size()) {}
 
-  void look_at(const Moment& moment) {
+  void evaluate(const Moment& moment) {
     const PoseSpan pose = memory_.span();
     if (moment.clip != kNone)
       run_unchecked(
@@ -70,7 +70,7 @@ std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> m
   std::vector<Transformd> first, sum;
   std::vector<bool> changes(scene.skeleton.joint_count(), false);
   for (const Moment& moment : moments) {
-    poses.look_at(moment);
+    poses.evaluate(moment);
     if (first.empty()) {
       first = sum = poses.local;
       continue;
@@ -132,7 +132,7 @@ class Pruner {
     out.detail = {std::vector<bool>(children_.size(), true), held_};
     for (std::uint32_t j = 0; j < children_.size(); ++j)
       if (scene_.skeleton.parents[j] == kNone) open_below(j);
-    for (std::size_t i = 0; !open_.empty(); i = (i + stride()) % moments_.size()) look_at(moments_[i]);
+    for (std::size_t i = 0; !open_.empty(); i = (i + stride()) % moments_.size()) test_branches_at(moments_[i]);
     for (const Branch& branch : accepted_) {
       out.left_out += static_cast<std::uint32_t>(branch.joints.size());
       for (const std::uint32_t j : branch.joints) out.detail.kept[j] = false;
@@ -180,11 +180,11 @@ class Pruner {
     }
   }
 
-  void look_at(const Moment& moment) {
-    poses_.look_at(moment);
-    std::vector<Branch> looked_at = std::move(open_);
+  void test_branches_at(const Moment& moment) {
+    poses_.evaluate(moment);
+    std::vector<Branch> tested = std::move(open_);
     open_.clear();
-    for (Branch& branch : looked_at) {
+    for (Branch& branch : tested) {
       measure(branch);
       if (branch.worst_m > tolerance_m_)
         open_below(branch.joints.front());  // they are tested at all moments, starting with the next

@@ -58,7 +58,7 @@ PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
   return stray;
 }
 
-void PoseDrift::look_at(double begin_s, double end_s) {
+void PoseDrift::bound_interval(double begin_s, double end_s) {
   const double length_s = end_s - begin_s;
   evaluate_truth(animation_, skeleton_, begin_s + 0.5 * length_s, middle_);
   for (int i = 0; i < 4; ++i)

@@ -26,7 +26,7 @@ class PoseDrift {
   PoseDrift(const Skeleton& skeleton, const Animation& animation);
 
   /// Evaluates the interval [begin_s, end_s].    cost O(5 poses)
-  void look_at(double begin_s, double end_s);
+  void bound_interval(double begin_s, double end_s);
 
   /// [J] Model matrices at the middle of the interval.
   std::span<const Affined> middle() const noexcept { return middle_.model; }

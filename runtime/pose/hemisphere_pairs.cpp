@@ -30,7 +30,7 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
   return edges;
 }
 
-std::vector<JointPair> sharing_pairs(const VertexInfluences& influences, std::size_t joint_count) {
+std::vector<JointPair> joint_pairs_of_vertices(const VertexInfluences& influences, std::size_t joint_count) {
   if (joint_count > kMaxJoints) return {};
   std::vector<bool> seen(joint_count * joint_count, false);
   std::vector<JointPair> pairs;

@@ -17,6 +17,6 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
 /// The distinct pairs (heaviest joint, other joint) of all vertices: SkinDualQuaternionJob::pairs. Empty if there are
 /// as many pairs as vertices: testing the pairs would then cost more than it saves.
 /// cost O(influences + joints^2)
-std::vector<JointPair> sharing_pairs(const VertexInfluences& influences, std::size_t joint_count);
+std::vector<JointPair> joint_pairs_of_vertices(const VertexInfluences& influences, std::size_t joint_count);
 
 }  // namespace sinew

@@ -19,7 +19,7 @@ namespace sinew {
 namespace {
 
 /// Composes the chains of joints between mapped ones into the scratch pose, relative to the mapped ancestor.
-PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
+PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
 
 }  // namespace
 }  // namespace sinew
@@ -44,7 +44,7 @@ HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, co
 }
 
 void map_joints(const RetargetPass& pass, const RetargetPoseJob& job) {
-  const PoseSpan from = with_composed(job, pass);
+  const PoseSpan from = compose_chains(job, pass);
   const auto copy = [&](const std::vector<std::uint32_t>(&joints)[2], PoseSpan::Plane first, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c)
       for (std::size_t i = 0; i < joints[0].size(); ++i)
@@ -93,12 +93,12 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept {
+PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) noexcept {
   if (pass.composed.empty()) return job.pose;
   std::copy_n(job.pose.planes, PoseSpan::floats_for(job.pose.joint_count), job.scratch.planes);
-  for (const std::vector<StepDown>& way : pass.composed) {
+  for (const std::vector<ChainJoint>& way : pass.composed) {
     Transform seen;
-    for (const StepDown& step : way) {
+    for (const ChainJoint& step : way) {
       const Transform own = step.is_fixed ? step.local : job.pose.get(step.joint);
       const bool is_first = &step == way.data();
       seen.translation =
@@ -143,8 +143,8 @@ bool is_identity(const Quat<double>& q) noexcept {
   return q == quat_identity<double>() || q == -quat_identity<double>();
 }
 
-std::vector<StepDown> way_of(const MappedJoint& joint, const Skeleton& source) {
-  std::vector<StepDown> way;
+std::vector<ChainJoint> way_of(const MappedJoint& joint, const Skeleton& source) {
+  std::vector<ChainJoint> way;
   for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) {
     const Transformd rest = rest_transform(source, j);
     way.push_back({j,
@@ -166,7 +166,7 @@ Vec3<double> offset_of(const MappedJoint& joint, const Skeleton& target) noexcep
 
 void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                RetargetPass& pass) {
-  std::vector<StepDown> way = way_of(joint, source);
+  std::vector<ChainJoint> way = way_of(joint, source);
   const bool is_child = way.size() == 1;
   if (!is_child || way.front().is_fixed) pass.composed.push_back(std::move(way));
   add(joint, is_identity(joint.before) && is_identity(joint.after), pass.copied_rotations, pass.rotations);

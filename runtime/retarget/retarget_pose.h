@@ -17,7 +17,7 @@ struct RetargetedJoints {
 };
 
 /// A joint of the source on the path from a mapped joint's mapped ancestor down to it.
-struct StepDown {
+struct ChainJoint {
   std::uint32_t joint = 0;
   bool is_fixed = false;  ///< it has a fixed matrix: `local` replaces the transform of the pose
   Transform local;
@@ -26,7 +26,7 @@ struct StepDown {
 /// Joints that are mapped in one pass. Within a pass every source joint is expressed relative to only one ancestor.
 struct RetargetPass {
   /// For mapped joints with unmapped joints between: the chain, from the joint up
-  std::vector<std::vector<StepDown>> composed;
+  std::vector<std::vector<ChainJoint>> composed;
   std::vector<std::uint32_t> copied_rotations[2];  ///< targets and sources of rotations that are copied unchanged
   std::vector<std::uint32_t> copied_translations[2];
   RetargetedJoints rotations;     ///< factors: quaternions to multiply from the left and the right, x y z w each

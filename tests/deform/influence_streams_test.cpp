@@ -55,7 +55,7 @@ Skinned skin(Way way, test::SkinnedVertices& s, const InfluenceStreams& influenc
 
 class SkinningInputs : public testing::TestWithParam<Way> {};
 
-TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_numbers_that_they_stand_for) {
+TEST_P(SkinningInputs, small_integers_skin_with_the_bits_of_converted_numbers) {
   test::FixedRandom random(81);
   const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMaxConverted};
   for (const std::uint32_t group_size : {1u, 7u, 17u, 40u, 300u}) {
@@ -120,7 +120,7 @@ TEST(influence_streams, every_small_weight_is_its_quotient_rounded_once) {
 
 // The error of rounded weights, relative to the spread of the places to which the single joints move a vertex. Only
 // linear blending is linear in its weights, so only there a bound is known.
-TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_half_a_step_for_each_influence_at_the_most) {
+TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_at_most_half_a_step_each) {
   test::FixedRandom random(82);
   const std::uint32_t counts[] = {4, 8};
   auto s = test::random_skinned_vertices(random, counts, 200, 24, false);

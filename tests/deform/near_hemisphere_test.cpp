@@ -135,7 +135,7 @@ class near_hemisphere : public ::testing::TestWithParam<Case> {
 const std::vector<std::vector<double>> kDots = {{1e-7},   {-1e-7},          {1e-7, -1e-7},     {0.0, -1e-7}, {0.9e-5},
                                                 {1.1e-5}, {1.1e-5, 0.9e-5}, {1.1e-5, -1.1e-5}, {2e-5, -1e-7}};
 
-TEST_P(near_hemisphere, N17_the_sign_of_a_dot_product_of_1e_7_decides_as_in_double_with_and_without_known_pairs) {
+TEST_P(near_hemisphere, N17_a_dot_product_of_1e_7_decides_as_in_double) {
   const auto pairs = every_pair();
   for (std::size_t i = 0; i < kDots.size(); ++i)
     for (const std::uint32_t group_size : {3u, 40u}) {
@@ -148,7 +148,7 @@ TEST_P(near_hemisphere, N17_the_sign_of_a_dot_product_of_1e_7_decides_as_in_doub
     }
 }
 
-TEST_P(near_hemisphere, N17_sums_of_four_products_that_nearly_cancel_decide_alike_with_and_without_known_pairs) {
+TEST_P(near_hemisphere, N17_known_pairs_do_not_change_nearly_cancelling_signs) {
   test::FixedRandom random(77);
   const auto pairs = every_pair();
   for (const double dot : {0.0, 3e-8, -3e-8, 1e-6, -1e-6})

@@ -135,7 +135,7 @@ void expect_outward_normals(Way way, const Mat3<float>& joint) {
   }
 }
 
-TEST_P(ExactNormals, G48_normals_of_ill_conditioned_joints_keep_to_the_outside_on_every_instruction_set) {
+TEST_P(ExactNormals, G48_normals_of_ill_conditioned_joints_point_outside) {
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     test::FixedRandom random(17);

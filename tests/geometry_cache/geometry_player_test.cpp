@@ -142,12 +142,12 @@ TEST_F(geometry_player_window, what_is_out_of_view_reads_nothing) {
     play_from(player, frame, time_of(f), unseen);
     EXPECT_FALSE(player.bounds(0, time_of(f)).empty());
   }
-  EXPECT_EQ(window.bytes_asked(), 0u);
+  EXPECT_EQ(window.bytes_requested(), 0u);
   EXPECT_EQ(player.decoder().frames_decoded(), 0u);
   expect_bits(play_from(player, frame, time_of(10)), 10);
-  const std::uint64_t asked = window.bytes_asked();
+  const std::uint64_t asked = window.bytes_requested();
   play_from(player, frame, time_of(10));
-  EXPECT_EQ(window.bytes_asked(), asked) << "paused";
+  EXPECT_EQ(window.bytes_requested(), asked) << "paused";
 }
 
 TEST_F(geometry_player_window, a_reader_that_is_late_shows_the_newest_frame_and_says_so) {
@@ -332,7 +332,7 @@ TEST(geometry_player_streams, contents_differ_where_primitives_take_each_others_
   EXPECT_NE(content({{{0, 0, 0}, {0, 1, 1}}}), content({{{0, 1, 0}, {0, 0, 1}}}));
 }
 
-TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh_however_many_streams_those_before_it_have) {
+TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh) {
   GeometryTake take = strip_take();
   take.meshes.push_back(noise_take(5, 3, 1e-3).meshes[0]);
   const std::vector<std::byte> file = *encode_geometry_cache(take);
@@ -398,7 +398,7 @@ TEST(geometry_player_streams, a_mesh_without_triangles_is_shown_as_points) {
   GeometryPlayer player(cache, frames, made.scene, made.bindings);
   EXPECT_EQ(player.instances().size(), 1u);
   FrameSource nothing{[](void*, std::uint32_t) noexcept { return std::span<const std::byte>(); }, nullptr};
-  EXPECT_EQ(scene_of(cache, nothing).error(), GeometryStatus::not_there);
+  EXPECT_EQ(scene_of(cache, nothing).error(), GeometryStatus::not_loaded);
 }
 
 }  // namespace

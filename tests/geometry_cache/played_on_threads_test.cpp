@@ -55,7 +55,7 @@ TEST_F(played_on_threads, reads_may_finish_on_another_thread) {
     const std::uint32_t frame = shown % cache_.frame_count();
     window.prefetch(decoder.next_for(frame));
     std::thread io([&] { disk_.deliver(100); });
-    while (decoder.decode(frame, window) == GeometryStatus::not_there) std::this_thread::yield();
+    while (decoder.decode(frame, window) == GeometryStatus::not_loaded) std::this_thread::yield();
     io.join();
     ASSERT_EQ(decoder.frame(), frame);
     ASSERT_TRUE(same_bits<glm::vec3>(vertices(decoder), truth_[frame])) << frame;

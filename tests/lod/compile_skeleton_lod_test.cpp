@@ -137,7 +137,7 @@ TEST(compile_skeleton_lod, a_joint_that_all_clips_hold_in_one_pose_goes_for_noth
   EXPECT_TRUE(compile_skeleton_lod(moving, 0.0).detail.kept.empty());
 }
 
-TEST(compile_skeleton_lod, N17_the_pose_held_is_the_mean_of_what_clips_do_whichever_sign_their_rotations_have) {
+TEST(compile_skeleton_lod, N17_the_held_pose_is_the_mean_for_any_quaternion_sign) {
   const glm::quat a = normalised(quat_xyzw(0.0f, 0.0f, 0.1f, 1.0f)), b = normalised(quat_xyzw(0.0f, 0.0f, -0.1f, 1.0f));
   const CompiledSkeletonLod within = compile_skeleton_lod(clenched_scene({a, -b, a, -b, a, -b}), 1e3);
   ASSERT_EQ(within.left_out, 1u);

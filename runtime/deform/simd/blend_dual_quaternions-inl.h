@@ -18,17 +18,17 @@ namespace sinew::HWY_NAMESPACE {
 
 /// Blended dual quaternion of one vertex, not normalised (scalar_blend.h).
 /// eq   sum(w sign(r . r_pivot) d_i)
-/// in   one_side  all rotations are known to be in one hemisphere, so no sign is compared
+/// in   one_hemisphere  all rotations are known to be in one hemisphere, so no sign is compared
 template <int kCount>
 HWY_INLINE Float8 blend_float8(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k,
-                               bool one_side) {
+                               bool one_hemisphere) {
   const VertexJoints<kCount> vertex = tile.at(k);
   const float* first = &tile.entry(split, k, 0)->rigid.real.x;
   Float8 sum = load_float8(first);
   if constexpr (kCount == 1) return sum;
   const Float8Weights<kCount> weights(vertex.weights);
   sum = times(sum, weights.of(0));
-  if (one_side) {
+  if (one_hemisphere) {
     for (std::size_t i = 1; i < vertex.count(); ++i)
       sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
     return sum;
@@ -43,9 +43,9 @@ HWY_INLINE Float8 blend_float8(const RigidStretch* split, const TileInfluences<k
 
 /// Calls `body(vertex of the tile, Float8)` with the blended dual quaternion of each vertex.
 template <int kCount, class Body>
-HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side,
-                                         const Body& body) {
-  if (kCount == 1 || one_side)
+HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileInfluences<kCount>& tile,
+                                         bool one_hemisphere, const Body& body) {
+  if (kCount == 1 || one_hemisphere)
     for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, true)); });
   else
     for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, false)); });

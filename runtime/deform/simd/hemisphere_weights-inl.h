@@ -52,7 +52,7 @@ class Pivot {
 /// True if both rotations of every pair are in one hemisphere. Signs then need not be compared per vertex. The dot
 /// products must be clearly positive, so that the result does not depend on the order of the sum. False for an empty
 /// list: then the pairs are not known.
-HWY_INLINE bool are_on_one_side(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
+HWY_INLINE bool are_in_one_hemisphere(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
   constexpr float kClearlyPositive = 1e-5f;
 #if HWY_TARGET == HWY_SCALAR
   const auto is_positive = [&](const JointPair& pair) {

@@ -19,20 +19,20 @@ namespace sinew::HWY_NAMESPACE {
 template <bool kStretch>
 class KeptSplits {
  public:
-  /// in   one_side  all rotations are in one hemisphere: dual quaternion and stretch are then blended as one
+  /// in   one_hemisphere  all rotations are in one hemisphere: dual quaternion and stretch are then blended as one
   template <int kCount>
-  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
     share_joints_ = false;
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (kMayShareJoints<kCount>)
-      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_side);
+      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_hemisphere);
 #endif
     if constexpr (kStretch) {
-      if (kCount != 1 && one_side) return keep_whole(split, tile);
+      if (kCount != 1 && one_hemisphere) return keep_whole(split, tile);
       for_each_of_tile([&](std::size_t k)
                            HWY_ATTR { store_float8(blend_stretch_float8(split, tile, k), floats_[k] + 8); });
     }
-    for_each_dual_quaternion(split, tile, one_side,
+    for_each_dual_quaternion(split, tile, one_hemisphere,
                              [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
   }
 
@@ -75,9 +75,9 @@ class KeptSplits {
   }
 #if HWY_TARGET != HWY_SCALAR
   template <int kCount>
-  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
     share_joints_ = true;
-    const SharedSplits<kCount> shared(split, tile.first.joints, one_side);
+    const SharedSplits<kCount> shared(split, tile.first.joints, one_hemisphere);
     WeightLanes<kCount> weights = weight_lanes(tile);
     if constexpr (kStretch) shared.blend_stretches(weights, &floats_[0][0] + 8 * kTileSize);
     shared.blend_dual_quaternions(weights, &floats_[0][0]);

@@ -19,11 +19,11 @@ namespace sinew::HWY_NAMESPACE {
 template <int kCount>
 class SharedSplits {
  public:
-  /// in   one_side  all rotations are known to be in one hemisphere, so no sign is compared
-  HWY_INLINE SharedSplits(const RigidStretch* split, const std::uint16_t* joints, bool one_side) {
+  /// in   one_hemisphere  all rotations are known to be in one hemisphere, so no sign is compared
+  HWY_INLINE SharedSplits(const RigidStretch* split, const std::uint16_t* joints, bool one_hemisphere) {
     for (std::size_t i = 0; i < kCount; ++i) {
       entry_[i] = &split[joints[i]].rigid.real.x;
-      sign_[i] = i == 0 || one_side ? 0.0f : sign_of(entry_[0], entry_[i]);
+      sign_[i] = i == 0 || one_hemisphere ? 0.0f : sign_of(entry_[0], entry_[i]);
     }
   }
 
