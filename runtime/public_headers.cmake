@@ -114,7 +114,6 @@ set(sinew_public_headers
   runtime/playback/root_motion.h
   runtime/retarget/feet_map.h
   runtime/retarget/hold_feet.h
-  runtime/retarget/hold_feet_animation.h
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
   runtime/retarget/retarget_pose.h

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/retarget/hold_feet_animation.h"
 
 #include <algorithm>
 #include <array>

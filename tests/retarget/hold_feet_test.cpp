@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "runtime/retarget/foot_contact.h"
-#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/scenes/two_legs.h"
 #include "tests/support/fixed_random.h"
