@@ -121,7 +121,6 @@ set(sinew_public_headers
   runtime/retarget/retarget_weights.h
   runtime/retarget/share_twist.h
   runtime/retarget/skeleton_map.h
-  runtime/retarget/twist_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h
   runtime/compress/compile_clip_within.h
