@@ -10,7 +10,6 @@
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/two_bones.h"
 #include "runtime/retarget/dense_times.h"
-#include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/leg_pose.h"
 
 namespace sinew {

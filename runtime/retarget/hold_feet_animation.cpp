@@ -6,8 +6,8 @@
 #include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/truth_pose.h"
 #include "runtime/retarget/dense_times.h"
-#include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/hold_feet.h"
+#include "runtime/retarget/leg_pose.h"
 
 namespace sinew {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/retarget/foot_contact.h"
+#include "runtime/retarget/leg_pose.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/scenes/two_legs.h"
 #include "tests/support/fixed_random.h"
