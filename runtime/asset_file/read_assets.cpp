@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
-#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_reader.h"
-#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
 #include "runtime/asset_file/read_pages.h"
 #include "runtime/base/all_finite.h"

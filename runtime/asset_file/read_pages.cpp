@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_reader.h"
-#include "runtime/asset_file/page_fields.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/paging/join_clips.h"
 

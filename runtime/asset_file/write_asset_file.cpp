@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
-#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/asset_file/asset_writer.h"
-#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
-#include "runtime/asset_file/page_fields.h"
 #include "runtime/base/checksum.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_file.h"
