@@ -6,7 +6,6 @@
 #include <hwy/foreach_target.h>
 #include <cassert>
 
-#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/kept_splits-inl.h"

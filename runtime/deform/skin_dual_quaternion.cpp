@@ -8,7 +8,6 @@
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_dual_quaternion.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/kept_splits-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"

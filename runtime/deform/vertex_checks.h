@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
 #include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
+#include "runtime/pose/joint_palette.h"
 
 namespace sinew {
 
@@ -28,5 +33,11 @@ ErrorCode check_influences(const InfluenceStreams& influences, std::size_t verte
 /// check_streams, then check_influences.
 ErrorCode check_skinning(const InfluenceStreams& influences, const VertexInput& in, const VertexOutput& out,
                          std::size_t joint_count) noexcept;
+
+/// True if all indices of the pairs are below `count`.
+inline bool are_in_range(std::span<const JointPair> pairs, std::size_t count) noexcept {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [count](const JointPair& pair) { return pair.first < count && pair.second < count; });
+}
 
 }  // namespace sinew
