@@ -94,7 +94,6 @@ set(sinew_public_headers
   runtime/deform/skin_center_of_rotation.h
   runtime/deform/skin_dual_quaternion.h
   runtime/deform/skin_linear.h
-  runtime/deform/surface_faces.h
   runtime/deform/surface_normals.h
   runtime/deform/vertex_streams.h
   runtime/plan/compile_plan.h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/deform/surface_faces.h"
+#include "runtime/deform/surface_normals.h"
 
 #include <algorithm>
 #include <cstring>
