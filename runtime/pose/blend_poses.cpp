@@ -11,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/blend_poses.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/math/negligible.h"
 #include "runtime/pose/simd/pose_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -339,6 +340,21 @@ ErrorCode check(const BlendPosesJob& job) noexcept {
 void run_unchecked(const BlendPosesJob& job) noexcept {
   assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   HWY_DYNAMIC_DISPATCH(blend_all)(job);
+}
+
+void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,
+                   std::span<const float> others) noexcept {
+  double total = 0.0;
+  for (const BlendLayer& layer : layers) total += static_cast<double>(layer.weight);
+  const double rest_share = std::max(0.0, 1.0 - total);
+  const std::size_t count = first.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = static_cast<double>(layers[0].weight) * static_cast<double>(first[i]);
+    for (std::size_t l = 1; l < layers.size(); ++l)
+      sum += static_cast<double>(layers[l].weight) * static_cast<double>(others[(l - 1) * count + i]);
+    const double mean = (sum + rest_share * static_cast<double>(rest[i])) / (total + rest_share);
+    first[i] = flushed(static_cast<float>(mean));
+  }
 }
 
 }  // namespace sinew
