@@ -30,8 +30,8 @@ inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 /// Samples a clip in float, as a frame does, and compares it in double with BoneAnimation::interpolate. Both
 /// hierarchies are evaluated in double, so that only the clip's own error counts. For several forms of a clip, each
 /// error is the largest.
-/// eq   of_joint[j] = max |M'[j] c - M[j] c| over the times of `truth` and corners c weights = max sum |w' - w|
-///      metres_per_weight stretch
+/// eq   of_joint[j] = max |M'[j] c - M[j] c| over the times of `truth` and corners c
+///      weights = max sum |w' - w| metres_per_weight stretch
 /// in   forms  of the clip, compiled for this scene
 /// cost O(times x J x forms), allocates
 ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);

@@ -24,8 +24,9 @@ struct ClipWithin {
 ///
 /// Morph weights share the budget by how far they displace vertices. Properties keep every key: a length in metres
 /// means nothing for colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
-/// in   scene     the animation's own scene, finished (scene.h) and checked vertices  of that scene budget_m  in the
-///      file's units, >= 0
+/// in   scene     the animation's own scene, finished (scene.h) and checked
+///      vertices  of that scene
+///      budget_m  in the file's units, >= 0
 /// cost seconds for ten thousand joints or an hour; allocates
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                double budget_m);

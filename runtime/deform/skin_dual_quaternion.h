@@ -10,8 +10,8 @@
 namespace sinew {
 
 /// Dual-quaternion skinning in two phases: stretch in bind space, then a rigid motion (Kavan et al. 2008).
-/// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i);  d = d / |real(d)|;  p' = d p1 d* n' = rotate(d,
-///      normalise(sign(det S) cof(S) n)), S = sum(w S_i)
+/// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i);  d = d / |real(d)|;  p' = d p1 d*
+///      n' = rotate(d, normalise(sign(det S) cof(S) n)), S = sum(w S_i)
 ///      The pivot is the influence with the largest weight, the lowest joint index on ties.
 ///      Normals keep to the outside also where joints mirror (conventions.h). det S is taken from the rounded entries
 ///      of S:
@@ -19,11 +19,11 @@ namespace sinew {
 /// in   influences   weights sum to 1. If the blend of a vertex is shorter than 1e-6 and its weights sum to less than
 ///      0.5, they are brought to a sum of 1, so that tiny weights skin as accurately as others. Otherwise S is not
 ///      divided by the sum of the weights.
-///      split[N]     from SplitPaletteJob;   any_stretch  false skips the stretch phase pairs[any]   all distinct
-///      (heaviest joint, other joint) pairs of the vertices (joint_pairs_of_vertices). If all pairs are on one
-///      hemisphere, signs are not compared per vertex; the bits are the same. Empty = not known. palette[N or none] the
-///      matrices that were split. With it, vertices with one influence are moved by their joint's matrix as in linear
-///      blending, in half the time.
+///      split[N]     from SplitPaletteJob;   any_stretch  false skips the stretch phase
+///      pairs[any]   all distinct (heaviest joint, other joint) pairs of the vertices (joint_pairs_of_vertices). If all
+///      pairs are on one hemisphere, signs are not compared per vertex; the bits are the same. Empty = not known.
+///      palette[N or none]  the matrices that were split. With it, vertices with one influence are moved by their
+///      joint's matrix as in linear blending, in half the time.
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 ///      If the real part of a blend cancels (norm^2 < 1e-12), the vertex follows the pivot alone.

@@ -38,11 +38,12 @@ constexpr std::size_t surface_sums(const SurfaceFaces& faces) noexcept {
 }
 
 /// Smooth normals of a surface from its positions alone.
-/// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned` The sum weights
-///      triangles by area. It does not depend on how the ring around the point is cut into triangles. Small triangles,
-///      which the quantisation step of a geometry cache disturbs most, count least.
+/// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned`
+///      The sum weights triangles by area. It does not depend on how the ring around the point is cut into triangles.
+///      Small triangles, which the quantisation step of a geometry cache disturbs most, count least.
 /// in   faces        of the mesh (join_surface);   positions[V];   turned  the triangles wind the other way round
-///      rest_normals[V]  kept by points without area sums[surface_sums(faces)]  scratch
+///      rest_normals[V]  kept by points without area
+///      sums[surface_sums(faces)]  scratch
 /// out  normals[V]   unit. Edges and sums are float: for edges of 1e-9 to 1e9 m the error in radians is at most 8 u sum
 ///      |b - a| |c - a| / |sum of the cross products|, u = 2^-24
 /// err  size_mismatch, index_out_of_range     cost O(V + T), no allocation
@@ -62,8 +63,8 @@ void run_unchecked(const SurfaceNormalsJob& job) noexcept;
 ///      x and y are the coordinates of the rest tangent along the rest edges, and n0 is the cross product of these
 ///      edges.
 ///      An affine map M of the surface gives normalise(M t0), as skinning does.
-/// in   faces        with tangents;   positions[V] rest_tangents[V]  w is kept; vertices without area keep the whole
-///      tangent
+/// in   faces        with tangents;   positions[V]
+///      rest_tangents[V]  w is kept; vertices without area keep the whole tangent
 /// out  tangents[V]  xyz unit
 /// err  size_mismatch, index_out_of_range     cost O(V + T), no allocation
 struct SurfaceTangentsJob {

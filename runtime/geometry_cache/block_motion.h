@@ -32,8 +32,8 @@ enum class BlockBase : std::uint8_t {
 };
 
 /// Motion of one block from frame to frame.
-/// eq   x = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift) + r,  `first` is the x1 of the block's point 0 r
-///      = residual, or if residuals spread over the surface: r = residual + r[a] + r[b] - r[c]
+/// eq   x = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift) + r,  `first` is the x1 of the block's point 0
+///      r = residual, or if residuals spread over the surface: r = residual + r[a] + r[b] - r[c]
 struct BlockMotion {
   BlockBase base = BlockBase::last;
   bool turns = false;                    ///< M is present: the block also turns, stretches and shears

@@ -19,9 +19,10 @@ namespace sinew {
 /// the joints do. For other kinds of skinning, frames with and without the joints are compared vertex by vertex. Fewer
 /// joints are left out until these vertices are within the tolerance too. All of this holds for one clip that plays
 /// alone at full weight.
-/// in   scene        finished (scene.h) and checked tolerance_m  >= 0, in the file's units; 0 leaves out joints that
-///      never move and joints that carry nothing clips        that will play, kNone = the rest pose; empty = all clips,
-///      or the rest pose if there are none needs        for their kinds of skinning
+/// in   scene        finished (scene.h) and checked
+///      tolerance_m  >= 0, in the file's units; 0 leaves out joints that never move and joints that carry nothing
+///      clips        that will play, kNone = the rest pose; empty = all clips, or the rest pose if there are none
+///      needs        for their kinds of skinning
 /// out  an empty `detail` if every joint matters
 /// cost O(key times * J), more for deep skeletons that can lose many joints; allocates. At most kMaxLodPoses joint
 ///      poses and kMaxLodVertices vertices of frames are compared; beyond that they are thinned out evenly

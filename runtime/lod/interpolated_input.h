@@ -28,8 +28,8 @@ class InterpolatedInput {
   explicit InterpolatedInput(const Plan& plan);
 
   /// The input to run in this frame.
-  /// in   ahead  layers of the frame that is frames_to_update from now; read when an interval starts phase  any number
-  ///      per character; consecutive numbers spread the work of many characters over frames
+  /// in   ahead  layers of the frame that is frames_to_update from now; read when an interval starts
+  ///      phase  any number per character; consecutive numbers spread the work of many characters over frames
   /// out  views into this object, or into `now` at the finest level; valid until the next call
   /// cost O(layers), no allocation for layers within the room of the plan (Needs::layer_room)
   FrameInput next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level, std::uint64_t frame,

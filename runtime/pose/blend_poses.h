@@ -37,8 +37,8 @@ void run_unchecked(const BlendPosesJob& job) noexcept;
 /// get the remaining weight, as in BlendPosesJob.
 /// eq   out[i] = (sum(w[l] * x[l][i]) + r * rest[i]) / (sum(w[l]) + r),  r = max(0, 1 - sum(w[l]));
 ///      magnitudes below 1e-20 become 0, because denormal numbers are slow
-/// in   layers[L]  only their weights w[l] are read;   rest[W] first[W], others[(L - 1) * W]  the morph weights x[0],
-///      then x[1], x[2], ...
+/// in   layers[L]  only their weights w[l] are read;   rest[W]
+///      first[W], others[(L - 1) * W]  the morph weights x[0], then x[1], x[2], ...
 /// out  first[W]   the blended weights
 /// cost O(W * L), no allocation
 void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,

@@ -9,8 +9,8 @@
 namespace sinew {
 
 /// Pose-space corrective: adds interpolated corrections to the morph weights that the corrective drives.
-/// eq   weights[i] += f(pose), where f interpolates the samples of the corrective With `clamp`, f stays within the
-///      range of the sample values.
+/// eq   weights[i] += f(pose), where f interpolates the samples of the corrective
+///      With `clamp`, f stays within the range of the sample values.
 ///      With `partition`, the shares s of the samples are clamped to [0, 1] and divided by their sum: f = sum(s *
 ///      values).
 ///      Far from all samples, where the shares sum to less than 0.01, f fades out with the square of the sum.

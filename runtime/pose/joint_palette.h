@@ -11,8 +11,9 @@ namespace sinew {
 
 /// Skinning matrices of one skin.
 /// eq   palette[i] = model[joints[i]] * inverse_bind[i]   (glTF 2.0, "Skins")
-/// in   model[J]   matrices of all joints of the skeleton before[N]  a palette to compare the result with; may be
-///      `palette`, compared before it is overwritten; empty = none
+/// in   model[J]   matrices of all joints of the skeleton
+///      before[N]  a palette to compare the result with; may be `palette`, compared before it is overwritten; empty =
+///      none
 /// out  palette[N] N = skin->joints.size()
 ///      unchanged  true if the palette equals `before` bit for bit; false without `before`; null = not wanted
 /// err  size_mismatch, index_out_of_range     cost O(N), no allocation; comparing stops at the first difference
@@ -28,9 +29,9 @@ ErrorCode check(const JointPaletteJob& job) noexcept;
 void run_unchecked(const JointPaletteJob& job) noexcept;
 
 /// A skinning matrix J split for dual-quaternion skinning: a stretch in bind space, then a rigid motion.
-/// eq   J = [R S | t]: R is the rotation of the polar decomposition; S = stretch, symmetric, stored as xx yy zz xy xz
-///      yz For a mirroring J (det < 0) S is negative, so that R * S is still J. det S has the sign of det J, also where
-///      S is singular within rounding (decompose.h).
+/// eq   J = [R S | t]: R is the rotation of the polar decomposition, S is symmetric: `stretch` = xx yy zz xy xz yz For
+///      a mirroring J (det < 0) S is negative, so that R * S is still J. det S has the sign of det J, also where S is
+///      singular within rounding (decompose.h).
 struct alignas(64) RigidStretch {
   DualQuat rigid;
   float stretch[6] = {1, 1, 1, 0, 0, 0};

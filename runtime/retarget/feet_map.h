@@ -47,8 +47,8 @@ struct LegJoints {
 
 /// Finds the legs of both skeletons: those of the humanoid bones, or the given ones. A leg is left out unless hip, knee
 /// and ankle are mapped in both skeletons. Toes are optional.
-/// in   map   of the same skeletons legs  joints of the target, for skeletons whose humanoid bones the map does not
-///      know
+/// in   map   of the same skeletons
+///      legs  joints of the target, for skeletons whose humanoid bones the map does not know
 /// cost O(J log J), allocates
 FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                       const std::vector<LegJoints>& legs = {});

@@ -13,8 +13,8 @@ namespace sinew {
 /// ratio. A standing foot then does not slide, and a foot that rolls over its toes still rolls. Without this, legs of
 /// other proportions move the feet elsewhere. Feet keep their rotation. Thighs and shanks turn (turn_two_bones,
 /// runtime/math/two_bones.h). If legs are too short, the hips come down by at most a fourth of a leg's length.
-/// eq   goal = g + k (p - r): p is the place of the source's ankle or toes, whichever is lower, r its rest place, g the
-///      rest place of the target's joint and k the height ratio. For toes, the ankle moves by what the toes must.
+/// eq   goal = g + k (p - r): p is the place of the source's ankle or toes, whichever is lower, r its rest place,
+///      g the rest place of the target's joint and k the height ratio. For toes, the ankle moves by what the toes must.
 ///      The foot goes to goal + (1 - c) (place - goal). c(h) is 1 up to 4 % of the source's leg length above the
 ///      ground, 0 above 12 %, and smooth between. The result depends on the pose alone: nothing is remembered between
 ///      frames.
@@ -43,9 +43,10 @@ void run_unchecked(const HoldFeetJob& job) noexcept;
 /// cost O(duration * joints), allocates
 double find_ground(const FeetMap& feet, const Animation& animation, const Skeleton& source);
 
-/// Foot locking for a retargeted animation (hold_feet.h). Leg rotations, and translations of hips that come down, get
-/// linear keys at all key times and 60 times a second. A leg that turns by no more than rounding keeps its tracks.
-/// in   animation    of the source retargeted   that animation after retarget_animation
+/// Foot locking for a retargeted animation. Leg rotations, and translations of hips that come down, get linear keys at
+/// all key times and 60 times a second. A leg that turns by no more than rounding keeps its tracks.
+/// in   animation    of the source
+///      retargeted   that animation after retarget_animation
 /// out  retargeted   new tracks for the joints of legs and hips; new bones are appended
 /// cost O(duration * joints), allocates
 void hold_feet(const FeetMap& feet, const Animation& animation, const Skeleton& source, const Skeleton& target,

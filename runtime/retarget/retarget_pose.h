@@ -52,7 +52,8 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
 /// Retargets a pose of one skeleton to another.
 /// eq   as make_skeleton_map (skeleton_map.h), in float: within 1e-6 of retarget_pose (retarget_animation.h). On its
 ///      own skeleton a pose keeps its bits.
-/// in   pose     of the tables' source count scratch  of the source count; needed only if `tables->composes()`
+/// in   pose     of the tables' source count
+///      scratch  of the source count; needed only if `tables->composes()`
 /// out  retargeted  of the target count; must not overlap
 /// err  size_mismatch     cost O(J), no allocation
 struct RetargetPoseJob {
