@@ -126,6 +126,29 @@ TEST(block_motion, a_parallelogram_by_hand) {
   EXPECT_EQ(x[2 * kBlockPoints + 63], -7);
 }
 
+TEST(block_motion, buffers_of_other_sizes_and_too_wide_residuals_are_refused) {
+  BlockMotion motion{.width = {1, 0, 0}};
+  std::vector<std::int32_t> numbers(kBlockNumbers), x(kBlockNumbers);
+  std::vector<std::uint8_t> corners(kBlockNumbers, kNoCorner), payload(8 + kPayloadPadding);
+  const auto job = [&] { return MoveBlocksJob{{&motion, 1}, payload, corners, numbers, numbers, x}; };
+  EXPECT_EQ(check(job()), ErrorCode::ok);
+  payload.pop_back();
+  EXPECT_EQ(run(job()), ErrorCode::size_mismatch) << "the padding is read too";
+  payload.push_back(0);
+  corners.pop_back();
+  EXPECT_EQ(run(job()), ErrorCode::size_mismatch);
+  corners.push_back(kNoCorner);
+  motion.width[1] = kMaxWidth + 1;
+  EXPECT_EQ(run(job()), ErrorCode::index_out_of_range);
+
+  std::vector<glm::vec3> points(kBlockPoints + 1);
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::size_mismatch);
+  points.pop_back();
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::ok);
+  x.pop_back();
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::size_mismatch);
+}
+
 TEST(block_motion, points_are_written_with_the_same_bits_by_every_instruction_set) {
   FixedRandom random(3);
   for (const std::size_t points : {1u, 63u, 64u, 65u, 200u}) {
