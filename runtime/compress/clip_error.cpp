@@ -29,7 +29,7 @@ void each_track(const Animation& truth, const Visit& visit) {
   for (const WeightAnimation& animated : truth.weights) visit(animated.weights);
 }
 
-void sort_out(std::vector<float>& times) {
+void sort_unique(std::vector<float>& times) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
 }
@@ -42,7 +42,7 @@ std::vector<float> jump_times(const Animation& truth) {
       if (track.interpolation == Interpolation::step || track.times_s[k] == track.times_s[k - 1])
         times.push_back(track.times_s[k]);
   });
-  sort_out(times);
+  sort_unique(times);
   return times;
 }
 
@@ -151,7 +151,7 @@ class Meter {
 std::vector<float> key_times(const Animation& truth) {
   std::vector<float> times{0.0f, static_cast<float>(truth.duration_s)};
   each_track(truth, [&](const auto& track) { times.insert(times.end(), track.times_s.begin(), track.times_s.end()); });
-  sort_out(times);
+  sort_unique(times);
   return times;
 }
 

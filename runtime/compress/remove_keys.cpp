@@ -38,10 +38,10 @@ bool all_between(Interpolation interpolation, std::size_t first, std::size_t las
   return true;
 }
 
-double apart(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
+double distance_of(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
 
 /// Upper bound for the movement of a point one unit from the axis: twice the chord between unit quaternions.
-double apart(const Quat<double>& a, const Quat<double>& b) noexcept {
+double distance_of(const Quat<double>& a, const Quat<double>& b) noexcept {
   const Quat<double> d = a - aligned_with(a, b);
   return 2.0 * std::sqrt(quat_dot(d, d));
 }
@@ -66,7 +66,7 @@ double value_at(const WeightTrack& track, const Place& at, std::size_t weight) n
 /// Distance between the track and `other(place[, weight])` at a position.
 template <class V, class Other>
 double deviation(const Track<V>& track, std::span<const float>, const Place& at, const Other& other) {
-  return apart(value_at(track, at), other(at));
+  return distance_of(value_at(track, at), other(at));
 }
 
 template <class Other>

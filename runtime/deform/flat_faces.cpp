@@ -44,7 +44,7 @@ std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::spa
 }
 
 /// Sorts triangles of which no two share a vertex.
-void sort_apart(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
+void sort_disjoint(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
   const auto has_last_vertex = [&](const Triangle& triangle) {
     return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();
   };
@@ -77,7 +77,7 @@ FlatFaces sort_flat_faces(std::span<const std::uint32_t> triangles, std::size_t 
   if (share_vertices)
     faces.alone.assign(triangles.begin(), triangles.end());
   else
-    sort_apart(triangles, vertex_count, faces);
+    sort_disjoint(triangles, vertex_count, faces);
   faces.at_rest = vertices_at_rest(std::move(has_face), faces.alone);
   return faces;
 }

@@ -33,13 +33,13 @@ class NameBinder {
       if (match_vertices(cache_.meshes()[found], mesh.primitives[p]))
         bindings.push_back({instance, p, found});
       else
-        unfit(instance, "the triangles of " + in_quotes(cache_.meshes()[found].name) + " are others");
+        report_unbound(instance, "the triangles of " + in_quotes(cache_.meshes()[found].name) + " are others");
     }
     if (bindings.empty()) return;
     if (bindings.size() == mesh.primitives.size())
       out_.bound.insert(out_.bound.end(), bindings.begin(), bindings.end());
     else
-      unfit(instance, "the cache has some of its primitives only");
+      report_unbound(instance, "the cache has some of its primitives only");
   }
 
   GeometryBindings finish() {
@@ -56,7 +56,7 @@ class NameBinder {
     return kNone;
   }
 
-  void unfit(std::uint32_t instance, const std::string& why) {
+  void report_unbound(std::uint32_t instance, const std::string& why) {
     out_.unbound.push_back("mesh instance " + std::to_string(instance) + " " +
                            in_quotes(scene_.meshes[scene_.instances[instance].mesh].name) + ": " + why);
   }

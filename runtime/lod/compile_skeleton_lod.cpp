@@ -229,7 +229,7 @@ class Pruner {
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
 constexpr double kRounding = 3e-6;  // rounding of float, relative to the distance from the origin
 
-bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
+bool uses_other_skinning(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (scene.instances[i].skin != kNone && needs.skinning_of(i) != Skinning::linear) return true;
   return false;
@@ -277,7 +277,7 @@ CompiledSkeletonLod find_lod(const Scene& scene, double tolerance_m, std::span<c
   if (scene.skeleton.joint_count() == 0) return {};
   const std::vector<Moment> moments = moments_of(scene, clips);
   Pruner pruner(scene, moments);
-  if (!bends_otherwise(scene, needs)) return pruner.prune(tolerance_m);
+  if (!uses_other_skinning(scene, needs)) return pruner.prune(tolerance_m);
   for (const double share : kShares) {
     CompiledSkeletonLod within = pruner.prune(share * tolerance_m);
     if (within.left_out == 0) return within;

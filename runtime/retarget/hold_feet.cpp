@@ -45,7 +45,7 @@ LegGoal<T> leg_goal(const LegPair& leg, T ratio, T ground, const Poses& poses) {
 /// How far the hips must come down so that the leg reaches its goal, at most a fourth of its length. 0 if the parent of
 /// the hips flattens space, because no offset reaches that far.
 template <class T>
-T drop_of(const LegPair& leg, const LegGoal<T>& goal) {
+T hips_drop(const LegPair& leg, const LegGoal<T>& goal) {
   if (determinant(goal.pose.above_hips) == T(0)) return T(0);
   const TwoBonesT<T> bones{goal.pose.upper.place, goal.pose.lower.place, goal.pose.foot.place};
   const Vec3<T> way = bones.root - goal.ankle;
@@ -97,7 +97,7 @@ Vec3<T> hold_all(const FeetMap& feet, T ground, const Poses& poses) {
   const LegGoals<T, Poses> goals(feet, ground, poses);
   T drop = T(0);
   for (std::size_t i = 0; feet.hips != kNone && i < feet.legs.size(); ++i)
-    drop = std::max(drop, drop_of(feet.legs[i], goals[i]));
+    drop = std::max(drop, hips_drop(feet.legs[i], goals[i]));
   Vec3<T> hips_offset(T(0));
   for (std::size_t i = 0; i < feet.legs.size(); ++i) {
     const LegPair& leg = feet.legs[i];

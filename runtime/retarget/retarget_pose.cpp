@@ -97,23 +97,23 @@ PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) no
   if (pass.composed.empty()) return job.pose;
   std::copy_n(job.pose.planes, PoseSpan::floats_for(job.pose.joint_count), job.scratch.planes);
   for (const std::vector<ChainJoint>& way : pass.composed) {
-    Transform seen;
+    Transform relative;
     for (const ChainJoint& step : way) {
       const Transform own = step.is_fixed ? step.local : job.pose.get(step.joint);
       const bool is_first = &step == way.data();
-      seen.translation =
-          is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * seen.translation);
-      seen.rotation = is_first ? own.rotation : own.rotation * seen.rotation;
+      relative.translation =
+          is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * relative.translation);
+      relative.rotation = is_first ? own.rotation : own.rotation * relative.rotation;
     }
-    seen.scale = job.pose.get(way.front().joint).scale;
-    job.scratch.set(way.front().joint, seen);
+    relative.scale = job.pose.get(way.front().joint).scale;
+    job.scratch.set(way.front().joint, relative);
   }
   return job.scratch;
 }
 
 constexpr std::size_t kGroup = 16;
 
-void fill_up(RetargetedJoints& joints) {
+void pad_to_groups(RetargetedJoints& joints) {
   while (joints.targets.size() % kGroup != 0) {
     joints.targets.push_back(joints.targets.back());
     joints.sources.push_back(joints.sources.back());
@@ -124,7 +124,7 @@ void fill_up(RetargetedJoints& joints) {
 template <class FactorsOf>
 void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint*>& by_target,
                    const FactorsOf& factors_of) {
-  fill_up(joints);
+  pad_to_groups(joints);
   for (std::size_t i = 0; i < joints.targets.size(); ++i) {
     const auto factors = factors_of(*by_target[joints.targets[i]]);
     joints.factors.resize(factors.size() * joints.targets.size());
@@ -181,17 +181,17 @@ void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton&
 
 /// Distributes the joints over passes.
 std::vector<std::vector<const MappedJoint*>> in_passes(const SkeletonMap& map, std::size_t source_count) {
-  std::vector<std::vector<const MappedJoint*>> passes, seen;  // seen[pass][source joint]: a mapped joint that uses it
+  std::vector<std::vector<const MappedJoint*>> passes, users;  // users[pass][source joint]: a mapped joint that uses it
   for (const MappedJoint& joint : map.joints) {
     const auto is_taken = [&](const std::vector<const MappedJoint*>& by) {
       return by[joint.source] != nullptr && by[joint.source]->above_source != joint.above_source;
     };
-    const auto p = static_cast<std::size_t>(std::find_if_not(seen.begin(), seen.end(), is_taken) - seen.begin());
-    if (p == seen.size()) {
-      seen.emplace_back(source_count);
+    const auto p = static_cast<std::size_t>(std::find_if_not(users.begin(), users.end(), is_taken) - users.begin());
+    if (p == users.size()) {
+      users.emplace_back(source_count);
       passes.emplace_back();
     }
-    seen[p][joint.source] = &joint;
+    users[p][joint.source] = &joint;
     passes[p].push_back(&joint);
   }
   return passes;

@@ -39,7 +39,7 @@ std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<std::uint
   return limbs;
 }
 
-bool says_twist(const std::string& name) {
+bool names_a_twist_joint(const std::string& name) {
   const std::vector<std::string> words = name_words(name);
   return std::any_of(words.begin(), words.end(),
                      [](const std::string& word) { return word.find("twist") != std::string::npos || word == "roll"; });
@@ -97,7 +97,7 @@ TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target) {
   for (const std::uint32_t joint : map.unmapped_target) {
     const auto limb =
         std::find_if(limbs.begin(), limbs.end(), [&](const Limb& l) { return target.parents[joint] == l.joint; });
-    if (limb == limbs.end() || is_fixed(joint) || !says_twist(target.names[joint])) continue;
+    if (limb == limbs.end() || is_fixed(joint) || !names_a_twist_joint(target.names[joint])) continue;
     const auto twist = twist_joint(target, *limb, joint);
     if (twist && !is_fixed(twist->driver)) twists.joints.push_back(*twist);
   }

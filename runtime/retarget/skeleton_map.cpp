@@ -42,7 +42,7 @@ struct RestPose {
     const double volume = j == kNone ? 1.0 : std::abs(determinant(model[j]));
     return volume > 0.0 ? std::cbrt(volume) : 1.0;
   }
-  Vec3d seen_from(std::uint32_t above, std::uint32_t j) const {
+  Vec3d place_relative_to(std::uint32_t above, std::uint32_t j) const {
     if (above == kNone) return place(j);
     return glm::inverse(linear_part(model[above])) * (place(j) - place(above));
   }
@@ -199,7 +199,7 @@ class Mapping {
     const std::uint32_t parent = target_.parents[joint.target];
     const bool is_child = source_.parents[joint.source] == joint.above_source;
     joint.source_place =
-        is_child ? from_.local[joint.source].translation : from_.seen_from(joint.above_source, joint.source);
+        is_child ? from_.local[joint.source].translation : from_.place_relative_to(joint.above_source, joint.source);
     const TranslationRule rule = rules_[joint.target];
     const bool is_path = joint.above_target == kNone || carries_path_[joint.target];
     joint.moves =
