@@ -227,7 +227,7 @@ class Pruner {
 /// Fractions of the tolerance, tried in turn if linear blending does not predict the vertices of other kinds of
 /// skinning.
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
-constexpr double kRounding = 3e-6;  // rounding of float, relative to the distance from the origin
+constexpr double kRelativeRounding = 3e-6;  // rounding of float, relative to the distance from the origin
 
 bool uses_other_skinning(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -283,7 +283,7 @@ CompiledSkeletonLod find_lod(const Scene& scene, double tolerance_m, std::span<c
     if (within.left_out == 0) return within;
     const FramesApart apart = compare_frames(scene, needs, within.detail, moments);
     within.measured_m = std::max(within.measured_m, apart.worst_m);
-    if (apart.worst_m <= tolerance_m + kRounding * apart.farthest_m) return within;
+    if (apart.worst_m <= tolerance_m + kRelativeRounding * apart.farthest_m) return within;
   }
   return {};
 }

@@ -132,7 +132,7 @@ TEST(clip_file, clips_of_another_version_are_refused_in_words) {
 
 TEST(clip_file, a_block_of_version_2_is_refused_for_its_version_not_its_checksum) {
   std::vector<std::byte> block = saved({});
-  std::uint64_t sum = 0xcbf29ce484222325u;  // FNV-1a, which version 2 had
+  std::uint64_t sum = 0xcbf29ce484222325u;  // FNV-1a, the checksum of version 2
   for (std::size_t i = kClipFileHead; i < block.size(); ++i)
     sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
   block[8] = std::byte{2};

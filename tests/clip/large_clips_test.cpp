@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Sizes that no character has but a crowd in one file, or a recorded performance, may have.
+/// Clips that are larger than those of a character: a crowd in one file, or a recorded performance.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -7,7 +7,7 @@
 
 namespace sinew::test {
 
-/// Tracks of every kind, packed and full.
+/// A clip with tracks of every kind, packed and in full float.
 inline Clip varied_clip(std::uint64_t seed) {
   constexpr std::uint32_t kJoints = 21;
   FixedRandom random(seed);
@@ -40,7 +40,7 @@ inline Clip varied_clip(std::uint64_t seed) {
   return with_certificate(compile_clip(animation, skeleton, rest_weights, first, {}, rounding), certificate);
 }
 
-/// All numbers of a clip's poses before, in and after it.
+/// All values of the clip's poses at times before, in and after it.
 inline std::vector<float> samples_of(const Clip& clip) {
   std::vector<float> numbers;
   PoseBuffer pose(clip.joint_count());

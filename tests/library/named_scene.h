@@ -10,7 +10,7 @@
 
 namespace sinew::test {
 
-/// A character with clips, in which all joints, meshes and morph targets have names of their own.
+/// A character with clips whose joints, meshes and morph targets all have distinct names.
 inline Scene named_scene(std::uint64_t seed) {
   Scene scene = random_scene(seed, {.joints = 23, .instances = 2});
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {

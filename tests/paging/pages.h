@@ -11,7 +11,7 @@
 
 namespace sinew::test {
 
-/// The pages of a clip as a loader gets them.
+/// The pages of a clip as a loader reads them.
 inline std::vector<std::vector<std::byte>> pages_of(const Clip& clip, double page_s) {
   std::vector<std::vector<std::byte>> pages;
   for (std::size_t page = 0; page < page_count_of(clip.duration_s(), page_s); ++page) {
