@@ -15,7 +15,7 @@ struct CacheFacts {
   double frame_s = 0.0;
   std::size_t vertex_count = 0;         ///< of one frame
   double bytes_per_s = 0.0;             ///< read from the file
-  std::uint32_t frames_there = 0;       ///< in the window over the file
+  std::uint32_t frames_loaded = 0;      ///< in the window over the file
   std::uint32_t window_frames = 0;      ///< most that there can be
   std::size_t window_bytes = 0;         ///< memory of the window
   std::optional<double> ns_per_vertex;  ///< of the stage, for each vertex of each decoded frame; none = not yet

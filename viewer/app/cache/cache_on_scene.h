@@ -26,7 +26,7 @@ struct CacheOnScene {
 };
 
 /// Why a frame cannot be shown, in one sentence.
-/// in   status  damaged or not_there
+/// in   status  damaged or not_loaded
 std::string describe_fault(const CacheFile& file, GeometryStatus status);
 
 /// Binds a cache to the meshes of the same names.
