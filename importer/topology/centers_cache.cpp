@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-/// Adds arrays to a checksum, one after another.
+/// A checksum over several arrays.
 class Hash {
  public:
   void add(std::span<const std::byte> bytes) { value_ = checksum(bytes, value_); }
@@ -79,7 +79,7 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
   if (file_.empty()) return;
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  // Two programs, or two threads of one, may store the same centers at a time.
+  // A unique name: several processes or threads may store the same centers at the same time.
   std::string unfinished = file_.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(unfinished.data());
   if (descriptor < 0) return;
@@ -95,7 +95,7 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
     out.flush();
     if (out) std::filesystem::rename(unfinished, file_, ignored);
   }
-  std::filesystem::remove(unfinished, ignored);  // where it could not take its place
+  std::filesystem::remove(unfinished, ignored);  // cleans up if the rename failed
 }
 
 }  // namespace sinew

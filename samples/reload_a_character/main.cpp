@@ -94,7 +94,7 @@ class Character {
   explicit Character(std::shared_ptr<Version> version) : clock_(version->duration_s()), shown_(std::move(version)) {}
 
   /// Takes another version, which is shown as soon as it has a frame. One that came before and has none yet is dropped.
-  void go_over_to(std::shared_ptr<Version> version) { coming_ = std::move(version); }
+  void replace_with(std::shared_ptr<Version> version) { coming_ = std::move(version); }
   bool goes_over() const { return coming_ != nullptr; }
 
   /// Moves on, and answers what to draw. Nothing more is asked of the old version once the new one has a frame, and
@@ -161,7 +161,7 @@ bool reload(int saves, Character& character, Screen& screen) {
   bool taken = false;
   while (!taken || character.goes_over()) {
     if (!taken && read.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      character.go_over_to(read.get());
+      character.replace_with(read.get());
       taken = true;
     }
     draw_next(character, screen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/ambient/access_rays.h"
+#include "importer/ambient/visibility_rays.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ glm::dvec3 random_normal(test::FixedRandom& random) {
   return glm::normalize(glm::dvec3(random.normal(), random.normal(), random.normal()));
 }
 
-TEST(access_rays, N34_directions_are_unit_in_the_hemisphere_and_have_the_moments_of_the_cosine) {
+TEST(visibility_rays, N34_directions_are_unit_in_the_hemisphere_and_have_the_moments_of_the_cosine) {
   // Of density cos / pi: mean cos = 2/3, mean cos^2 = 1/2, means of the two others 0, their squares 1/4.
   test::FixedRandom random(7);
   for (int round = 0; round < 20; ++round) {
     const glm::dvec3 n = random_normal(random);
     constexpr std::uint32_t kRays = 1024;
-    const AccessRays rays(n, kRays, access_shift(3, static_cast<std::uint64_t>(round)));
+    const VisibilityRays rays(n, kRays, visibility_shift(3, static_cast<std::uint64_t>(round)));
     glm::dvec3 sum(0.0);
     double cos2 = 0.0;
     for (std::uint32_t i = 0; i < kRays; ++i) {
@@ -36,9 +36,9 @@ TEST(access_rays, N34_directions_are_unit_in_the_hemisphere_and_have_the_moments
   }
 }
 
-TEST(access_rays, any_disc_of_directions_has_its_share_of_the_rays) {
+TEST(visibility_rays, any_disc_of_directions_has_its_share_of_the_rays) {
   // Projected along the normal, the rays cover the unit disc evenly: a quarter of the area has a quarter of them.
-  const AccessRays rays({0, 1, 0}, 4096, access_shift(1, 0));
+  const VisibilityRays rays({0, 1, 0}, 4096, visibility_shift(1, 0));
   int inner = 0, wedge = 0;
   for (std::uint32_t i = 0; i < 4096; ++i) {
     const glm::dvec3 d = rays.direction(i);
@@ -49,11 +49,11 @@ TEST(access_rays, any_disc_of_directions_has_its_share_of_the_rays) {
   EXPECT_NEAR(wedge, 1024, 30);
 }
 
-TEST(access_rays, each_seed_and_each_corner_has_a_shift_of_its_own) {
+TEST(visibility_rays, each_seed_and_each_corner_has_a_shift_of_its_own) {
   std::set<double> all;
   for (std::uint64_t seed = 0; seed < 8; ++seed)
     for (std::uint64_t corner = 0; corner < 1000; ++corner) {
-      const glm::dvec2 shift = access_shift(seed, corner);
+      const glm::dvec2 shift = visibility_shift(seed, corner);
       ASSERT_TRUE(shift.x >= 0.0 && shift.x < 1.0 && shift.y >= 0.0 && shift.y < 1.0);
       all.insert(shift.x);
       all.insert(shift.y);
@@ -61,7 +61,7 @@ TEST(access_rays, each_seed_and_each_corner_has_a_shift_of_its_own) {
   EXPECT_EQ(all.size(), 16000u);
 }
 
-TEST(access_rays, they_start_above_the_triangle_by_more_than_floats_round) {
+TEST(visibility_rays, they_start_above_the_triangle_by_more_than_floats_round) {
   test::FixedRandom random(11);
   for (int round = 0; round < 200; ++round) {
     const double size = std::exp(random.in(-6, 6)), far = std::exp(random.in(-3, 8));
@@ -71,7 +71,7 @@ TEST(access_rays, they_start_above_the_triangle_by_more_than_floats_round) {
     const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     if (glm::length(across) < 0.1 * size * size) continue;
     const glm::dvec3 n = glm::normalize(across), middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    const glm::dvec3 start(glm::vec3(access_start(corners[0], middle, n)));
+    const glm::dvec3 start(glm::vec3(visibility_start(corners[0], middle, n)));
     EXPECT_GT(glm::dot(start - corners[0], n), 0.0) << size << ' ' << far;
     if (far < 10.0 * size) {
       EXPECT_LT(glm::dot(start - corners[0], n), 1e-3 * size);

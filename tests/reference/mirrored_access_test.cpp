@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reflections of floors beside walls, by cones around the bent normal, beside rays and paths of light.
-#include "tests/reference/mirrored_access.h"
+#include "tests/reference/mirrored_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ Openness openness_at(const std::vector<RayTriangle>& triangles, const glm::dvec3
     ++open;
     sum += d;
   }
-  return {.access = static_cast<double>(open) / count, .bend = glm::normalize(sum) - kUp};
+  return {.visibility = static_cast<double>(open) / count, .bend = glm::normalize(sum) - kUp};
 }
 
 std::vector<FloorPoint> floor_points(test::FixedRandom& random) {
@@ -58,12 +58,12 @@ glm::dvec3 viewer_of(const FloorPoint& point, test::FixedRandom& random) {
 }
 
 /// eq   Lagarde and de Rousiers, "Moving Frostbite to Physically Based Rendering" (2014), listing 26
-double lagarde(double access, double n_v, double roughness) {
-  return std::clamp(std::pow(n_v + access, std::exp2(-16.0 * roughness - 1.0)) - 1.0 + access, 0.0, 1.0);
+double lagarde(double visibility, double n_v, double roughness) {
+  return std::clamp(std::pow(n_v + visibility, std::exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
 }
 
 struct Errors {
-  double cone = 0.0, access = 0.0, lagarde = 0.0;
+  double cone = 0.0, visibility = 0.0, lagarde = 0.0;
 };
 
 /// Root mean square errors of light that floors of this roughness reflect, for one share that all surfaces scatter.
@@ -77,20 +77,20 @@ std::vector<Errors> errors_of(double roughness, const std::vector<double>& albed
       Paths paths{};
       for (const LobeRay& ray : lobe_rays(kUp, v, roughness, 150, random.unit()))
         add_path(point.triangles, point.p, ray.direction, ray.weight, random, paths);
-      const double mirrored = mirrored_access(point.open, kUp, v, roughness), access = point.open.access;
+      const double mirrored = mirrored_visibility(point.open, kUp, v, roughness), visibility = point.open.visibility;
       for (std::size_t a = 0; a < albedos.size(); ++a) {
         const double truth = light_of(paths, albedos[a]);
         const double light = mirrored + mirrored_surroundings(point.open, mirrored, glm::dvec3(albedos[a])).x;
         sums[a].cone += std::pow(light - truth, 2.0);
-        sums[a].access += std::pow(access - truth, 2.0);
-        sums[a].lagarde += std::pow(lagarde(access, v.y, roughness) - truth, 2.0);
+        sums[a].visibility += std::pow(visibility - truth, 2.0);
+        sums[a].lagarde += std::pow(lagarde(visibility, v.y, roughness) - truth, 2.0);
       }
     }
-  for (Errors& e : sums) e = {std::sqrt(e.cone / count), std::sqrt(e.access / count), std::sqrt(e.lagarde / count)};
+  for (Errors& e : sums) e = {std::sqrt(e.cone / count), std::sqrt(e.visibility / count), std::sqrt(e.lagarde / count)};
   return sums;
 }
 
-TEST(mirrored_access, is_nearer_to_rays_and_to_paths_of_light_than_access_alone_and_than_lagarde) {
+TEST(mirrored_visibility, is_nearer_to_rays_and_to_paths_of_light_than_visibility_alone_and_than_lagarde) {
   struct Bounds {
     double roughness, in_black;  // error where surfaces scatter nothing
   };
@@ -99,33 +99,34 @@ TEST(mirrored_access, is_nearer_to_rays_and_to_paths_of_light_than_access_alone_
     const std::vector<Errors> errors = errors_of(bounds.roughness, albedos);
     EXPECT_LT(errors[0].cone, bounds.in_black) << bounds.roughness;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-      EXPECT_LT(errors[i].cone, 0.85 * errors[i].access) << bounds.roughness << " albedo " << albedos[i];
+      EXPECT_LT(errors[i].cone, 0.85 * errors[i].visibility) << bounds.roughness << " albedo " << albedos[i];
       EXPECT_LT(errors[i].cone, 0.85 * errors[i].lagarde) << bounds.roughness << " albedo " << albedos[i];
     }
   }
 }
 
-TEST(mirrored_access, is_all_where_nothing_is_in_the_way_and_access_where_no_bent_normal_is_known) {
+TEST(mirrored_visibility, is_all_where_nothing_is_in_the_way_and_visibility_where_no_bent_normal_is_known) {
   const glm::dvec3 v = glm::normalize(glm::dvec3(0.9, 0.2, 0.0));
   for (const double roughness : {0.05, 0.4, 1.0}) {
-    EXPECT_NEAR(mirrored_access({.bend = glm::dvec3(0.0)}, kUp, v, roughness), 1.0, 1e-12);
-    EXPECT_EQ(mirrored_access({.access = 0.3, .baked = 0.5}, kUp, v, roughness), 0.15);
-    EXPECT_NEAR(mirrored_access({.access = 0.3, .bend = glm::dvec3(0.0), .baked = 0.5}, kUp, v, 1.0), 0.15, 1e-12);
+    EXPECT_NEAR(mirrored_visibility({.bend = glm::dvec3(0.0)}, kUp, v, roughness), 1.0, 1e-12);
+    EXPECT_EQ(mirrored_visibility({.visibility = 0.3, .baked = 0.5}, kUp, v, roughness), 0.15);
+    EXPECT_NEAR(mirrored_visibility({.visibility = 0.3, .bend = glm::dvec3(0.0), .baked = 0.5}, kUp, v, 1.0), 0.15,
+                1e-12);
   }
-  EXPECT_EQ(mirrored_surroundings({.access = 0.3}, 0.3, {1, 1, 1}), glm::dvec3(0.0));
+  EXPECT_EQ(mirrored_surroundings({.visibility = 0.3}, 0.3, {1, 1, 1}), glm::dvec3(0.0));
 }
 
-TEST(mirrored_access, is_less_on_the_side_of_the_wall) {
-  const Openness open{.access = 0.6, .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // a wall at -x
+TEST(mirrored_visibility, is_less_on_the_side_of_the_wall) {
+  const Openness open{.visibility = 0.6, .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // a wall at -x
   const glm::dvec3 from_wall = glm::normalize(glm::dvec3(-0.8, 0.6, 0.0)), towards = {-from_wall.x, from_wall.y, 0.0};
   for (const double roughness : {0.1, 0.5}) {
-    EXPECT_GT(mirrored_access(open, kUp, from_wall, roughness), 0.7);
-    EXPECT_LT(mirrored_access(open, kUp, towards, roughness), 0.4);
+    EXPECT_GT(mirrored_visibility(open, kUp, from_wall, roughness), 0.7);
+    EXPECT_LT(mirrored_visibility(open, kUp, towards, roughness), 0.4);
   }
 }
 
 /// Share of random points on the sphere that lie in both circles, times 2, since areas are parts of the half sphere.
-TEST(mirrored_access, circles_overlap_as_much_as_points_that_lie_in_both) {
+TEST(mirrored_visibility, circles_overlap_as_much_as_points_that_lie_in_both) {
   test::FixedRandom random(5);
   for (int i = 0; i < 40; ++i) {
     const double cos_a = random.in(0.0, 0.9), cos_b = random.in(0.0, 0.9), between = random.in(0.0, 2.0);

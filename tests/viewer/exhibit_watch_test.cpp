@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that change while they are watched: what is read again, what is said, and which files count.
-#include "viewer/app/reload/exhibit_watch.h"
+// Files that change while they are watched: what is read again, what is messages, and which files count.
+#include "viewer/app/reload/scene_reloader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,16 +20,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using Said = std::function<void(const std::string&)>;
-using Read = tl::expected<Exhibit, LoadError>;
+using Read = tl::expected<LoadedScene, LoadError>;
 
-/// A folder with the file "thing". A read gives its text as the note of an exhibit. Lines "names FILE" name further
+/// A folder with the file "thing". A read gives its text as the note of a scene. Lines "names FILE" name further
 /// files, which must exist; the text "broken" is an error.
-class exhibit_watch : public testing::Test {
+class scene_reloader : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_);
     write("thing", "first");
-    watch_ = std::make_unique<ExhibitWatch>(file("thing"));
+    watch_ = std::make_unique<SceneReloader>(file("thing"));
     watch_->was_read(read_now([](const std::string&) {})->files);
   }
   void TearDown() override {
@@ -45,27 +45,27 @@ class exhibit_watch : public testing::Test {
     fs::last_write_time(file(name), fs::file_time_type(std::chrono::seconds(++writes_)));
   }
 
-  Read read_now(const Said& say) const {
+  Read read_now(const Said& log_line) const {
     std::ifstream in(file("thing"));
     if (!in) return tl::unexpected(LoadError{1, "there is no such file"});
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    say("read " + text);
+    log_line("read " + text);
     if (text == "broken") return tl::unexpected(LoadError{1, "it is broken"});
-    Exhibit exhibit;
-    exhibit.note = text;
-    exhibit.files = {file("thing")};
+    LoadedScene loaded;
+    loaded.note = text;
+    loaded.files = {file("thing")};
     if (text.rfind("names ", 0) == 0) {
-      exhibit.files.push_back(file(text.substr(6)));
-      if (!fs::exists(exhibit.files.back())) return tl::unexpected(LoadError{1, "a file is missing"});
+      loaded.files.push_back(file(text.substr(6)));
+      if (!fs::exists(loaded.files.back())) return tl::unexpected(LoadError{1, "a file is missing"});
     }
-    return exhibit;
+    return loaded;
   }
 
   void look() {
     now_s_ += FileWatch::kPeriod_s;
     watch_->look(now_s_, [this] {
       ++reads_;
-      return [this](const Said& say) { return read_now(say); };
+      return [this](const Said& log_line) { return read_now(log_line); };
     });
   }
 
@@ -76,38 +76,38 @@ class exhibit_watch : public testing::Test {
     if (reads_ == before) return "nothing";
     for (;; std::this_thread::yield())
       if (auto read = watch_->take()) {
-        said_ = read->said;
-        return read->exhibit ? read->exhibit->note : read->exhibit.error().message;
+        messages_ = read->messages;
+        return read->loaded ? read->loaded->note : read->loaded.error().message;
       }
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("exhibit_watch" + std::to_string(::getpid()));
-  std::unique_ptr<ExhibitWatch> watch_;
-  std::vector<std::string> said_;
+  fs::path folder_ = fs::temp_directory_path() / ("scene_reloader" + std::to_string(::getpid()));
+  std::unique_ptr<SceneReloader> watch_;
+  std::vector<std::string> messages_;
   double now_s_ = 0.0;
   int writes_ = 0, reads_ = 0;
 };
 
-TEST_F(exhibit_watch, reads_nothing_until_the_file_changes) {
+TEST_F(scene_reloader, reads_nothing_until_the_file_changes) {
   EXPECT_EQ(after_looks(), "nothing");
   write("thing", "second");
   EXPECT_EQ(after_looks(), "second");
-  EXPECT_THAT(said_, ElementsAre("read second"));
+  EXPECT_THAT(messages_, ElementsAre("read second"));
   EXPECT_EQ(after_looks(), "nothing");
 }
 
-TEST_F(exhibit_watch, looks_no_more_often_than_four_times_a_second) {
+TEST_F(scene_reloader, looks_no_more_often_than_four_times_a_second) {
   write("thing", "second");
   now_s_ = 10.0;
   look();
-  for (int i = 0; i < 20; ++i) watch_->look(now_s_ + 0.01 * i, [] { return BackgroundRead::Read(); });
+  for (int i = 0; i < 20; ++i) watch_->look(now_s_ + 0.01 * i, [] { return BackgroundReload::Read(); });
   EXPECT_EQ(reads_, 0);
   look();
   EXPECT_EQ(reads_, 1);
 }
 
-TEST_F(exhibit_watch, sees_a_change_during_the_first_read) {
-  ExhibitWatch early(file("thing"));
+TEST_F(scene_reloader, sees_a_change_during_the_first_read) {
+  SceneReloader early(file("thing"));
   const auto first = read_now([](const std::string&) {});
   write("thing", "second");
   early.was_read(first->files);
@@ -115,7 +115,7 @@ TEST_F(exhibit_watch, sees_a_change_during_the_first_read) {
   EXPECT_EQ(after_looks(), "second");
 }
 
-TEST_F(exhibit_watch, fails_once_for_each_change_and_reads_the_next_one) {
+TEST_F(scene_reloader, fails_once_for_each_change_and_reads_the_next_one) {
   write("thing", "broken");
   EXPECT_EQ(after_looks(), "it is broken");
   EXPECT_EQ(after_looks(), "nothing");
@@ -127,7 +127,7 @@ TEST_F(exhibit_watch, fails_once_for_each_change_and_reads_the_next_one) {
   EXPECT_EQ(after_looks(), "nothing");
 }
 
-TEST_F(exhibit_watch, follows_a_file_that_goes_and_comes_back) {
+TEST_F(scene_reloader, follows_a_file_that_goes_and_comes_back) {
   fs::remove(file("thing"));
   EXPECT_EQ(after_looks(), "there is no such file");
   EXPECT_EQ(after_looks(), "nothing");
@@ -136,7 +136,7 @@ TEST_F(exhibit_watch, follows_a_file_that_goes_and_comes_back) {
   EXPECT_EQ(after_looks(), "second");
 }
 
-TEST_F(exhibit_watch, follows_the_files_that_the_file_names) {
+TEST_F(scene_reloader, follows_the_files_that_the_file_names) {
   write("part", "1");
   EXPECT_EQ(after_looks(), "nothing") << "no one names it yet";
   write("thing", "names part");
@@ -149,7 +149,7 @@ TEST_F(exhibit_watch, follows_the_files_that_the_file_names) {
   EXPECT_EQ(after_looks(), "nothing") << "no one names it any more";
 }
 
-TEST_F(exhibit_watch, reads_again_when_a_file_comes_that_was_missing) {
+TEST_F(scene_reloader, reads_again_when_a_file_comes_that_was_missing) {
   write("thing", "names part");
   EXPECT_EQ(after_looks(), "a file is missing");
   EXPECT_EQ(after_looks(), "nothing");
@@ -159,7 +159,7 @@ TEST_F(exhibit_watch, reads_again_when_a_file_comes_that_was_missing) {
   EXPECT_EQ(after_looks(), "nothing") << "the folder counts after a failed read only";
 }
 
-TEST_F(exhibit_watch, after_a_failed_read_waits_for_new_files_alone) {
+TEST_F(scene_reloader, after_a_failed_read_waits_for_new_files_alone) {
   write("log", "1");
   write("thing", "names part");
   EXPECT_EQ(after_looks(), "a file is missing");
@@ -176,13 +176,13 @@ TEST_F(exhibit_watch, after_a_failed_read_waits_for_new_files_alone) {
   EXPECT_EQ(after_looks(), "names part");
 }
 
-TEST_F(exhibit_watch, sees_a_change_of_a_named_file_during_a_read) {
+TEST_F(scene_reloader, sees_a_change_of_a_named_file_during_a_read) {
   write("part", "1");
   std::promise<void> may_end;
   write("thing", "names part");
   const auto slow = [&] {
-    return [&](const Said& say) {
-      auto read = read_now(say);
+    return [&](const Said& log_line) {
+      auto read = read_now(log_line);
       may_end.get_future().wait();
       return read;
     };
@@ -198,48 +198,48 @@ TEST_F(exhibit_watch, sees_a_change_of_a_named_file_during_a_read) {
   EXPECT_EQ(after_looks(), "nothing");
 }
 
-TEST(background_read, gives_its_result_once) {
-  BackgroundRead read;
+TEST(background_reload, gives_its_result_once) {
+  BackgroundReload read;
   EXPECT_FALSE(read.running() || read.take());
   std::promise<void> may_end;
-  read.begin([&](const Said& say) -> Read {
+  read.begin([&](const Said& log_line) -> Read {
     may_end.get_future().wait();
-    say("a line");
-    Exhibit exhibit;
-    exhibit.name = "thing";
-    return exhibit;
+    log_line("a line");
+    LoadedScene loaded;
+    loaded.name = "thing";
+    return loaded;
   });
   EXPECT_TRUE(read.running());
   EXPECT_FALSE(read.take());
   may_end.set_value();
-  std::optional<ReadExhibit> result;
+  std::optional<ReloadResult> result;
   while (!(result = read.take())) std::this_thread::yield();
-  EXPECT_EQ(result->exhibit->name, "thing");
-  EXPECT_THAT(result->said, ElementsAre("a line"));
+  EXPECT_EQ(result->loaded->name, "thing");
+  EXPECT_THAT(result->messages, ElementsAre("a line"));
   EXPECT_FALSE(read.running() || read.take());
 }
 
-TEST(background_read, that_runs_out_of_memory_is_an_error) {
-  BackgroundRead read;
-  read.begin([](const Said& say) -> Read {
-    say("a line");
+TEST(background_reload, that_runs_out_of_memory_is_an_error) {
+  BackgroundReload read;
+  read.begin([](const Said& log_line) -> Read {
+    log_line("a line");
     throw std::bad_alloc();
   });
-  std::optional<ReadExhibit> result;
+  std::optional<ReloadResult> result;
   while (!(result = read.take())) std::this_thread::yield();
-  ASSERT_FALSE(result->exhibit);
-  EXPECT_EQ(result->exhibit.error().message, "out of memory");
-  EXPECT_THAT(result->said, ElementsAre("a line"));
+  ASSERT_FALSE(result->loaded);
+  EXPECT_EQ(result->loaded.error().message, "out of memory");
+  EXPECT_THAT(result->messages, ElementsAre("a line"));
 }
 
-TEST(background_read, ends_while_it_runs) {
+TEST(background_reload, ends_while_it_runs) {
   bool ended = false;
   {
-    BackgroundRead read;
+    BackgroundReload read;
     read.begin([&](const Said&) -> Read {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       ended = true;
-      return Exhibit();
+      return LoadedScene();
     });
   }
   EXPECT_TRUE(ended);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a scene that is shown to the same file as it is now: state, pictures, and what the device holds.
-#include "viewer/app/reload/go_over.h"
+#include "viewer/app/reload/replace_shown_scene.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -105,35 +105,35 @@ class Frames {
 };
 
 /// Twisted arms with the clips "twist" and "slow".
-Exhibit first_state() {
-  Exhibit exhibit;
-  exhibit.name = "arms";
-  exhibit.scene = showcase::twisted_arms().scene;
-  exhibit.scene.animations.push_back(exhibit.scene.animations[0]);
-  exhibit.scene.animations[1].name = "slow";
-  finish_scene(exhibit.scene);
-  return exhibit;
+LoadedScene first_state() {
+  LoadedScene loaded;
+  loaded.name = "arms";
+  loaded.scene = showcase::twisted_arms().scene;
+  loaded.scene.animations.push_back(loaded.scene.animations[0]);
+  loaded.scene.animations[1].name = "slow";
+  finish_scene(loaded.scene);
+  return loaded;
 }
 
 /// The arms are green, a clip was put before the others, and "slow" turns other joints.
-Exhibit changed_state() {
-  Exhibit exhibit = first_state();
-  exhibit.note = "changed";
-  exhibit.scene.materials[0].base_color = {0.1f, 0.8f, 0.1f, 1.0f};
-  auto& clips = exhibit.scene.animations;
+LoadedScene changed_state() {
+  LoadedScene loaded = first_state();
+  loaded.note = "changed";
+  loaded.scene.materials[0].base_color = {0.1f, 0.8f, 0.1f, 1.0f};
+  auto& clips = loaded.scene.animations;
   clips.insert(clips.begin(), clips[0]);
   clips[0].name = "new";
   clips[2].bones.pop_back();
-  finish_scene(exhibit.scene);
-  return exhibit;
+  finish_scene(loaded.scene);
+  return loaded;
 }
 
-class go_over_to : public DeviceTest {
+class replace_with : public DeviceTest {
  protected:
   void SetUp() override {
     DeviceTest::SetUp();
     if (IsSkipped()) return;
-    shown_ = make_(exhibit_, {});
+    shown_ = make_(loaded_, {});
     shown_->playback().choose(1);
     shown_->playback().set_speed(0.5);
     shown_->playback().seek(2.5);
@@ -147,9 +147,9 @@ class go_over_to : public DeviceTest {
   }
 
   // The picture of a viewer that starts with the changed file.
-  std::vector<std::uint8_t> fresh_picture(const Exhibit& exhibit, std::uint32_t clip, double time_s) {
+  std::vector<std::uint8_t> fresh_picture(const LoadedScene& loaded, std::uint32_t clip, double time_s) {
     Frames frames(*test_device());
-    const auto fresh = make_(exhibit, {});
+    const auto fresh = make_(loaded, {});
     fresh->playback().choose(clip);
     fresh->playback().seek(time_s);
     fresh->catch_up();
@@ -157,26 +157,26 @@ class go_over_to : public DeviceTest {
     return frames.last_picture();
   }
 
-  tl::expected<void, std::string> change_to(Exhibit changed) {
-    return go_over(*test_device(), std::move(changed), exhibit_, shown_, make_);
+  tl::expected<void, std::string> change_to(LoadedScene changed) {
+    return replace_shown_scene(*test_device(), std::move(changed), loaded_, shown_, make_);
   }
 
-  Exhibit exhibit_ = first_state();
-  MakeShown make_ = [](const Exhibit& exhibit, const Evaluation& evaluation) {
-    return std::make_unique<ShownScene>(*test_device(), exhibit, evaluation, kSlots, TextureFilter{});
+  LoadedScene loaded_ = first_state();
+  MakeShown make_ = [](const LoadedScene& loaded, const Evaluation& evaluation) {
+    return std::make_unique<ShownScene>(*test_device(), loaded, evaluation, kSlots, TextureFilter{});
   };
   std::unique_ptr<ShownScene> shown_;
   std::unique_ptr<Frames> frames_;
 };
 
-TEST_F(go_over_to, a_changed_file_shows_the_picture_of_a_fresh_start) {
+TEST_F(replace_with, a_changed_file_shows_the_picture_of_a_fresh_start) {
   frames_->draw(*shown_);
   frames_->draw(*shown_);
   const auto old_picture = frames_->last_picture();
   frames_->draw(*shown_);  // two frames are with the device while the scene changes
   frames_->draw(*shown_);
   ASSERT_TRUE(change_to(changed_state()));
-  EXPECT_EQ(exhibit_.note, "changed");
+  EXPECT_EQ(loaded_.note, "changed");
   for (int i = 0; i < 3; ++i) {
     frames_->draw(*shown_);
     EXPECT_EQ(frames_->last_picture(), fresh_picture(changed_state(), 2, 2.5)) << i;
@@ -187,7 +187,7 @@ TEST_F(go_over_to, a_changed_file_shows_the_picture_of_a_fresh_start) {
   EXPECT_EQ(frames_->last_picture(), old_picture) << "and back";
 }
 
-TEST_F(go_over_to, a_changed_file_keeps_clip_time_speed_looping_and_pause) {
+TEST_F(replace_with, a_changed_file_keeps_clip_time_speed_looping_and_pause) {
   shown_->playback().set_mode(PlayMode::ping_pong);
   shown_->playback().pause();
   ASSERT_TRUE(change_to(changed_state()));
@@ -201,8 +201,8 @@ TEST_F(go_over_to, a_changed_file_keeps_clip_time_speed_looping_and_pause) {
   EXPECT_EQ(shown_->last_error(), ErrorCode::ok);
 }
 
-TEST_F(go_over_to, a_file_without_the_clip_plays_its_first_one) {
-  Exhibit changed = first_state();
+TEST_F(replace_with, a_file_without_the_clip_plays_its_first_one) {
+  LoadedScene changed = first_state();
   changed.scene.animations.pop_back();
   finish_scene(changed.scene);
   ASSERT_TRUE(change_to(std::move(changed)));
@@ -211,8 +211,8 @@ TEST_F(go_over_to, a_file_without_the_clip_plays_its_first_one) {
   EXPECT_EQ(shown_->playback().speed(), 0.5);
 }
 
-TEST_F(go_over_to, a_file_without_clips_and_back_shows_its_rest_pose_and_then_plays) {
-  Exhibit changed = first_state();
+TEST_F(replace_with, a_file_without_clips_and_back_shows_its_rest_pose_and_then_plays) {
+  LoadedScene changed = first_state();
   changed.scene.animations.clear();
   finish_scene(changed.scene);
   ASSERT_TRUE(change_to(std::move(changed)));
@@ -221,46 +221,46 @@ TEST_F(go_over_to, a_file_without_clips_and_back_shows_its_rest_pose_and_then_pl
   EXPECT_EQ(shown_->playback().clip(), 0u);
 }
 
-TEST_F(go_over_to, a_file_that_shows_its_rest_pose_goes_on_with_it) {
+TEST_F(replace_with, a_file_that_shows_its_rest_pose_goes_on_with_it) {
   shown_->playback().choose(kNone);
   ASSERT_TRUE(change_to(changed_state()));
   EXPECT_EQ(shown_->playback().clip(), kNone);
 }
 
-TEST_F(go_over_to, a_file_that_the_device_cannot_hold_shows_the_old_one_again) {
+TEST_F(replace_with, a_file_that_the_device_cannot_hold_shows_the_old_one_again) {
   frames_->draw(*shown_);
   const auto old_picture = frames_->last_picture();
   bool full = true;
-  const auto make = [&](const Exhibit& exhibit, const Evaluation& evaluation) {
+  const auto make = [&](const LoadedScene& loaded, const Evaluation& evaluation) {
     if (std::exchange(full, false)) throw DeviceError("the device is full");
-    return make_(exhibit, evaluation);
+    return make_(loaded, evaluation);
   };
-  const auto done = go_over(*test_device(), changed_state(), exhibit_, shown_, make);
+  const auto done = replace_shown_scene(*test_device(), changed_state(), loaded_, shown_, make);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error(), "the device is full");
-  EXPECT_EQ(exhibit_.note, "");
+  EXPECT_EQ(loaded_.note, "");
   frames_->draw(*shown_);
   EXPECT_EQ(frames_->last_picture(), old_picture);
 }
 
-TEST_F(go_over_to, a_changed_file_has_the_centers_that_its_skinning_needs) {
+TEST_F(replace_with, a_changed_file_has_the_centers_that_its_skinning_needs) {
   shown_.reset();
   const auto with = [](std::size_t count) {
-    Exhibit exhibit = first_state();
-    exhibit.scene.animations.resize(count);
-    finish_scene(exhibit.scene);
-    return exhibit;
+    LoadedScene loaded = first_state();
+    loaded.scene.animations.resize(count);
+    finish_scene(loaded.scene);
+    return loaded;
   };
-  exhibit_ = with(1);
-  add_missing_centers(exhibit_, Skinning::center_of_rotation);
-  shown_ = make_(exhibit_, {.skinning = Skinning::center_of_rotation});
+  loaded_ = with(1);
+  add_missing_centers(loaded_, Skinning::center_of_rotation);
+  shown_ = make_(loaded_, {.skinning = Skinning::center_of_rotation});
   ASSERT_TRUE(change_to(with(2)));
   EXPECT_EQ(shown_->evaluation().skinning, Skinning::center_of_rotation);
-  Exhibit expected = with(2);
+  LoadedScene expected = with(2);
   add_missing_centers(expected, Skinning::center_of_rotation);
-  EXPECT_EQ(exhibit_.scene.meshes.back().primitives[0].centers_of_rotation,
+  EXPECT_EQ(loaded_.scene.meshes.back().primitives[0].centers_of_rotation,
             expected.scene.meshes.back().primitives[0].centers_of_rotation);
-  EXPECT_FALSE(exhibit_.scene.meshes.back().primitives[0].centers_of_rotation.empty());
+  EXPECT_FALSE(loaded_.scene.meshes.back().primitives[0].centers_of_rotation.empty());
 }
 
 /// A triangle with these clips, each a move of one second along y.
@@ -294,62 +294,62 @@ class reading_again : public DeviceTest {
     fs::remove_all(folder_);
     DeviceTest::TearDown();
   }
-  Exhibit load() {
-    auto exhibits = load_exhibits(options_, say_, {});
-    EXPECT_TRUE(exhibits) << exhibits.error().message;
-    return exhibits ? std::move(exhibits->front()) : Exhibit();
+  LoadedScene load() {
+    auto loaded_scenes = load_scenes(options_, log_line_, {});
+    EXPECT_TRUE(loaded_scenes) << loaded_scenes.error().message;
+    return loaded_scenes ? std::move(loaded_scenes->front()) : LoadedScene();
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("reading_again" + std::to_string(::getpid()));
   Options options_;
-  std::vector<std::string> said_;
-  std::function<void(const std::string&)> say_ = [this](const std::string& line) { said_.push_back(line); };
+  std::vector<std::string> messages_;
+  std::function<void(const std::string&)> log_line_ = [this](const std::string& line) { messages_.push_back(line); };
 };
 
 TEST_F(reading_again, makes_the_centers_that_the_kind_of_skinning_needs) {
   ASSERT_TRUE(export_glb(first_state().scene, options_.file));
-  Exhibit exhibit = load();
-  add_missing_centers(exhibit, Skinning::center_of_rotation);
-  ShownScene shown(*test_device(), exhibit, {.skinning = Skinning::center_of_rotation}, kSlots, TextureFilter{});
+  LoadedScene loaded = load();
+  add_missing_centers(loaded, Skinning::center_of_rotation);
+  ShownScene shown(*test_device(), loaded, {.skinning = Skinning::center_of_rotation}, kSlots, TextureFilter{});
   ASSERT_TRUE(export_glb(changed_state().scene, options_.file));
-  const auto read = reading(options_, exhibit, shown);
-  const auto changed = read(say_);
+  const auto read = make_reload_job(options_, loaded, shown);
+  const auto changed = read(log_line_);
   ASSERT_TRUE(changed) << changed.error().message;
   EXPECT_EQ(clip_names(changed->scene), (std::vector<std::string>{"new", "twist", "slow"}));
   EXPECT_FALSE(changed->scene.meshes.back().primitives[0].centers_of_rotation.empty());
-  EXPECT_EQ(changed->access, nullptr);
-  EXPECT_THAT(said_, testing::IsEmpty());
+  EXPECT_EQ(changed->visibility, nullptr);
+  EXPECT_THAT(messages_, testing::IsEmpty());
   fs::remove(options_.file);
-  EXPECT_FALSE(read(say_));
+  EXPECT_FALSE(read(log_line_));
 }
 
 TEST_F(reading_again, keeps_the_light_that_is_there) {
   ASSERT_TRUE(export_glb(first_state().scene, options_.file));
-  Exhibit exhibit = load();
-  ASSERT_EQ(exhibit.environment, nullptr);
-  exhibit.environment = std::make_shared<const Environment>();
-  ShownScene shown(*test_device(), exhibit, {}, kSlots, TextureFilter{});
-  const auto changed = reading(options_, exhibit, shown)(say_);
+  LoadedScene loaded = load();
+  ASSERT_EQ(loaded.environment, nullptr);
+  loaded.environment = std::make_shared<const Environment>();
+  ShownScene shown(*test_device(), loaded, {}, kSlots, TextureFilter{});
+  const auto changed = make_reload_job(options_, loaded, shown)(log_line_);
   ASSERT_TRUE(changed) << changed.error().message;
-  EXPECT_EQ(changed->environment, exhibit.environment);
+  EXPECT_EQ(changed->environment, loaded.environment);
 }
 
 TEST_F(reading_again, casts_the_rays_of_the_clip_that_plays) {
   options_.occlusion_method = OcclusionMethod::rays;
   options_.key_poses = 2;
   std::ofstream(options_.file) << triangle_file({"up", "on"});
-  const Exhibit exhibit = load();
-  ShownScene shown(*test_device(), exhibit, {}, kSlots, TextureFilter{});
+  const LoadedScene loaded = load();
+  ShownScene shown(*test_device(), loaded, {}, kSlots, TextureFilter{});
   shown.playback().choose(1);
   for (const auto& [clips, expected] :
        {std::pair(std::vector<std::string>{"new", "up", "on"}, 2u), std::pair(std::vector<std::string>{"up"}, 0u)}) {
     std::ofstream(options_.file) << triangle_file(clips);
-    said_.clear();
-    const auto changed = reading(options_, exhibit, shown)(say_);
+    messages_.clear();
+    const auto changed = make_reload_job(options_, loaded, shown)(log_line_);
     ASSERT_TRUE(changed) << changed.error().message;
-    ASSERT_EQ(said_.size(), 1u);
-    if (changed->access == nullptr) GTEST_SKIP() << said_[0];
-    EXPECT_EQ(changed->access->clip, expected);
+    ASSERT_EQ(messages_.size(), 1u);
+    if (changed->visibility == nullptr) GTEST_SKIP() << messages_[0];
+    EXPECT_EQ(changed->visibility->clip, expected);
   }
 }
 

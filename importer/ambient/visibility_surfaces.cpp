@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/ambient/access_surfaces.h"
+#include "importer/ambient/visibility_surfaces.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,14 +12,14 @@
 namespace sinew {
 namespace {
 
-AccessSurface surface_of(const Primitive& primitive, const DeformedPrimitive& deformed, const Affined& world_from_mesh,
-                         bool mirrored) {
+VisibilitySurface surface_of(const Primitive& primitive, const DeformedPrimitive& deformed,
+                             const Affined& world_from_mesh, bool mirrored) {
   const std::span<const glm::vec3> positions =
       deformed.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : deformed.positions;
   const std::span<const glm::vec3> normals =
       deformed.normals.empty() ? std::span<const glm::vec3>(primitive.normals) : deformed.normals;
   const Mat3<double> linear = linear_part(world_from_mesh);
-  AccessSurface surface;
+  VisibilitySurface surface;
   for (const glm::vec3& p : positions) surface.positions.emplace_back(transform_point(world_from_mesh, glm::dvec3(p)));
   if (!primitive.flat_normals)
     for (const glm::vec3& n : normals) surface.normals.emplace_back(transform_normal_outward(linear, glm::dvec3(n)));
@@ -30,9 +30,9 @@ AccessSurface surface_of(const Primitive& primitive, const DeformedPrimitive& de
   return surface;
 }
 
-void add_mean(const std::vector<float>& access, std::size_t placements, std::vector<float>& mean) {
-  mean.resize(access.size(), 0.0f);
-  for (std::size_t v = 0; v < access.size(); ++v) mean[v] += access[v] / static_cast<float>(placements);
+void add_mean(const std::vector<float>& visibility, std::size_t placements, std::vector<float>& mean) {
+  mean.resize(visibility.size(), 0.0f);
+  for (std::size_t v = 0; v < visibility.size(); ++v) mean[v] += visibility[v] / static_cast<float>(placements);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::vector<PlacedSurface> surfaces_of(const Scene& scene, const FrameResult& fr
   return surfaces;
 }
 
-double default_access_distance_m(const Scene& scene, const FrameResult& frame) {
+double default_visibility_distance_m(const Scene& scene, const FrameResult& frame) {
   Aabb box;
   for (const PlacedSurface& placed : surfaces_of(scene, frame))
     for (const glm::vec3& p : placed.surface.positions) box.add(p);
@@ -71,23 +71,24 @@ double default_access_distance_m(const Scene& scene, const FrameResult& frame) {
   return 0.25 * std::max({sides.x, sides.y, sides.z});
 }
 
-MeshAccess bake_mesh_access(const Scene& scene, const FrameResult& frame, const AccessOptions& options) {
+MeshVisibility bake_mesh_visibility(const Scene& scene, const FrameResult& frame, const VisibilityOptions& options) {
   std::vector<PlacedSurface> placed = surfaces_of(scene, frame);
-  MeshAccess access(scene.meshes.size());
+  MeshVisibility visibility(scene.meshes.size());
   std::vector<std::vector<std::size_t>> placements(scene.meshes.size());
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    access[m].resize(scene.meshes[m].primitives.size());
+    visibility[m].resize(scene.meshes[m].primitives.size());
     placements[m].resize(scene.meshes[m].primitives.size());
   }
-  std::vector<AccessSurface> surfaces;
+  std::vector<VisibilitySurface> surfaces;
   for (PlacedSurface& one : placed) {
     ++placements[one.mesh][one.primitive];
     surfaces.push_back(std::move(one.surface));
   }
-  const std::vector<std::vector<float>> baked = bake_ambient_access(surfaces, options);
+  const std::vector<std::vector<float>> baked = bake_ambient_visibility(surfaces, options);
   for (std::size_t s = 0; s < baked.size(); ++s)
-    add_mean(baked[s], placements[placed[s].mesh][placed[s].primitive], access[placed[s].mesh][placed[s].primitive]);
-  return access;
+    add_mean(baked[s], placements[placed[s].mesh][placed[s].primitive],
+             visibility[placed[s].mesh][placed[s].primitive]);
+  return visibility;
 }
 
 }  // namespace sinew

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Ambient access of a full-size pixel: the fraction of ambient light that arrives, from the half-size image. The mean of
-// the neighbouring texels, weighted as far as they are on the same surface; if none is, the texel nearest in space.
-#include "access_texel.glsl"
+// Ambient visibility of a full-size pixel (the fraction of ambient light that arrives), upsampled from the half-size
+// image. It is the mean of the neighbouring texels, weighted by how likely they are on the same surface. If none is,
+// the texel nearest in space is used.
+#include "visibility_texel.glsl"
 
-const float kLeastWeight = 1e-6;   // less is no surface in common
+const float kLeastWeight = 1e-6;   // a smaller weight sum counts as "no texel on the same surface"
 
-layout(constant_id = 2) const bool kOccluded = false;   // there is an ambient access image
+layout(constant_id = 2) const bool kOccluded = false;   // an ambient visibility image exists
 
-// out  bend  of bent_normal(); 0 where nothing is in the way, and without bent normals
-float ambient_access(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
+// out  bend  argument for bent_normal(); 0 where nothing is occluded, and if there are no bent normals
+float ambient_visibility(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
   bend = vec2(0.0);
   if (!kOccluded || n == vec3(0.0)) return 1.0;
   ivec2 last = textureSize(ao_image, 0) - 1;
@@ -17,7 +18,7 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
   vec2 bend_sum = vec2(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    if (any(greaterThan(offset, pixel % kAoStep))) continue;   // on this axis, the pixel has a texel of its own
+    if (any(greaterThan(offset, pixel % kAoStep))) continue;   // along this axis the pixel coincides with a texel
     ivec2 texel = min(pixel / kAoStep + offset, last);
     vec4 stored = texelFetch(ao_image, texel, 0);
     if (stored.g <= 0.0) continue;
@@ -38,7 +39,7 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
   return sum / weight_sum;
 }
 
-float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
+float ambient_visibility(ivec2 pixel, vec3 p, vec3 n) {
   vec2 bend;
-  return ambient_access(pixel, p, n, bend);
+  return ambient_visibility(pixel, p, n, bend);
 }

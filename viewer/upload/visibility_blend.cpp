@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/upload/access_blend.h"
+#include "viewer/upload/visibility_blend.h"
 
 #include <algorithm>
 
 namespace sinew::viewer {
 
-AccessBlend access_blend(const VertexAccess& access, std::uint32_t clip, double time_s) noexcept {
-  const std::vector<double>& times = access.times_s;
-  if (times.size() < 2 || clip != access.clip) return {};
+VisibilityBlend visibility_blend(const VertexVisibility& visibility, std::uint32_t clip, double time_s) noexcept {
+  const std::vector<double>& times = visibility.times_s;
+  if (times.size() < 2 || clip != visibility.clip) return {};
   const auto after = std::upper_bound(times.begin(), times.end(), time_s);
   if (after == times.begin()) return {};
   const auto pose = static_cast<std::uint32_t>(after - times.begin() - 1);

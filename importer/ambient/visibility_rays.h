@@ -10,14 +10,14 @@
 
 namespace sinew {
 
-/// Directions over the hemisphere of a surface, with density cos / pi: ray i of `count`.
+/// Cosine-distributed directions over the hemisphere of a surface (density cos / pi).
 /// eq   cos^2 = (i + shift.x) / count, angle about the normal = 2 pi frac(reversed bits of i + shift.y): Hammersley
-///      points, one in each of `count` rings, moved by a random shift   (Pharr, Jakob and Humphreys, "Physically Based
-///      Rendering": Malley's method; Cranley and Patterson 1976)
-class AccessRays {
+///      points with a random shift   (Pharr, Jakob and Humphreys, "Physically Based Rendering": Malley's method;
+///      Cranley and Patterson 1976)
+class VisibilityRays {
  public:
   /// in   normal  unit;   shift  in [0, 1)
-  AccessRays(const glm::dvec3& normal, std::uint32_t count, const glm::dvec2& shift)
+  VisibilityRays(const glm::dvec3& normal, std::uint32_t count, const glm::dvec2& shift)
       : normal_(normal), count_(count), shift_(shift) {
     const glm::dvec3 aside = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     tangent_ = glm::normalize(glm::cross(normal, aside));
@@ -39,10 +39,10 @@ class AccessRays {
   glm::dvec2 shift_;
 };
 
-/// The shift of the rays from one corner of a triangle: other seeds and other corners have others.
-/// eq   draws 2c and 2c + 1 of SplitMix64 (Steele, Lea and Flood 2014), begun at a multiple of the seed
+/// The random shift of the rays that start at one triangle corner; it depends on the seed and the corner.
+/// eq   draws 2c and 2c + 1 of SplitMix64 (Steele, Lea and Flood 2014), started at a multiple of the seed
 /// in   corner  c, counted over the indices of all surfaces
-inline glm::dvec2 access_shift(std::uint64_t seed, std::uint64_t corner) {
+inline glm::dvec2 visibility_shift(std::uint64_t seed, std::uint64_t corner) {
   std::uint64_t state = seed * 0xD1342543DE82EF95ull + corner * 2 * 0x9E3779B97F4A7C15ull;
   const auto draw = [&state] {
     std::uint64_t z = state += 0x9E3779B97F4A7C15ull;
@@ -54,10 +54,10 @@ inline glm::dvec2 access_shift(std::uint64_t seed, std::uint64_t corner) {
   return {x, y};
 }
 
-/// Where the rays of a corner begin: slightly inside its triangle, so that surfaces that meet at the corner are beside
-/// the ray and not through it, and above the triangle by more than the rounding of float coordinates.
+/// Start point of the rays of a corner. Slightly inside the triangle, so that surfaces that meet at the corner lie
+/// beside the rays. Above it by more than the rounding error of float coordinates.
 /// eq   q = corner + (centroid - corner) / 64;  q + normal * (2^-20 (|q.x| + |q.y| + |q.z|) + 2^-14 |q - corner|)
-inline glm::dvec3 access_start(const glm::dvec3& corner, const glm::dvec3& centroid, const glm::dvec3& normal) {
+inline glm::dvec3 visibility_start(const glm::dvec3& corner, const glm::dvec3& centroid, const glm::dvec3& normal) {
   const glm::dvec3 inward = (centroid - corner) * 0x1p-6, q = corner + inward;
   const double size = std::abs(q.x) + std::abs(q.y) + std::abs(q.z);
   return q + normal * (0x1p-20 * size + 0x1p-14 * glm::length(inward));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/study/exhaustive_access.h"
+#include "viewer/study/exhaustive_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ double horizon(const Search& s, int x, int y, const glm::dvec2& step, int reach,
 /// eq   integral of cos(t - g) sin t over t from 0 to h
 double light_up_to(double h, double g) { return 0.25 * (std::cos(g) + 2.0 * h * std::sin(g) - std::cos(2.0 * h - g)); }
 
-double access_at(const Search& s, int x, int y) {
+double visibility_at(const Search& s, int x, int y) {
   const RayCaster::Seen& at = *s.seen.pixels[static_cast<std::size_t>(y) * s.seen.width + static_cast<std::size_t>(x)];
   const glm::dvec3 to_eye = s.eye - at.point, v = glm::normalize(to_eye), n = at.normal;
   const double distance = glm::dot(to_eye, s.world_from_view[2]);
@@ -71,18 +71,18 @@ double access_at(const Search& s, int x, int y) {
 
 }  // namespace
 
-std::vector<double> exhaustive_access(const SeenPixels& seen, const View& view, double radius_m, double thickness) {
+std::vector<double> exhaustive_visibility(const SeenPixels& seen, const View& view, double radius_m, double thickness) {
   const Affined& rows = view.view_from_world;
   const glm::dmat3 world_from_view(glm::dvec3(rows.row[0]), glm::dvec3(rows.row[1]), glm::dvec3(rows.row[2]));
   const Search search{seen,     world_from_view,      eye_of(view),
                       radius_m, thickness * radius_m, 0.5 * seen.height / std::tan(0.5 * view.fov_y_rad)};
-  std::vector<double> access;
+  std::vector<double> visibility;
   for (std::uint32_t y = 0; y < seen.height; ++y)
     for (std::uint32_t x = 0; x < seen.width; ++x)
-      access.push_back(seen.pixels[std::size_t{y} * seen.width + x]
-                           ? access_at(search, static_cast<int>(x), static_cast<int>(y))
-                           : 1.0);
-  return access;
+      visibility.push_back(seen.pixels[std::size_t{y} * seen.width + x]
+                               ? visibility_at(search, static_cast<int>(x), static_cast<int>(y))
+                               : 1.0);
+  return visibility;
 }
 
 }  // namespace sinew::viewer

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "tests/viewer/cache_files.h"
-#include "viewer/app/exhibit.h"
+#include "viewer/app/loaded_scene.h"
 
 namespace sinew::viewer {
 
@@ -18,12 +18,12 @@ inline Bytes gliding_cache() {
 }
 
 /// A geometry cache without a scene, as it is shown.
-inline Exhibit exhibit_of_cache(const Bytes& bytes) {
+inline LoadedScene scene_of_cache_file(const Bytes& bytes) {
   CacheAlone alone = flag_alone(bytes);
-  Exhibit exhibit;
-  exhibit.scene = std::move(alone.scene);
-  exhibit.cache = std::move(alone.cache);
-  return exhibit;
+  LoadedScene loaded;
+  loaded.scene = std::move(alone.scene);
+  loaded.cache = std::move(alone.cache);
+  return loaded;
 }
 
 }  // namespace sinew::viewer

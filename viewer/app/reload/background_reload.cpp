@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/reload/background_read.h"
+#include "viewer/app/reload/background_reload.h"
 
 #include <chrono>
 #include <new>
@@ -10,24 +10,24 @@
 namespace sinew::viewer {
 namespace {
 
-ReadExhibit run(const BackgroundRead::Read& read) {
-  std::vector<std::string> said;
+ReloadResult run(const BackgroundReload::Read& read) {
+  std::vector<std::string> messages;
   try {
-    auto exhibit = read([&](const std::string& line) { said.push_back(line); });
-    return {std::move(exhibit), std::move(said)};
+    auto loaded = read([&](const std::string& line) { messages.push_back(line); });
+    return {std::move(loaded), std::move(messages)};
   } catch (const std::bad_alloc&) {
-    return {tl::unexpected(LoadError{3, "out of memory"}), std::move(said)};
+    return {tl::unexpected(LoadError{3, "out of memory"}), std::move(messages)};
   }
 }
 
 }  // namespace
 
-void BackgroundRead::begin(Read read) {
+void BackgroundReload::begin(Read read) {
   CONTRACT(!running());
   result_ = std::async(std::launch::async, [read = std::move(read)] { return run(read); });
 }
 
-std::optional<ReadExhibit> BackgroundRead::take() {
+std::optional<ReloadResult> BackgroundReload::take() {
   if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
   return result_.get();
 }

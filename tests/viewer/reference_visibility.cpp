@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/viewer/reference_access.h"
+#include "tests/viewer/reference_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +27,16 @@ reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKern
 
 }  // namespace
 
-reference::PixelAccess reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
-                                        const OcclusionShape& shape) {
+reference::PixelVisibility reference_visibility(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                                const OcclusionShape& shape) {
   const SsaoKernel kernel = make_ssao_kernel(shape.samples);
   const reference::SsaoSettings settings = settings_of(options, kernel, shape);
-  reference::HalfAccess half = options.ao.method == OcclusionMethod::ssao
-                                   ? reference::ssao(image, settings)
-                                   : reference::horizon_access(image, {settings.radius, static_cast<int>(shape.slices),
-                                                                       static_cast<int>(shape.steps), settings.step,
-                                                                       static_cast<double>(options.ao.power)});
+  reference::HalfVisibility half =
+      options.ao.method == OcclusionMethod::ssao
+          ? reference::ssao(image, settings)
+          : reference::horizon_visibility(
+                image, {settings.radius, static_cast<int>(shape.slices), static_cast<int>(shape.steps), settings.step,
+                        static_cast<double>(options.ao.power)});
   if (options.ao.blur) {
     half = reference::blurred(image, settings, half, false);
     half = reference::blurred(image, settings, half, true);
@@ -43,8 +44,8 @@ reference::PixelAccess reference_access(const reference::DepthAndNormals& image,
   return reference::full_size(image, settings, half);
 }
 
-AccessDifference difference_of_access(const FloatPicture& picture, const std::vector<double>& expected) {
-  AccessDifference d;
+VisibilityDifference difference_of_visibility(const FloatPicture& picture, const std::vector<double>& expected) {
+  VisibilityDifference d;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const double error = std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
     d.mean += error / static_cast<double>(expected.size());

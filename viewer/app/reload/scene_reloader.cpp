@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/reload/exhibit_watch.h"
+#include "viewer/app/reload/scene_reloader.h"
 
 #include <utility>
 
 namespace sinew::viewer {
 namespace fs = std::filesystem;
 
-ExhibitWatch::ExhibitWatch(const fs::path& file) : files_{stamp_key(file)} {
+SceneReloader::SceneReloader(const fs::path& file) : files_{stamp_key(file)} {
   folder_ = files_.front().parent_path();
   before_ = stamps_of(files_);
   add_stamps_in(folder_, before_);
 }
 
-void ExhibitWatch::was_read(std::span<const fs::path> files) {
+void SceneReloader::was_read(std::span<const fs::path> files) {
   files_.clear();
   for (const fs::path& file : files) files_.push_back(stamp_key(file));
   failed_ = false;
@@ -22,7 +22,7 @@ void ExhibitWatch::was_read(std::span<const fs::path> files) {
   watch_.was_read(std::move(read));
 }
 
-FileStamps ExhibitWatch::stamps() const {
+FileStamps SceneReloader::stamps() const {
   FileStamps stamps = stamps_of(files_);
   if (!failed_) return stamps;
   FileStamps beside;
@@ -32,7 +32,7 @@ FileStamps ExhibitWatch::stamps() const {
   return stamps;
 }
 
-void ExhibitWatch::fail() {
+void SceneReloader::fail() {
   if (!failed_) {
     ignored_.clear();
     for (const auto& [file, stamp] : before_) ignored_.insert(file);
@@ -43,18 +43,18 @@ void ExhibitWatch::fail() {
   watch_.was_read(before_);
 }
 
-void ExhibitWatch::look(double now_s, const std::function<BackgroundRead::Read()>& make_read) {
+void SceneReloader::look(double now_s, const std::function<BackgroundReload::Read()>& make_read) {
   if (read_.running() || !watch_.due(now_s) || !watch_.look(now_s, stamps())) return;
   before_ = stamps_of(files_);
   add_stamps_in(folder_, before_);
   read_.begin(make_read());
 }
 
-std::optional<ReadExhibit> ExhibitWatch::take() {
+std::optional<ReloadResult> SceneReloader::take() {
   auto read = read_.take();
   if (!read) return std::nullopt;
-  if (read->exhibit)
-    was_read(read->exhibit->files);
+  if (read->loaded)
+    was_read(read->loaded->files);
   else
     fail();
   return read;

@@ -5,10 +5,10 @@
 
 namespace sinew::test {
 
-/// What HeldInput is to hold, as its header says it. Layers play from whole clips.
-class HeldByTheBook {
+/// Reference implementation of HeldInput, from the description in its header. Layers play from whole clips.
+class ReferenceHeldInput {
  public:
-  explicit HeldByTheBook(const RandomInputs& inputs) : held_(inputs), now_(inputs) {}
+  explicit ReferenceHeldInput(const RandomInputs& inputs) : held_(inputs), now_(inputs) {}
 
   void next(const RandomInputs& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase) {
     const bool is_due = (frame + phase) % (1u << static_cast<unsigned>(level)) == 0;

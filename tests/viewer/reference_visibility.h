@@ -10,18 +10,18 @@
 
 namespace sinew::viewer {
 
-/// Ambient access and bend of every pixel by the plain reference, with the offsets and the noise of the viewer.
-reference::PixelAccess reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
-                                        const OcclusionShape& shape = {});
+/// Ambient visibility and bend of every pixel by the plain reference, with the offsets and the noise of the viewer.
+reference::PixelVisibility reference_visibility(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                                const OcclusionShape& shape = {});
 
 /// The floor of box_and_sphere_on_floor() with what stands on it, and nothing beyond.
 inline View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
 
-struct AccessDifference {
+struct VisibilityDifference {
   double mean = 0.0, worst = 0.0;
   double darkest = 1.0;  ///< of what is expected: without any dark, agreement means nothing
   int far = 0;           ///< pixels that differ by more than 0.03
 };
-AccessDifference difference_of_access(const FloatPicture& picture, const std::vector<double>& expected);
+VisibilityDifference difference_of_visibility(const FloatPicture& picture, const std::vector<double>& expected);
 
 }  // namespace sinew::viewer

@@ -8,9 +8,9 @@ namespace sinew::reference {
 
 /// What other surfaces leave of ambient light.
 struct Openness {
-  double access = 1.0;             ///< share that arrives, weighted by the cosine to the normal
+  double visibility = 1.0;         ///< share that arrives, weighted by the cosine to the normal
   std::optional<glm::dvec3> bend;  ///< from the normal to the unit mean direction of what arrives; reflections without
-                                   ///< it are scaled by `access`
+                                   ///< it are scaled by `visibility`
   double baked = 1.0;              ///< share that a texture leaves of all ambient light, besides
 };
 
@@ -21,13 +21,14 @@ struct Openness {
 double overlap(double cos_a, double cos_b, double cos_between);
 
 /// Share of the light around the mirror direction that other surfaces let through.
-/// eq   baked times: overlap(visible, lobe) about the bent normal b over overlap(half sphere, lobe) about the normal n, mixed with access
-///      by roughness^2; cos^2 of visible = 1 - access / b.n, at least 0; cos of lobe = 10^(-roughness^2 - 0.1)
-double mirrored_access(const Openness& open, const glm::dvec3& normal, const glm::dvec3& to_viewer, double roughness);
+/// eq   baked times: overlap(visible, lobe) about the bent normal b over overlap(half sphere, lobe) about the normal n, mixed with visibility
+///      by roughness^2; cos^2 of visible = 1 - visibility / b.n, at least 0; cos of lobe = 10^(-roughness^2 - 0.1)
+double mirrored_visibility(const Openness& open, const glm::dvec3& normal, const glm::dvec3& to_viewer,
+                           double roughness);
 
 /// Light that is reflected where other surfaces hide the mirror direction, as a share of that of the half sphere: they
 /// have the colour of the surface and get as much light.
-/// eq   access * (baked - mirrored_access) * color
+/// eq   visibility * (baked - mirrored_visibility) * color
 glm::dvec3 mirrored_surroundings(const Openness& open, double mirrored, const glm::dvec3& color);
 
 }  // namespace sinew::reference
