@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <utility>
+
+#include "importer/platform/files.h"
 
 namespace sinew {
 
@@ -14,10 +15,12 @@ namespace sinew {
 class RegularFile {
  public:
   /// Identifies a file independent of its path: device and inode number.
-  using Identity = std::pair<std::uint64_t, std::uint64_t>;
+  using Identity = platform::FileIdentity;
 
-  explicit RegularFile(const std::filesystem::path& path) noexcept;
-  ~RegularFile();
+  explicit RegularFile(const std::filesystem::path& path) noexcept : descriptor_(platform::open_to_read(path)) {}
+  ~RegularFile() {
+    if (opened()) platform::close(descriptor_);
+  }
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
@@ -25,11 +28,11 @@ class RegularFile {
   bool opened() const noexcept { return descriptor_ >= 0; }
 
   /// Size in bytes; empty for folders, pipes and devices, which must not be read.
-  std::optional<std::uint64_t> size() const noexcept;
-  Identity identity() const noexcept;
+  std::optional<std::uint64_t> size() const noexcept { return platform::regular_size(descriptor_); }
+  Identity identity() const noexcept { return platform::identity_of(descriptor_); }
 
   /// Reads the next bytes into `out`; false if the file ends before it is full.
-  bool read(std::span<std::byte> out) const noexcept;
+  bool read(std::span<std::byte> out) const noexcept { return platform::read_all(descriptor_, out); }
 
   /// The file descriptor, for libraries that need one. This object closes it.
   int descriptor() const noexcept { return descriptor_; }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "runtime/playback/root_motion.h"
+
+namespace sinew {
+
+/// The root motion of one clip, apart from its authoring keys: 32 bytes a key, so that an engine can drop the keys.
+class RootTrack {
+ public:
+  /// A place of the character; between keys translations go straight and turns follow slerp. Two keys of one time are a
+  /// jump.
+  struct Key {
+    float time_s;
+    glm::vec3 translation;
+    glm::quat turn;
+  };
+
+  /// A clip that does not move the character.
+  RootTrack() noexcept = default;
+
+  /// As few keys as a greedy search needs to stay within the tolerance of root_place.
+  /// in   tolerance  metres and radians, above 0. Floats bound it: 1e-7 of the largest coordinate.
+  /// cost O(K log K) places for K keys of the root joint, allocates
+  static RootTrack make(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
+                        double tolerance);
+
+  std::span<const Key> keys() const noexcept { return keys_; }
+
+  /// Largest distance from root_place, in metres or radians, as measured at eight times in each key interval.
+  double measured_error() const noexcept { return measured_error_; }
+
+  /// As root_place.     cost O(log keys), no allocation
+  DualQuatd place(double time_s) const noexcept;
+
+  /// As root_motion.    cost O(log keys + log turns), no allocation
+  DualQuatd motion(const PlaybackStep& step) const noexcept;
+
+ private:
+  std::vector<Key> keys_;  // rising times
+  double measured_error_ = 0.0;
+};
+
+}  // namespace sinew
