@@ -27,7 +27,7 @@ View orbiting(const LoadedScene& loaded, std::span<const glm::vec3> points, doub
   return camera.view(clip_extent(loaded.scene, 0).reached);
 }
 
-TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_exhibit_or_the_one_that_is_asked_for) {
+TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_scene_or_the_one_that_is_asked_for) {
   LoadedScene loaded = gliding_box();
   const ClipExtent extent = clip_extent(loaded.scene, 0);
   Options options = small_picture();
@@ -43,7 +43,7 @@ TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_exhibit_or_the_
   }
 }
 
-TEST_F(headless_run, looks_from_where_the_user_else_the_exhibit_says) {
+TEST_F(headless_run, looks_from_where_the_user_else_the_scene_says) {
   LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.time_s = 0.8;
@@ -81,7 +81,7 @@ TEST_F(headless_run, a_placed_camera_sees_what_the_clip_brings_near) {
   EXPECT_NE(drawn(options, loaded, late, kDuration_s), picture) << "that of the largest pose cuts the box off";
 }
 
-TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_exhibit_says) {
+TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_scene_says) {
   LoadedScene loaded = gliding_box();
   loaded.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
   Options options = small_picture();
