@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/passes/view.h"
 #include "tests/study/ray_caster.h"
+#include "viewer/passes/view.h"
 
 namespace sinew::viewer {
 

@@ -28,7 +28,7 @@ TEST(cache_reader, every_way_of_reading_gives_the_bytes_of_the_file) {
   const auto on_disk = open_cache_file(written.path()), in_memory = open_cache_bytes("flag", bytes);
   ASSERT_TRUE(on_disk && in_memory);
   for (const CacheFile* file : {&*on_disk, &*in_memory})
-    for (const Reads reads : {Reads::at_once, Reads::beside}) {
+    for (const Reads reads : {Reads::blocking, Reads::on_thread}) {
       GeometryDecoder decoder(file->cache), expected(in_memory->cache);
       MappedFrames source{in_memory->cache, bytes};
       CacheReader reader(*file, reads, 12);
@@ -56,7 +56,7 @@ TEST(cache_reader, reads_that_fail_are_late_frames) {
       "cut.sgeo", Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(whole->cache.frames()[3].offset)));
   for (const std::string& path : {cut.path(), std::string("/nothing/here.sgeo")}) {
     const CacheFile file{"cut", path, {}, whole->cache};
-    CacheReader reader(file, Reads::at_once, 4);
+    CacheReader reader(file, Reads::blocking, 4);
     FrameWindow window(file.cache, reader.reader(), 4);
     GeometryDecoder decoder(file.cache);
     EXPECT_EQ(decoder.decode(5, window), GeometryStatus::not_loaded);
@@ -68,7 +68,7 @@ TEST(cache_reader, ends_while_reads_wait) {
   const Bytes bytes = flag_bytes();
   const auto file = open_cache_bytes("flag", bytes);
   for (int i = 0; i < 50; ++i) {
-    CacheReader reader(*file, Reads::beside, 20);
+    CacheReader reader(*file, Reads::on_thread, 20);
     FrameWindow window(file->cache, reader.reader(), 20);
     window.prefetch(0);
     reader.stop();
