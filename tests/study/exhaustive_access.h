@@ -6,9 +6,9 @@
 
 namespace sinew::viewer {
 
-/// Ambient access of every pixel by horizons, as shaders/gtao.frag finds them, but with every pixel within the radius
-/// looked at, in 32 directions, in double precision. It shows how much of the error of the pass is haste, and how much
-/// is that a picture does not show what is hidden or turned away. 1 where nothing is visible.
+/// Ambient access of every pixel by horizons in 32 directions, in double precision; 1 where nothing is visible.
+/// shaders/gtao.frag samples some pixels within the radius, this looks at all of them. The difference is the error of
+/// sampling; the rest of the error of the pass is surfaces that a picture does not show.
 /// in   view       of the pixels, a perspective
 ///      thickness  in radii: bodies are that thick behind what is seen, and hide light where they reach into the radius
 /// cost O(pixels * radius in pixels)

@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 
 #include "runtime/plan/run_plan.h"
+#include "tests/study/frame_study.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/device/device_error.h"
-#include "tests/study/frame_study.h"
 
 namespace sinew::viewer {
 namespace {

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/plan/run_plan.h"
+#include "tests/study/occlusion_json.h"
+#include "tests/study/occlusion_study.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/scene_choice.h"
-#include "tests/study/occlusion_json.h"
-#include "tests/study/occlusion_study.h"
 
 namespace sinew::viewer {
 namespace {

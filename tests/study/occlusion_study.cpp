@@ -9,8 +9,8 @@
 #include <random>
 
 #include "importer/ambient/access_surfaces.h"
-#include "viewer/app/headless.h"
 #include "tests/study/exhaustive_access.h"
+#include "viewer/app/headless.h"
 
 namespace sinew::viewer {
 namespace {

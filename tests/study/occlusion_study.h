@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/ray_caster.h"
+#include "tests/study/seen_pixels.h"
 #include "viewer/device/device.h"
 #include "viewer/passes/occlusion_shape.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
-#include "tests/study/ray_caster.h"
-#include "tests/study/seen_pixels.h"
 
 namespace sinew::viewer {
 

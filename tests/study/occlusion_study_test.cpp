@@ -14,10 +14,10 @@
 
 #include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
+#include "tests/study/exhaustive_access.h"
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/passes/frame_renderer.h"
-#include "tests/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {
