@@ -15,7 +15,7 @@ namespace {
 
 using Own = std::vector<BaseNumbers::Own>;
 
-constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
+constexpr Property kJointProperties[] = {Property::translation, Property::rotation, Property::scale};
 
 constexpr std::size_t component_count(Property property) noexcept { return property == Property::rotation ? 4 : 3; }
 
@@ -24,7 +24,7 @@ template <class Visit>
 void each_constant(std::span<const float> base, std::span<const float> rest, std::size_t joint_count,
                    const Visit& visit) {
   const std::size_t stride = BasePose::stride_for(joint_count);
-  for (const Property property : kOfJoints)
+  for (const Property property : kJointProperties)
     for (std::uint32_t joint = 0; joint < joint_count; ++joint)
       for (std::size_t c = 0; c < component_count(property); ++c) {
         const std::size_t at = (first_plane(property) + c) * stride + joint;

@@ -19,7 +19,7 @@ Mat3<T> cofactor(const Mat3<T>& m) noexcept {
 /// Entry of largest absolute value; NaN entries count as 0.
 template <class T>
 T largest_entry(const Mat3<T>& m) noexcept {
-  return std::max(std::max(largest_component(m[0]), largest_component(m[1])), largest_component(m[2]));
+  return (std::max)((std::max)(largest_component(m[0]), largest_component(m[1])), largest_component(m[2]));
 }
 
 /// Cofactor matrix of M divided by its largest entry: the same directions, without overflow or underflow (N22).

@@ -26,12 +26,12 @@ T quat_dot(const Quat<T>& q, const Quat<T>& r) noexcept {
 /// may be ignored.
 template <class T>
 T largest_component(const Quat<T>& q) noexcept {
-  return std::max(std::max(std::abs(q.x), std::abs(q.y)), std::max(std::abs(q.z), std::abs(q.w)));
+  return (std::max)((std::max)(std::abs(q.x), std::abs(q.y)), (std::max)(std::abs(q.z), std::abs(q.w)));
 }
 
 template <class T>
 T largest_component(const Vec3<T>& v) noexcept {
-  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+  return (std::max)((std::max)(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
 
 /// Sum of the squares of all components.

@@ -14,14 +14,14 @@ Quat<T> rotation_between(const Vec3<T>& from, const Vec3<T>& to) noexcept {
   const Vec3<T> none(T(0)), s = normalised_or(from, none), t = normalised_or(to, none);
   if (s == none || t == none) return quat_identity<T>();
   const Vec3<T> difference = s - t, sum = s + t;
-  const T far = safe_length(difference), near = safe_length(sum);
-  if (far == T(0)) return quat_identity<T>();
-  const Vec3<T> along = difference / far;
+  const T apart = safe_length(difference), together = safe_length(sum);
+  if (apart == T(0)) return quat_identity<T>();
+  const Vec3<T> along = difference / apart;
   const Vec3<T> unit = normalised_or(glm::cross(s, t), none), square = unit - along * glm::dot(unit, along);
   // Opposite vectors leave only noise in the product: an axis that is mostly along s - t is not used.
   const Vec3<T> axis = square_of(square) > T(0.25) ? normalised_or(square, none) : perpendicular_to(along);
-  const Vec3<T> v = axis * far;
-  return normalised(quat_xyzw(v.x, v.y, v.z, near));
+  const Vec3<T> v = axis * apart;
+  return normalised(quat_xyzw(v.x, v.y, v.z, together));
 }
 
 }  // namespace sinew

@@ -40,7 +40,7 @@ inline PageTimes times_of_page(std::size_t page, double page_s, std::size_t page
 inline std::size_t page_at(double time_s, double page_s, std::size_t page_count) noexcept {
   const auto first_s = [&](std::size_t page) { return times_of_page(page, page_s, page_count).first_s; };
   const double pages = time_s / page_s, last = static_cast<double>(page_count - 1);
-  auto page = static_cast<std::size_t>(pages > 0.0 ? std::min(pages, last) : 0.0);
+  auto page = static_cast<std::size_t>(pages > 0.0 ? (std::min)(pages, last) : 0.0);
   if (time_s < first_s(page)) --page;  // the quotient was rounded up
   if (page + 1 < page_count && time_s >= first_s(page + 1)) ++page;
   return page;

@@ -10,11 +10,11 @@ namespace sinew {
 namespace {
 
 /// eq   sum + error = a + b exactly   (Knuth, TAOCP 2, 4.2.2, theorem B)
-struct ExactSum {
+struct SumAndRest {
   double sum, error;
 };
 
-ExactSum add(double a, double b) noexcept {
+SumAndRest add(double a, double b) noexcept {
   const double sum = a + b;
   const double b_kept = sum - a;
   return {sum, (a - (sum - b_kept)) + (b - b_kept)};
@@ -44,8 +44,8 @@ PlaybackStep PlaybackClock::advance(double dt_s) noexcept {
     step.error = ErrorCode::not_finite;
     return step;
   }
-  const ExactSum moved = add(phase_s_, delta_s);
-  const ExactSum tidy = add(moved.sum, moved.error + phase_rest_s_ + std::fma(speed_, dt_s, -delta_s));
+  const SumAndRest moved = add(phase_s_, delta_s);
+  const SumAndRest tidy = add(moved.sum, moved.error + phase_rest_s_ + std::fma(speed_, dt_s, -delta_s));
   phase_s_ = tidy.sum;
   phase_rest_s_ = tidy.error;
   if (mode_ == PlayMode::loop)
@@ -68,7 +68,7 @@ void PlaybackClock::wrap_around(double period_s) noexcept {
   const double total_s = phase_s_;
   double phase_s = std::fmod(total_s, period_s);
   if (phase_s < 0.0) {
-    const ExactSum lifted = add(phase_s, period_s);
+    const SumAndRest lifted = add(phase_s, period_s);
     phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it, which is 0
     phase_rest_s_ += lifted.error;
   }

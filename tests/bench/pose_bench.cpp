@@ -9,7 +9,7 @@
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/instance_lanes.h"
@@ -166,7 +166,7 @@ struct Walkers {
     if (threads == 1)
       range(0);
     else
-      run_with_tbb(threads, range);
+      run_in_parallel(threads, range);
   }
 };
 

@@ -11,7 +11,7 @@
 #include "runtime/pose/joint_palette.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/slower_variants.h"
@@ -199,7 +199,7 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
     parts->push_back(std::make_shared<Surface>(vertex_count / static_cast<std::uint32_t>(threads), 4u));
   const glm_skin::Attributes wanted{true, false};
   const auto each = [parts, threads](const auto& skin) {
-    run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); });
+    run_in_parallel(threads, [&](std::size_t t) { skin(*(*parts)[t]); });
   };
   const Surface& one = *parts->front();
   Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
