@@ -26,9 +26,7 @@ set(sinew_public_headers
   runtime/math/normal_transform.h
   runtime/math/quat_log_exp.h
   runtime/math/quaternion.h
-  runtime/math/rotation_about.h
   runtime/math/rotation_between.h
-  runtime/math/stretch.h
   runtime/math/swing_twist.h
   runtime/math/transform.h
   runtime/math/two_bones.h

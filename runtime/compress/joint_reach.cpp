@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "runtime/animation/truth_pose.h"
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 
 namespace sinew {
 namespace {

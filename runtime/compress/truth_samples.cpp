@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "runtime/animation/track_sample.h"
-#include "runtime/math/stretch.h"
+#include "runtime/math/affine.h"
 
 namespace sinew {
 namespace {

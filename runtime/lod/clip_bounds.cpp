@@ -8,8 +8,8 @@
 #include "runtime/base/contract.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/lod/pose_drift.h"
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 #include "runtime/plan/plan_assets.h"
 
 namespace sinew {

@@ -36,7 +36,7 @@ namespace two_bones {
 /// Distance of the tip from the root for a wanted distance. Up to `free` it is the wanted one. Beyond, it approaches
 /// upper + lower exponentially, so the middle joint does not snap when the limb straightens.
 template <class T>
-T reached(T wanted, T free, T upper, T lower) noexcept {
+T softened_distance(T wanted, T free, T upper, T lower) noexcept {
   const T rest = upper + lower - free;
   if (wanted > free) wanted = rest > T(0) ? free + rest * (T(1) - std::exp((free - wanted) / rest)) : free;
   return (std::max)(wanted, std::abs(upper - lower));
@@ -62,7 +62,7 @@ Vec3<T> bend_direction(const Vec3<T>& along, const Vec3<T>& to_middle, const Vec
 ///      x = ((a + b) r + d) / 2,   y = sqrt((a + b + d) (a + b - d) (1 + r) (1 - r)) / 2.
 ///      This has no difference of squares, so no digits are lost where the limb is nearly straight or folded.
 /// in   bend        direction in which the middle joint goes if the limb is straight, of any length
-///      goal        if it is out of reach, the tip stops before it, at less than a + b (two_bones::reached)
+///      goal        if it is out of reach, the tip stops before it, at less than a + b (two_bones::softened_distance)
 ///      soft_reach  as kSoftReach; with 0 the tip reaches every goal up to a + b exactly
 /// out  identities within rounding if the tip is at the goal; identities if a bone has no length
 template <class T>
@@ -72,7 +72,7 @@ TwoBoneTurnsT<T> turn_two_bones(const TwoBonesT<T>& limb, const Vec3<T>& goal, c
   const T a = safe_length(upper), b = safe_length(lower), now = safe_length(whole);
   if (!(a > T(0)) || !(b > T(0)) || !(now > T(0))) return {};
   const Vec3<T> along = whole / now, to_goal = goal - limb.root;
-  const T d = two_bones::reached(safe_length(to_goal), free_reach(limb, soft_reach), a, b);
+  const T d = two_bones::softened_distance(safe_length(to_goal), free_reach(limb, soft_reach), a, b);
   // If equal bones fold completely, d is 0, and the middle joint goes straight to the side.
   const T r = d > T(0) ? std::clamp((a - b) / d, T(-1), T(1)) : T(0);
   const Quat<T> turn = rotation_between(along, to_goal);

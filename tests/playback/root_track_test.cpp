@@ -101,7 +101,7 @@ TEST(root_track, carries_over_many_rounds_as_the_authoring_keys_do) {
   }
 }
 
-/// Plays two clips blended half and half, and answers where the root joint and the character stand.
+/// Positions of the root joint and of the character after two blended clips have played.
 struct Stands {
   Vec3d joint, character;
 };
