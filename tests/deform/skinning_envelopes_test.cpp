@@ -47,7 +47,7 @@ TEST(skinning_envelopes, N20_a_twist_shrinks_linear_blending_by_the_cosine_of_ha
 // A limb along x, bent about z at the origin. The vertex sits `along` beyond the joint, `above` the bone, its center on
 // the bone. Its distance from the joint: linear blending pulls all of it in, dual quaternions keep it and so push the
 // skin off the bent bone, about its center the vertex keeps its distance from the bone while the bone is cut short.
-TEST(skinning_envelopes, N20_a_bend_collapses_linearly_bulges_with_dual_quaternions_and_lies_between_about_its_center) {
+TEST(skinning_envelopes, N20_a_bend_collapses_bulges_or_lies_between) {
   const glm::vec3 z(0, 0, 1);
   for (const double degrees : {30.0, 90.0, 120.0, 170.0})
     for (const float along : {-0.5f, 0.0f, 0.25f, 1.0f})

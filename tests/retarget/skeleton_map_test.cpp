@@ -219,7 +219,7 @@ TEST(skeleton_map, a_root_joint_carries_the_character_by_the_ratio_of_the_hips_h
   EXPECT_TRUE(test::is_near(place_of(from, rooted, 1), Vec3d(2, 1, 3), 1e-5));
 }
 
-TEST(skeleton_map, hips_move_by_the_ratio_of_heights_whatever_scale_their_roots_have_and_whether_these_are_mapped) {
+TEST(skeleton_map, hips_move_by_the_ratio_of_heights_with_and_without_roots) {
   const Skeleton body = named(scenes::two_sided(RightSide::any_axes, 1).skeleton),
                  tall = renamed(twice_as_tall(scenes::two_sided(RightSide::any_axes, 2).skeleton));
   const Vec3d step(0.1, -0.2, 0.3);
