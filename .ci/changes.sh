@@ -65,7 +65,7 @@ changed_folders() {
     headers=$(grep -E '\.h$' <<< "$ci_changes" || true)
     echo "$ci_changes"
     [ -z "$headers" ] || git grep -lF -f <(echo "$headers") -- '*.h' '*.cpp' || true
-  fi | xargs -n 1 dirname | sort -u
+  fi | sed -n 's|/[^/]*$||p' | sort -u
 }
 
 # Names of at most $1 programs: those that follow, then those of changed folders, then others; the latter two in an order that the
