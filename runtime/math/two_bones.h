@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/math/axis_angle.h"
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 #include "runtime/math/rotation_between.h"
 
 namespace sinew {
