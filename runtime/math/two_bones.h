@@ -5,7 +5,6 @@
 
 #include "runtime/math/axis_angle.h"
 #include "runtime/math/rotation_between.h"
-#include "runtime/math/rotation_between.h"
 
 namespace sinew {
 
