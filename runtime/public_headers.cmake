@@ -84,7 +84,6 @@ set(sinew_public_headers
   runtime/deform/skin_center_of_rotation.h
   runtime/deform/skin_dual_quaternion.h
   runtime/deform/skin_linear.h
-  runtime/deform/surface_faces.h
   runtime/deform/surface_normals.h
   runtime/deform/vertex_streams.h
   runtime/plan/compile_plan.h
@@ -105,7 +104,6 @@ set(sinew_public_headers
   runtime/playback/root_track.h
   runtime/retarget/feet_map.h
   runtime/retarget/hold_feet.h
-  runtime/retarget/hold_feet_animation.h
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
   runtime/retarget/retarget_pose.h
@@ -113,7 +111,6 @@ set(sinew_public_headers
   runtime/retarget/retarget_weights.h
   runtime/retarget/share_twist.h
   runtime/retarget/skeleton_map.h
-  runtime/retarget/twist_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h
   runtime/compress/compile_clip_within.h

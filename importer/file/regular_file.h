@@ -10,10 +10,11 @@
 
 namespace sinew {
 
-/// A file that is opened before its type is asked for, so that it cannot be swapped for another one in between. Opening
-/// does not wait for the other end of a pipe and does not take over a terminal.
+/// A file that is opened first and then checked for its type, so that it cannot be swapped in between. Opening never
+/// blocks on a pipe and never acquires a controlling terminal.
 class RegularFile {
  public:
+  /// Identifies a file independent of its path: device and inode number.
   using Identity = platform::FileIdentity;
 
   explicit RegularFile(const std::filesystem::path& path) noexcept : descriptor_(platform::open_to_read(path)) {}
@@ -23,17 +24,17 @@ class RegularFile {
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
-  /// False: errno says why.
+  /// False if opening failed; errno has the reason.
   bool opened() const noexcept { return descriptor_ >= 0; }
 
-  /// Nothing for folders, pipes and devices, which must not be read.
+  /// Size in bytes; empty for folders, pipes and devices, which must not be read.
   std::optional<std::uint64_t> size() const noexcept { return platform::regular_size(descriptor_); }
   Identity identity() const noexcept { return platform::identity_of(descriptor_); }
 
-  /// Fills `out` from where the last call ended; false where the file ends early.
+  /// Reads the next bytes into `out`; false if the file ends before it is full.
   bool read(std::span<std::byte> out) const noexcept { return platform::read_all(descriptor_, out); }
 
-  /// For libraries that read from a descriptor. It belongs to this object.
+  /// The file descriptor, for libraries that need one. This object closes it.
   int descriptor() const noexcept { return descriptor_; }
 
  private:

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-/// Adds arrays to a checksum, one after another.
+/// A checksum over several arrays.
 class Hash {
  public:
   void add(std::span<const std::byte> bytes) { value_ = checksum(bytes, value_); }
@@ -83,7 +83,7 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
   const auto head = std::as_bytes(std::span(&header, 1)), data = std::as_bytes(std::span(centers));
   std::vector<std::byte> bytes(head.begin(), head.end());
   bytes.insert(bytes.end(), data.begin(), data.end());
-  // A cache that cannot be written is done without. Of two threads that store the same centers at a time, one does.
+  // A failed write is ignored: the next run computes the centers again. If two threads store them, one wins.
   (void)write::replace_file(file_, bytes);
 }
 

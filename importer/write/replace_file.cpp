@@ -12,7 +12,7 @@ namespace sinew::write {
 namespace fs = std::filesystem;
 namespace {
 
-/// A new file next to `target`. The destructor removes it unless it was renamed.
+/// A temporary file next to `target`; the destructor removes it unless it was renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
@@ -47,7 +47,7 @@ class TemporaryFile {
   bool renamed_ = false, closed_ = false;
 };
 
-/// The file that is replaced: the one behind a symbolic link.
+/// The file to replace: the target of a symbolic link, else the file itself.
 fs::path target_of(const fs::path& file, std::string& fault) {
   std::error_code error;
   if (!fs::exists(file, error)) return file;

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kPart = "vertices";
 constexpr std::uint32_t kVertices = 2000, kInfluences = 4;
 
-/// Vertices within a metre, each moved by four rigid joints of its own; every number is a float.
+/// Vertices within a metre, each with its own four rigid joints; all inputs are exact floats.
 struct Crowd {
   std::vector<glm::vec3> positions, normals, centers, out_positions, out_normals;
   VertexInfluences influences;
@@ -59,7 +59,7 @@ struct Crowd {
     return sum / weight_sum(v);
   }
 
-  /// eq   sum(w sign d) / |real|, aligned with the heaviest, which comes first   (Kavan et al. 2008)
+  /// eq   sum(w sign d) / |real|, signs aligned with the heaviest influence, which is first   (Kavan et al. 2008)
   DualQuatd true_motion(std::size_t v) const {
     const auto at = [&](std::size_t i) {
       return DualQuatd{quat_cast<double>(split[i].rigid.real), quat_cast<double>(split[i].rigid.dual)};

@@ -36,7 +36,7 @@ TEST(event_cursor, the_first_step_owns_the_place_where_it_starts) {
   EXPECT_EQ(crossed(clock.advance(0.0), times), Indices{});
 }
 
-TEST(event_cursor, G12_a_loop_crosses_the_events_of_the_end_and_then_those_of_the_start) {
+TEST(event_cursor, G12_a_loop_crosses_events_at_the_end_and_then_those_at_the_start) {
   PlaybackClock clock(1.0);
   const std::vector<double> times = {0.0, 0.5, 1.0};
   EXPECT_EQ(crossed(clock.advance(0.75), times), (Indices{0, 1}));

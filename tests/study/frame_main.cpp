@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 
 #include "runtime/plan/run_plan.h"
-#include "viewer/app/exhibit.h"
-#include "viewer/device/device_error.h"
 #include "tests/study/frame_study.h"
+#include "viewer/app/loaded_scene.h"
+#include "viewer/device/device_error.h"
 
 namespace sinew::viewer {
 namespace {
@@ -40,20 +40,20 @@ bool study_file(Device& device, const std::string& file, const FrameEffort& effo
   options.file = file;
   options.environment = "none";  // the study brings its own
   const auto say = [](const std::string& line) { std::fprintf(stderr, "sinew-frame-study: %s\n", line.c_str()); };
-  const auto exhibits = load_exhibits(options, say, {});
-  if (!exhibits) {
-    say(exhibits.error().message);
+  const auto loaded_scenes = load_scenes(options, log_line, {});
+  if (!loaded_scenes) {
+    log_line(loaded_scenes.error().message);
     return false;
   }
-  const Scene& scene = exhibits->front().scene;
+  const Scene& scene = loaded_scenes->front().scene;
   const std::uint32_t clip = scene.animations.empty() ? kNone : 0;
-  const Plan plan = compile_plan(scene, needs_of(exhibits->front(), {}));
+  const Plan plan = compile_plan(scene, needs_of(loaded_scenes->front(), {}));
   FrameBuffer buffer(plan);
   const ClipLayer layer{.clip = clip, .time_s = clip == kNone ? 0.0 : 0.5 * scene.animations[clip].duration_s};
   FrameInput input;
   if (clip != kNone) input.layers = {&layer, 1};
   if (run_plan(plan, input, buffer) != ErrorCode::ok) throw std::runtime_error("the frame cannot be evaluated");
-  print(study_frame(device, exhibits->front().name, scene, buffer.result(), clip_extent(scene, clip), effort));
+  print(study_frame(device, loaded_scenes->front().name, scene, buffer.result(), clip_extent(scene, clip), effort));
   return true;
 }
 

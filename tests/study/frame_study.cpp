@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/study/frame_study.h"
 
+#include "tests/study/study_scenes.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/orbit_camera.h"
-#include "tests/study/study_scenes.h"
 
 namespace sinew::viewer {
 namespace {

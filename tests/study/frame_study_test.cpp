@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "tests/viewer/device_fixture.h"
 #include "tests/study/study_scenes.h"
+#include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
 namespace {

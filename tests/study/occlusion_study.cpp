@@ -8,9 +8,9 @@
 #include <memory>
 #include <random>
 
-#include "importer/ambient/access_surfaces.h"
+#include "importer/ambient/visibility_surfaces.h"
+#include "tests/study/exhaustive_visibility.h"
 #include "viewer/app/headless.h"
-#include "tests/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {
@@ -68,12 +68,12 @@ std::vector<OcclusionTrial> trials_of(bool every_way) {
 }
 
 /// Root mean square difference over the pixels that show a surface.
-double root_mean_square(const std::vector<double>& access, const std::vector<double>& truth) {
+double root_mean_square(const std::vector<double>& visibility, const std::vector<double>& truth) {
   double squares = 0.0;
   std::size_t pixels = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth[i] < 0.0) continue;
-    squares += (access[i] - truth[i]) * (access[i] - truth[i]);
+    squares += (visibility[i] - truth[i]) * (visibility[i] - truth[i]);
     ++pixels;
   }
   return pixels > 0 ? std::sqrt(squares / static_cast<double>(pixels)) : 0.0;
@@ -83,8 +83,8 @@ double root_mean_square(const std::vector<double>& access, const std::vector<dou
 class Drawing {
  public:
   Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial,
-          const AmbientOcclusion& settings, const VertexAccess* access = nullptr)
-      : headless_(device, scene, effort.width, effort.height, trial.shape, access) {
+          const AmbientOcclusion& settings, const VertexVisibility* visibility = nullptr)
+      : headless_(device, scene, effort.width, effort.height, trial.shape, visibility) {
     options_.show = Show::ao;
     options_.ao = settings;
     options_.ao.method = trial.method;
@@ -109,12 +109,12 @@ struct Difference {
 };
 
 /// Compares the pixels that show a surface both in the picture and to the rays; at outlines the two may differ.
-template <class Access>
-Difference difference_of(const Picture& picture, const std::vector<double>& truth, const Access& access) {
+template <class Visibility>
+Difference difference_of(const Picture& picture, const std::vector<double>& truth, const Visibility& visibility) {
   Difference d;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth[i] < 0.0 || picture.rgba[4 * i + 3] == 0) continue;
-    const double off = access(picture.rgba[4 * i]) - truth[i];
+    const double off = visibility(picture.rgba[4 * i]) - truth[i];
     d.squares += off * off;
     ++d.pixels;
   }
@@ -122,7 +122,7 @@ Difference difference_of(const Picture& picture, const std::vector<double>& trut
 }
 
 /// Root mean square difference over the vertices of all meshes.
-double difference_of(const MeshAccess& a, const MeshAccess& b) {
+double difference_of(const MeshVisibility& a, const MeshVisibility& b) {
   Difference d;
   for (std::size_t m = 0; m < a.size(); ++m)
     for (std::size_t p = 0; p < a[m].size(); ++p)
@@ -142,19 +142,19 @@ std::vector<VertexTrial> study_vertices(Device& device, const Scene& scene, cons
   for (const PlacedSurface& placed : surfaces_of(scene, frame)) vertices += placed.surface.positions.size();
   if (vertices == 0 || vertices > kMostVertices) return {};
   const double reach = static_cast<double>(settings.radius_m);
-  const MeshAccess exact = bake_mesh_access(scene, frame, {.rays = 4096, .distance_m = reach});
+  const MeshVisibility exact = bake_mesh_visibility(scene, frame, {.rays = 4096, .distance_m = reach});
   std::vector<VertexTrial> trials;
   for (const std::uint32_t rays :
        effort.every_way ? std::vector<std::uint32_t>{16, 64, 256, 1024} : std::vector<std::uint32_t>{64, 256}) {
     const auto start = std::chrono::steady_clock::now();
-    VertexAccess access;
-    access.values = bake_mesh_access(scene, frame, {.rays = rays, .distance_m = reach, .seed = 2});
+    VertexVisibility visibility;
+    visibility.values = bake_mesh_visibility(scene, frame, {.rays = rays, .distance_m = reach, .seed = 2});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     OcclusionTrial drawn;
     drawn.method = OcclusionMethod::rays;
-    const Picture picture = Drawing(device, scene, effort, drawn, settings, &access).draw(frame, view);
+    const Picture picture = Drawing(device, scene, effort, drawn, settings, &visibility).draw(frame, view);
     const Difference off = difference_of(picture, truth, [](std::uint8_t grey) { return grey / 255.0; });
-    trials.push_back({rays, difference_of(access.values, exact), off.root_mean(), seconds});
+    trials.push_back({rays, difference_of(visibility.values, exact), off.root_mean(), seconds});
   }
   return trials;
 }
@@ -170,10 +170,11 @@ std::optional<double> occlusion_time_ms(std::span<const PassTime> times) {
   return sum;
 }
 
-std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count) {
-  std::vector<double> access;
-  for (const auto& pixel : seen.pixels) access.push_back(pixel ? rays.open_share(*pixel, radius_m, ray_count) : -1.0);
-  return access;
+std::vector<double> true_visibility(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count) {
+  std::vector<double> visibility;
+  for (const auto& pixel : seen.pixels)
+    visibility.push_back(pixel ? rays.open_share(*pixel, radius_m, ray_count) : -1.0);
+  return visibility;
 }
 
 OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
@@ -187,11 +188,11 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
                        trials_of(effort.every_way)};
   const RayCaster rays(scene, frame);
   const SeenPixels seen = seen_pixels(rays, view, effort.width, effort.height);
-  const std::vector<double> truth = true_access(rays, seen, study.radius_m, effort.rays);
+  const std::vector<double> truth = true_visibility(rays, seen, study.radius_m, effort.rays);
   if (effort.exhaustive)
     for (const double thickness : {0.0, 0.1, 0.2, 0.3})
       study.exhaustive.push_back(
-          {thickness, root_mean_square(exhaustive_access(seen, view, study.radius_m, thickness), truth)});
+          {thickness, root_mean_square(exhaustive_visibility(seen, view, study.radius_m, thickness), truth)});
   std::vector<std::unique_ptr<Drawing>> drawings;
   std::vector<std::size_t> order;
   for (OcclusionTrial& trial : study.trials) {

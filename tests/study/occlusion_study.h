@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/ray_caster.h"
+#include "tests/study/seen_pixels.h"
 #include "viewer/device/device.h"
 #include "viewer/passes/occlusion_shape.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
-#include "tests/study/ray_caster.h"
-#include "tests/study/seen_pixels.h"
 
 namespace sinew::viewer {
 
@@ -23,19 +23,19 @@ struct OcclusionTrial {
   OcclusionShape shape;
   bool blur = true;
   bool is_default = false;
-  double error = 0.0;                ///< root mean square difference of ambient access from ray casting, in [0, 1]
+  double error = 0.0;                ///< root mean square difference of ambient visibility from ray casting, in [0, 1]
   std::vector<double> milliseconds;  ///< GPU time of its passes, one for each repetition; empty without timestamps
 };
 
 /// Rays cast at vertices before any picture is drawn (OcclusionMethod::rays), measured.
 struct VertexTrial {
   std::uint32_t rays = 0;     ///< a vertex
-  double vertex_error = 0.0;  ///< root mean square difference of ambient access from 4,096 rays, over the vertices
+  double vertex_error = 0.0;  ///< root mean square difference of ambient visibility from 4,096 rays, over the vertices
   double error = 0.0;         ///< as OcclusionTrial::error: of the picture, in which triangles interpolate
   double seconds = 0.0;       ///< to bake all vertices once
 };
 
-/// Horizons with nothing overlooked (exhaustive_access()), measured: what remains is what a picture does not show.
+/// Horizons with nothing overlooked (exhaustive_visibility()), measured: what remains is what a picture does not show.
 struct ExhaustiveTrial {
   double thickness = 0.0;  ///< that bodies are taken to have, in radii
   double error = 0.0;      ///< as OcclusionTrial::error
@@ -73,7 +73,7 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
 /// Time of the passes of ambient occlusion in a picture; nothing without timestamps.
 std::optional<double> occlusion_time_ms(std::span<const PassTime> times);
 
-/// Ambient access of every pixel by ray casting; negative where nothing is visible.
-std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count);
+/// Ambient visibility of every pixel by ray casting; negative where nothing is visible.
+std::vector<double> true_visibility(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count);
 
 }  // namespace sinew::viewer

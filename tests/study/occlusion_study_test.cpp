@@ -14,10 +14,10 @@
 
 #include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
+#include "tests/study/exhaustive_visibility.h"
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/passes/frame_renderer.h"
-#include "tests/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {
@@ -200,11 +200,11 @@ TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_devic
   const View view = look_at({1.5, 3.2, 3.0}, {0.3, 0.4, 0.2}, 0.8, 0.05);
   const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, {});
   const RayCaster rays(built.scene, built.frame());
-  const std::vector<double> access = true_access(rays, seen_pixels(rays, view, kWidth, kHeight), 0.5, 1);
+  const std::vector<double> visibility = true_visibility(rays, seen_pixels(rays, view, kWidth, kHeight), 0.5, 1);
   int differ = 0;
-  for (std::size_t i = 0; i < access.size(); ++i) differ += (access[i] >= 0.0) != (image.distance[i] > 0.0);
+  for (std::size_t i = 0; i < visibility.size(); ++i) differ += (visibility[i] >= 0.0) != (image.distance[i] > 0.0);
   EXPECT_LE(differ, 3) << "but for roundings on an outline";
-  EXPECT_GT(std::count_if(access.begin(), access.end(), [](double a) { return a < 0.0; }), 30)
+  EXPECT_GT(std::count_if(visibility.begin(), visibility.end(), [](double a) { return a < 0.0; }), 30)
       << "there is something beside the scene";
 }
 
@@ -220,14 +220,14 @@ BuiltScene floor_and(bool wall) {
   return built;
 }
 
-TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_more) {
+TEST(exhaustive_visibility, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_more) {
   const BuiltScene built = floor_and(true);
   const RayCaster rays(built.scene, built.frame());
   const View view = look_at({2.0, 8.0, 0.0}, {1.0, 0.0, 0.0}, 0.5, 0.05);
   constexpr int kWidth = 81, kHeight = 61, kReach = 16;  // a metre is 15 pixels
   const SeenPixels seen = seen_pixels(rays, view, kWidth, kHeight);
-  const std::vector<double> access = exhaustive_access(seen, view, 1.0, 0.0),
-                            thick = exhaustive_access(seen, view, 1.0, 0.2);
+  const std::vector<double> visibility = exhaustive_visibility(seen, view, 1.0, 0.0),
+                            thick = exhaustive_visibility(seen, view, 1.0, 0.2);
   int compared = 0;
   double off = 0.0, hidden_more = 0.0;
   for (int y = kReach; y < kHeight - kReach; ++y)
@@ -237,9 +237,9 @@ TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_mo
       if (std::abs(p.y) > 0.01 || p.x < 0.1 || p.x > 0.9) continue;
       // rays that meet the wall within a metre, weighted by the cosine
       const double open = 1.0 - (std::acos(p.x) - p.x * std::sqrt(1.0 - p.x * p.x)) / std::numbers::pi;
-      off += std::abs(access[i] - open);
-      hidden_more += access[i] - thick[i];
-      EXPECT_LE(thick[i], access[i]);
+      off += std::abs(visibility[i] - open);
+      hidden_more += visibility[i] - thick[i];
+      EXPECT_LE(thick[i], visibility[i]);
       ++compared;
     }
   ASSERT_GT(compared, 100);
@@ -247,28 +247,28 @@ TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_mo
   EXPECT_GT(hidden_more / compared, 0.01);
 }
 
-TEST(exhaustive_access, holes_between_surfaces_hide_nothing) {
+TEST(exhaustive_visibility, holes_between_surfaces_hide_nothing) {
   BuiltScene built;
   built.add(square(0.3f), built.add_material(matte({1, 1, 1})), translation({0.0f, -0.3f, 0.0f}));
   const RayCaster rays(built.scene, built.frame());
   const View view = look_at({0.4, 2.0, 0.7}, {0.0, -0.3, 0.0}, 0.6, 0.05);
   const SeenPixels seen = seen_pixels(rays, view, 32, 24);
   int surfaces = 0, holes = 0;
-  const std::vector<double> access = exhaustive_access(seen, view, 1.0, 0.1);
-  for (std::size_t i = 0; i < access.size(); ++i) {
+  const std::vector<double> visibility = exhaustive_visibility(seen, view, 1.0, 0.1);
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
     ++(seen.pixels[i] ? surfaces : holes);
-    EXPECT_NEAR(access[i], 1.0, 1e-9) << i;
+    EXPECT_NEAR(visibility[i], 1.0, 1e-9) << i;
   }
   EXPECT_GT(surfaces, 50);
   EXPECT_GT(holes, 100);
 }
 
 /// Root mean square difference where a surface is seen.
-double error_of(const std::vector<double>& access, const std::vector<double>& truth) {
+double error_of(const std::vector<double>& visibility, const std::vector<double>& truth) {
   double squares = 0.0, pixels = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     if (truth[i] >= 0.0) {
-      squares += (access[i] - truth[i]) * (access[i] - truth[i]);
+      squares += (visibility[i] - truth[i]) * (visibility[i] - truth[i]);
       pixels += 1.0;
     }
   return std::sqrt(squares / pixels);
@@ -286,11 +286,11 @@ TEST_F(occlusion_study, horizons_are_compared_with_rays_only_where_a_surface_is_
       study_occlusion(*test_device(), built.scene, built.frame(), view, settings, {32, 24, 64, 0, false});
   const RayCaster rays(built.scene, built.frame());
   const SeenPixels seen = seen_pixels(rays, view, 32, 24);
-  const std::vector<double> truth = true_access(rays, seen, 0.6f, 64);
+  const std::vector<double> truth = true_visibility(rays, seen, 0.6f, 64);
   EXPECT_GT(std::count(truth.begin(), truth.end(), -1.0), 100) << "much of the picture is empty";
   ASSERT_EQ(study.exhaustive.size(), 4u);
   for (const ExhaustiveTrial& trial : study.exhaustive) {
-    EXPECT_NEAR(trial.error, error_of(exhaustive_access(seen, view, 0.6f, trial.thickness), truth), 1e-9);
+    EXPECT_NEAR(trial.error, error_of(exhaustive_visibility(seen, view, 0.6f, trial.thickness), truth), 1e-9);
     EXPECT_GT(trial.error, 0.001);
   }
 }
@@ -328,7 +328,7 @@ TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_ope
     EXPECT_EQ(study.pixels, 32u * 24u) << "surfaces everywhere";
     const RayCaster rays(built.scene, built.frame());
     const SeenPixels seen = seen_pixels(rays, view, 32, 24);
-    const std::vector<double> truth = true_access(rays, seen, 2.0, 64), open(truth.size(), 1.0);
+    const std::vector<double> truth = true_visibility(rays, seen, 2.0, 64), open(truth.size(), 1.0);
     EXPECT_NEAR(study.error_without, error_of(open, truth), 1e-12);
     EXPECT_EQ(study.error_without > 0.05, wall);
     EXPECT_EQ(study.radius_m, 2.0);
@@ -337,7 +337,7 @@ TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_ope
     for (std::size_t i = 0; i < 4; ++i) {
       const double thickness = 0.1 * static_cast<double>(i);
       EXPECT_NEAR(study.exhaustive[i].thickness, thickness, 1e-15);
-      EXPECT_NEAR(study.exhaustive[i].error, error_of(exhaustive_access(seen, view, 2.0, thickness), truth), 1e-9);
+      EXPECT_NEAR(study.exhaustive[i].error, error_of(exhaustive_visibility(seen, view, 2.0, thickness), truth), 1e-9);
     }
     for (const OcclusionTrial& trial : study.trials) {
       EXPECT_LT(trial.error, wall ? study.error_without : 0.01) << trial.name;

@@ -8,9 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "importer/ambient/access_rays.h"
-#include "importer/ambient/access_surfaces.h"
 #include "importer/ambient/ray_scene.h"
+#include "importer/ambient/visibility_rays.h"
+#include "importer/ambient/visibility_surfaces.h"
 #include "runtime/math/normal_transform.h"
 
 namespace sinew::viewer {
@@ -73,7 +73,7 @@ double RayCaster::open_share(const Seen& at, double radius_m, int ray_count) con
   // Coordinates are floats: the start is moved off its triangle by more than their rounding errors.
   const double off = 0x1p-20 * (std::abs(at.point.x) + std::abs(at.point.y) + std::abs(at.point.z)) + 1e-5 * radius_m;
   const glm::dvec3 from = at.point + off * at.geometric;
-  const AccessRays rays(at.normal, static_cast<std::uint32_t>(ray_count), {0.5, 0.0});
+  const VisibilityRays rays(at.normal, static_cast<std::uint32_t>(ray_count), {0.5, 0.0});
   std::vector<glm::dvec3> directions;
   for (int i = 0; i < ray_count; ++i) directions.push_back(rays.direction(static_cast<std::uint32_t>(i)));
   return static_cast<double>(state_->scene.open_count(from, directions, radius_m)) / ray_count;

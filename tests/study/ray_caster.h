@@ -26,8 +26,8 @@ class RayCaster {
   /// The nearest surface that a ray hits.
   std::optional<Seen> seen(const glm::dvec3& from, const glm::dvec3& direction) const;
 
-  /// Ambient access of a point: the fraction of ambient light that arrives when only geometry nearer than `radius_m`
-  /// blocks it.
+  /// Ambient visibility of a point: the fraction of ambient light that arrives when only geometry nearer than
+  /// `radius_m` blocks it.
   /// eq   fraction of `ray_count` rays without a hit; directions have density cos / pi about the normal (Hammersley
   ///      points)
   double open_share(const Seen& at, double radius_m, int ray_count) const;

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/passes/view.h"
 #include "tests/study/ray_caster.h"
+#include "viewer/passes/view.h"
 
 namespace sinew::viewer {
 
-/// What a picture shows: the surface that rays through the middles of its pixels meet, the top row first.
+/// The surfaces of a picture: one for the ray through the middle of each pixel, the top row first.
 struct SeenPixels {
   std::uint32_t width = 0, height = 0;
   std::vector<std::optional<RayCaster::Seen>> pixels;

@@ -10,8 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "viewer/device/device_error.h"
 #include "tests/study/shading_study.h"
+#include "viewer/device/device_error.h"
 
 namespace sinew::viewer {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "runtime/base/contract.h"
-#include "viewer/app/headless.h"
 #include "tests/study/study_scenes.h"
+#include "viewer/app/headless.h"
 #include "viewer/upload/srgb_codes.h"
 
 namespace sinew::viewer {

@@ -25,8 +25,8 @@ struct FloatPicture {
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras = {},
-                          const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
-                          const AccessBlend& blend = {}, const TextureFilter& filter = {});
+                          const OcclusionShape& occlusion = {}, const VertexVisibility* visibility = nullptr,
+                          const VisibilityBlend& blend = {}, const TextureFilter& filter = {});
 
 /// The bytes of a picture in an 8-bit format.
 std::vector<std::uint8_t> render_bytes(const BuiltScene& built, int width, int height, const View& view,

@@ -143,10 +143,10 @@ TEST_F(ground, has_less_ambient_light_beside_what_stands_on_it) {
   RenderOptions options = options_for(GroundLook::shadows);
   options.shadows.on = false;
   options.ao = {.radius_m = 0.6f, .surface_epsilon_m = 0.01f, .fade_start_m = 0.3f, .fade_end_m = 1.2f};
-  RenderOptions access = options;
-  access.show = Show::ao;
+  RenderOptions visibility = options;
+  visibility.show = Show::ao;
   const FloatPicture drawn = render_float(built, kGroundWidth, kGroundHeight, from_above(), options),
-                     seen = render_float(built, kGroundWidth, kGroundHeight, from_above(), access);
+                     seen = render_float(built, kGroundWidth, kGroundHeight, from_above(), visibility);
   const double key = key_irradiance(options.lighting), ambient = ambient_irradiance();
   int touched = 0, beside = 0;
   for (int y = 0; y < kGroundHeight; ++y)

@@ -80,7 +80,7 @@ TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
   EXPECT_LT(kept, drawn * 3 / 4);
 }
 
-TEST_F(look, ambient_access_of_a_plane_is_open_in_a_parallel_view) {
+TEST_F(look, ambient_visibility_of_a_plane_is_open_in_a_parallel_view) {
   Seen seen;
   seen.built.scene.materials[0] = matte({0.5f, 0.5f, 0.5f});
   Headless renderer(*test_device(), seen.built.scene, kLookSize, kLookSize);

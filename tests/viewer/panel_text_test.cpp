@@ -114,13 +114,13 @@ TEST_F(PanelText, the_file_is_named_or_the_scenes_are_offered) {
   EXPECT_THAT(written(), HasSubstr("knight.glb"));
   EXPECT_THAT(written(), HasSubstr("two left feet"));
   const std::vector<std::string> names{"arm", "flag"};
-  facts_.exhibits = names;
-  facts_.exhibit = 1;
+  facts_.scene_names = names;
+  facts_.scene_index = 1;
   EXPECT_THAT(written(), HasSubstr("flag"));
   EXPECT_THAT(written(), Not(HasSubstr("knight.glb")));
   EXPECT_THAT(written(), Not(HasSubstr("arm")));
-  facts_.exhibits = std::span(names).first(1);
-  facts_.exhibit = 0;
+  facts_.scene_names = std::span(names).first(1);
+  facts_.scene_index = 0;
   EXPECT_THAT(written(), HasSubstr("knight.glb")) << "one is no choice";
 }
 

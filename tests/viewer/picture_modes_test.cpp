@@ -41,9 +41,9 @@ TEST(picture_modes, tell_each_texture_filter_in_other_words) {
   std::set<std::string> words;
   for (const FilterKind kind : {FilterKind::file, FilterKind::nearest, FilterKind::bilinear, FilterKind::trilinear,
                                 FilterKind::anisotropic, FilterKind::rip_map}) {
-    const std::string said = told("texture filter", kPicture, {}, {.kind = kind});
-    EXPECT_EQ(said.starts_with("off"), kind == FilterKind::file) << said;
-    words.insert(said);
+    const std::string messages = told("texture filter", kPicture, {}, {.kind = kind});
+    EXPECT_EQ(messages.starts_with("off"), kind == FilterKind::file) << messages;
+    words.insert(messages);
   }
   EXPECT_EQ(words.size(), 6u);
   EXPECT_EQ(told("texture filter", kPicture, {}, {.kind = FilterKind::anisotropic, .anisotropy = 8}),

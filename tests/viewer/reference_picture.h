@@ -18,10 +18,10 @@ struct PictureBounds {
 /// Draws the scene and compares each pixel with the reference renderer (tests/reference/picture.h). The reference looks
 /// along five rays through each pixel, its middle and 1/32 pixel around it; each channel must lie within their range,
 /// widened by the bound. So a pixel on an edge may be on either side of it.
-/// in   access   [width * height] ambient access for the reference; empty = 1
+/// in   visibility   [width * height] ambient visibility for the reference; empty = 1
 ///      ambient  what the environment of the options is made of
 void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
-                              const PictureBounds& bounds = {}, std::span<const double> access = {},
+                              const PictureBounds& bounds = {}, std::span<const double> visibility = {},
                               const Gradient& ambient = {});
 
 /// No environment, no occlusion, and no light at all but the scene's.
