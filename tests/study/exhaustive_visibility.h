@@ -6,11 +6,11 @@
 
 namespace sinew::viewer {
 
-/// Ambient visibility of every pixel by horizons, as shaders/gtao.frag finds them, but with every pixel within the
-/// radius looked at, in 32 directions, in double precision. It shows how much of the error of the pass is haste, and
-/// how much is that a picture does not show what is hidden or turned away. 1 where nothing is visible.
-/// in   view       of the pixels, a perspective
-///      thickness  in radii: bodies are that thick behind what is seen, and hide light where they reach into the radius
+/// Ambient visibility of every pixel by horizons, like shaders/gtao.frag, but in double precision. It reads every pixel
+/// within the radius, in 32 directions. The difference to the pass is its sampling error; the difference to ray casting
+/// is the error of screen space itself. 1 where nothing is visible.
+/// in   view       of the pixels, perspective
+///      thickness  assumed thickness of bodies behind visible surfaces, in radii
 /// cost O(pixels * radius in pixels)
 std::vector<double> exhaustive_visibility(const SeenPixels& seen, const View& view, double radius_m, double thickness);
 

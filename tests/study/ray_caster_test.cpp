@@ -34,7 +34,7 @@ Affine ceiling_at(float height) {
   return m;
 }
 
-/// The surface that a ray straight down from (x, 5, z) meets.
+/// The hit of a ray straight down from (x, 5, z).
 std::optional<RayCaster::Seen> below(const RayCaster& rays, double x = 0.1, double z = 0.2) {
   return rays.seen({x, 5.0, z}, {0, -1, 0});
 }

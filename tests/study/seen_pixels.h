@@ -9,7 +9,7 @@
 
 namespace sinew::viewer {
 
-/// The surfaces of a picture: one for the ray through the middle of each pixel, the top row first.
+/// The visible surface at each pixel center, top row first.
 struct SeenPixels {
   std::uint32_t width = 0, height = 0;
   std::vector<std::optional<RayCaster::Seen>> pixels;

@@ -39,9 +39,9 @@ struct ShadingEffort {
   static ShadingEffort quick() noexcept { return {96, 64, 8, 3}; }
 };
 
-/// Draws a plane that reaches the horizon through every filter, and a sphere with both interpolations of normals. Each
-/// pixel of the plane is compared with the mean of samples x samples points of it. The ways take turns, so that
-/// disturbances of the machine affect all alike.
+/// Draws a plane that reaches the horizon with every filter, and compares each pixel with the mean of samples x samples
+/// points. Also draws a sphere with both normal interpolations. The variants alternate, so that disturbances of the
+/// machine affect all alike.
 /// err  DeviceError
 /// cost seconds on a software device
 ShadingStudy study_shading(Device& device, const ShadingEffort& effort);

@@ -22,7 +22,7 @@ LoadedScene arms() {
   return loaded;
 }
 
-/// What a pose has by itself, within the reach that the first pose of the clip gives.
+/// The ambient visibility of a single pose, with the default ray length of the clip's first pose.
 MeshVisibility baked(const Scene& scene, std::uint32_t clip, double time_s) {
   VisibilityOptions how;
   const double times[] = {0.0, time_s};
@@ -38,7 +38,7 @@ MeshVisibility baked(const Scene& scene, std::uint32_t clip, double time_s) {
 
 TEST(bake_visibility, key_poses_are_spread_over_the_clip_one_after_another) {
   LoadedScene loaded = arms();
-  loaded.scene.animations[0].duration_s *= 0.4;  // the arms go there and back: the whole is the same in reverse
+  loaded.scene.animations[0].duration_s *= 0.4;  // the motion is symmetric in time, so use only part of it
   const double duration = loaded.scene.animations[0].duration_s;
   std::vector<std::string> messages;
   std::vector<double> told;
@@ -81,7 +81,7 @@ TEST(bake_visibility, one_pose_is_the_rest_pose_and_what_is_there_stays) {
   EXPECT_EQ(messages, 1);
 }
 
-/// A triangle; `attribute` are members of its attributes besides the positions, which all accessors read.
+/// A triangle; `attribute` are members added to its attributes. All accessors read the position data.
 ImportResult<ImportedFile> triangle_with(const std::string& attribute) {
   const std::string json =
       R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0)" +

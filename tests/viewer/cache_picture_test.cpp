@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of geometry caches beside the reference renderer, which is given vertices that come another way.
+// Pictures of geometry caches, compared with the reference renderer, which gets its vertices directly from the decoder.
 #include <algorithm>
 #include <cstdlib>
 #include <glm/geometric.hpp>

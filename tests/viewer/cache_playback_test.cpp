@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using Reads = CacheReader::Reads;
 
-/// A cache alone, evaluated at any time.
+/// A cache without a glTF file, evaluated at any time.
 class Played {
  public:
   Played(const CacheAlone& alone, Reads reads)
@@ -114,7 +114,7 @@ TEST(cache_playback, tells_what_it_takes) {
             "18 kB a second read, window 3 of 40 frames in 1.2 MB");
 }
 
-/// A frame that decoded vertices, as a plan with stage times tells it.
+/// A frame result with decoded vertices and stage times.
 struct Decoded {
   std::array<std::uint64_t, kStageCount> stage_ns{};
   FrameResult frame;

@@ -13,7 +13,7 @@ namespace {
 
 using Reads = CacheReader::Reads;
 
-/// Decodes a frame, and waits for its bytes where they come later.
+/// Decodes a frame; waits for its bytes if they are read on another thread.
 GeometryStatus decode(GeometryDecoder& decoder, std::uint32_t frame, FrameWindow& window) {
   for (;; std::this_thread::yield()) {
     window.prefetch(decoder.next_for(frame));

@@ -17,7 +17,7 @@ inline Bytes gliding_cache() {
   return *encode_geometry_cache(test::take_of(std::move(frames), {0, 1, 2, 0, 2, 3}), {.segment_frames = 8});
 }
 
-/// A geometry cache without a scene, as it is shown.
+/// A geometry cache as the viewer loads it without a glTF file.
 inline LoadedScene scene_of_cache_file(const Bytes& bytes) {
   CacheAlone alone = flag_alone(bytes);
   LoadedScene loaded;

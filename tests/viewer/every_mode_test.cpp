@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every value of every option that changes how a picture is made, in a picture of one pixel and in a very wide one.
-// Validation, which looks at synchronization, has nothing to say.
+// Draws with every value of every rendering option, in a picture of one pixel and in a very wide one, without
+// validation messages.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -124,7 +124,7 @@ VertexVisibility half_visibility(const Scene& scene) {
   return visibility;
 }
 
-/// The row through the middle of the balls, as wide as 60 degrees.
+/// A view of one row of pixels through the middle of the balls, 60 degrees wide.
 View view_of(std::uint32_t width) {
   return look_at({0.3, 1.2, 5.0}, {0.0, 0.6, 0.0}, 2.0 * std::atan(std::tan(0.52) / width), 0.05);
 }

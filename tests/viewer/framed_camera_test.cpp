@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The user's camera beside what it frames: poses that move, clips that change, and files that change.
+// The user's camera while its subject moves, the clip changes, or the file changes.
 #include "viewer/app/framed_camera.h"
 
 #include <glm/geometric.hpp>
@@ -115,7 +115,7 @@ TEST_F(framed_camera, frames_and_follows_a_geometry_cache_where_it_is) {
   EXPECT_NEAR(target().x, 4.5, 0.01);
   follow_at(0.5 * end_s);
   EXPECT_NEAR(target().x, 2.5, 0.01);
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(framed_camera, keeps_its_place_beside_what_it_follows_when_the_file_changes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares ambient visibility by horizons with plain double precision on depth and normals drawn by the GPU, and with
-// what is known in closed form.
+// Compares horizon-based ambient visibility with a double-precision reference on depth and normals drawn by the GPU,
+// and with closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the
 }
 
 TEST_F(gtao_pass, agrees_with_the_reference_where_normals_point_away_from_the_picture) {
-  // At the edges of a wide view one sees spheres beyond their equators, down to the wall in which they stick.
+  // At the edges of a wide view, spheres are visible beyond their equators, down to the wall that they intersect.
   BuiltScene built;
   const std::uint32_t white = built.add_material(matte({1, 1, 1}));
   for (const glm::vec3& side : {glm::vec3(2.6f, 0, -1.2f), {-2.6f, 0, -1.2f}, {0, 2.6f, -1.2f}, {0, -2.6f, -1.2f}})

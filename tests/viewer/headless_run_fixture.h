@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program writes without a window, and the same picture made here by itself.
+// Fixture that compares pictures written by the program with the same pictures drawn by the test.
 #pragma once
 #include <unistd.h>
 
@@ -32,8 +32,8 @@ inline Material glowing(const char* name, const glm::vec3& color) {
   return material;
 }
 
-/// A box that glides 2 m to the right beside one that stands, with a camera on the one that glides and one far before
-/// both, which glides as well.
+/// A moving box (2 m to the right) next to a static one. One camera is on the moving box; another moving camera is far
+/// in front of both.
 inline LoadedScene gliding_box() {
   showcase::SceneBuilder builder;
   const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})),
@@ -82,13 +82,13 @@ class HeadlessRunTest : public DeviceTest {
     DeviceTest::TearDown();
   }
 
-  /// What the program writes.
+  /// The picture that the program writes.
   std::string written(Options options, const LoadedScene& loaded, std::uint32_t clip = 0) {
     options.headless = (folder_ / "a.png").string();
     EXPECT_EQ(write_pictures(*test_device(), options, loaded, clip), 0);
     return test::text_of_file(options.headless);
   }
-  /// The picture of this view, evaluated and drawn here.
+  /// The picture of this view, evaluated and drawn by the test.
   std::string drawn(Options options, const LoadedScene& loaded, const View& view, double time_s,
                     std::uint32_t clip = 0) {
     options.headless = "a.png";

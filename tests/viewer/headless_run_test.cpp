@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures that the program writes without a window: byte for byte those of the view, the time and the look that the
-// options say, each made here by itself.
+// Pictures written by the program without a window. They must be byte-identical to pictures that the test draws with
+// the view, time and look of the options.
 #include <sys/stat.h>
 
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sequences of pictures: each is that of its time, as if it were made alone, whatever was drawn before it.
+// Sequences of pictures: each equals the single picture of its time, independent of earlier pictures.
 #include "tests/viewer/cache_scene.h"
 #include "tests/viewer/headless_run_fixture.h"
 
@@ -11,7 +11,7 @@ class headless_sequence : public HeadlessRunTest {
   static fs::path picture_in(const fs::path& folder, std::uint32_t number) {
     return folder / ("0000" + std::to_string(number) + ".png");
   }
-  /// The pictures that the program writes, and in plan_ what it says of the last one.
+  /// The pictures that the program writes; plan_ gets the live plan of the last one.
   std::vector<std::string> sequence(Options options, const LoadedScene& loaded, std::uint32_t clip = 0) {
     options.headless = (folder_ / "new" / std::to_string(++sequences_)).string();
     options.plan = true;
@@ -43,7 +43,7 @@ class headless_sequence : public HeadlessRunTest {
   int sequences_ = 0;
 };
 
-/// From so far away that poses are evaluated less often. What moves is seen to move.
+/// From so far away that poses are evaluated less often, but motion is still visible.
 Options far_away(Updates updates) {
   Options options = small_picture();
   options.updates = updates;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as the viewer shows them: which scene, what is said of the others, and what is asked of the runtime.
+// Files as the viewer loads them: the chosen scene, messages, and the needs for the runtime.
 #include "viewer/app/loaded_scene.h"
 
 #include <gmock/gmock.h>

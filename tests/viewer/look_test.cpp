@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What changes the picture without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
+// Features that change the picture without moving a vertex: orthographic cameras, copies, variants, animated materials
+// and visibility.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/passes/draw_list.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflections of ambient light where other surfaces hide some of it: beside the reference renderer, and beside rays.
+// Occluded reflections of environment light, compared with the reference renderer and with ray casting.
 #include <algorithm>
 #include <cmath>
 
@@ -116,7 +116,7 @@ std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built) {
   return triangles;
 }
 
-/// Share of the reflection at each pixel that no surface nearer than the radius hides; negative where nothing is seen.
+/// Fraction of the reflection at each pixel that is not occluded within the radius; negative where nothing is visible.
 std::vector<double> unhidden_by_rays(const BuiltScene& built, double roughness) {
   const auto triangles = triangles_of(built);
   const reference::DepthAndNormals image = gpu_depth_and_normals(built, kWidth, kHeight, the_view(), {});

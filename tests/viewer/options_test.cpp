@@ -201,7 +201,7 @@ TEST(options, accept_each_word_of_show_and_skinning) {
 
 struct WrongUsage {
   std::vector<const char*> arguments;
-  const char* says;  // what the message must name, so that the user finds the place
+  const char* says;  // text that the message must contain
 };
 
 TEST(options, read_how_what_is_small_is_updated) {
@@ -283,7 +283,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 }
 
 struct Limits {
-  std::vector<const char*> before;  ///< what the option needs
+  std::vector<const char*> before;  ///< other options that it requires
   const char* option;
   std::vector<const char*> within, beyond;
 };

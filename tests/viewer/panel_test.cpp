@@ -32,7 +32,7 @@ class PanelTest : public ImguiTest {
     return requests;
   }
 
-  // Presses the item with that label. True if some frame reported it active.
+  // Clicks the item with that label. Returns the requests of all frames.
   PanelRequests click(const char* label, Playback& playback) {
     frame(playback);
     return click(label, "sinew (h hides this)", playback);
@@ -45,7 +45,7 @@ class PanelTest : public ImguiTest {
     return click(item, "##Combo_00", playback);
   }
 
-  // Holds a slider and goes to that end of the screen.
+  // Drags a slider to that end of the screen.
   void slide(const char* label, float x, Playback& playback) {
     frame(playback);
     if (!hover(id_of(label, "sinew (h hides this)"), label, playback)) return;
@@ -69,7 +69,7 @@ class PanelTest : public ImguiTest {
     return g.HoveredId == id;
   }
 
-  // in   number  of the item, where names may repeat
+  // in   number  id of the item, for repeated names
   static ImGuiID id_of(const char* label, const char* window_name, const int* number = nullptr) {
     ImGuiWindow* window = ImGui::FindWindowByName(window_name);
     if (window == nullptr) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every word of the panels, and where the live plan stands. ImGui writes what it lays out into a log.
+// Every text of the panels, and the position of the live plan. Uses ImGui's logging.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -33,8 +33,8 @@ class PanelText : public ImguiTest {
     facts_.needs = &needs_;
   }
 
-  /// What a window says in a frame after some in which it finds its size. The log goes to the clipboard when the window
-  /// ends.
+  /// The text of a window, after some frames in which it finds its size. ImGui puts the log on the clipboard when the
+  /// window ends.
   template <class LayOut>
   std::string logged(const LayOut& lay_out) {
     std::string text;

@@ -10,7 +10,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// What the plan says of one mode, as "on" or "off", the count where there is one, and the reason.
+/// The live plan's text of one mode: "on" or "off", the count if any, and the reason.
 std::string told(std::string_view name, const FrameNeeds& needs, const RenderOptions& options = {},
                  const TextureFilter& filter = {}) {
   for (const PictureMode& mode : describe_modes(needs, options, filter))

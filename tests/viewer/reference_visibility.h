@@ -10,7 +10,7 @@
 
 namespace sinew::viewer {
 
-/// Ambient visibility and bend of every pixel by the plain reference, with the offsets and the noise of the viewer.
+/// Ambient visibility and bent normals of every pixel by the reference, with the viewer's sample offsets and noise.
 reference::PixelVisibility reference_visibility(const reference::DepthAndNormals& image, const RenderOptions& options,
                                                 const OcclusionShape& shape = {});
 
@@ -19,7 +19,7 @@ inline View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0
 
 struct VisibilityDifference {
   double mean = 0.0, worst = 0.0;
-  double darkest = 1.0;  ///< of what is expected: without any dark, agreement means nothing
+  double darkest = 1.0;  ///< darkest expected value: without dark pixels, agreement proves nothing
   int far = 0;           ///< pixels that differ by more than 0.03
 };
 VisibilityDifference difference_of_visibility(const FloatPicture& picture, const std::vector<double>& expected);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene that is shown to the same file as it is now: state, pictures, and what the device holds.
+// Replacing the shown scene by its changed file: kept state, pictures, and device memory.
 #include "viewer/app/reload/replace_shown_scene.h"
 
 #include <gmock/gmock.h>
@@ -115,7 +115,7 @@ LoadedScene first_state() {
   return loaded;
 }
 
-/// The arms are green, a clip was put before the others, and "slow" turns other joints.
+/// Changed: the arms are green, there is a new first clip, and "slow" moves other joints.
 LoadedScene changed_state() {
   LoadedScene loaded = first_state();
   loaded.note = "changed";

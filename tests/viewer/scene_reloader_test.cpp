@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that change while they are watched: what is read again, what is messages, and which files count.
+// Reloading of changed files: which files are watched, when they are reloaded, and the messages.
 #include "viewer/app/reload/scene_reloader.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ class scene_reloader : public testing::Test {
 
   fs::path file(const std::string& name) const { return folder_ / name; }
 
-  // Each write has a time of its own, however fast they follow each other.
+  // Gives each write a distinct modification time.
   void write(const std::string& name, const std::string& text) {
     std::ofstream(file(name)) << text;
     fs::last_write_time(file(name), fs::file_time_type(std::chrono::seconds(++writes_)));
@@ -69,7 +69,7 @@ class scene_reloader : public testing::Test {
     });
   }
 
-  // What a few looks lead to: the note, the error, or nothing when nothing is read.
+  // The result of a few checks: the scene's note, the error, or empty if nothing was reloaded.
   std::string after_looks() {
     const int before = reads_;
     for (int i = 0; i < 3 && reads_ == before; ++i) look();

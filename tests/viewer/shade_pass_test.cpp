@@ -48,7 +48,7 @@ struct Seen {
   std::vector<glm::dvec3> points;
   std::vector<bool> inner;
 
-  /// How much the depth of an inner pixel differs from those beside and above it: metres per pixel.
+  /// Depth differences between an inner pixel and its neighbours, in metres per pixel.
   double slope(std::size_t i) const {
     return std::abs(points[i].z - points[i + 1].z) + std::abs(points[i].z - points[i - 1].z) +
            std::abs(points[i].z - points[i + kWidth].z) + std::abs(points[i].z - points[i - kWidth].z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the window asks of the job thread: the pose of the time, without what is out of view, and never without what
+// Requests of the window to the job thread: the pose of the current time, with culling, but never without a mesh that
 // comes into view.
 #include "viewer/app/shown_scene.h"
 
@@ -57,7 +57,7 @@ class shown_scene : public DeviceTest {
     DeviceTest::TearDown();
   }
   void submit(const View& view, bool joints_needed = false) { shown_->submit(view, false, 1.5, joints_needed); }
-  /// The newest pose once it is the one that was asked for last.
+  /// Waits until the newest pose is the last requested one.
   const FrameResult& settled() {
     for (int i = 0; i < 4000; ++i) {
       shown_->newest();
@@ -67,7 +67,7 @@ class shown_scene : public DeviceTest {
     ADD_FAILURE() << "the pose does not come";
     return shown_->newest();
   }
-  /// A box that plays so far away that it is not evaluated for every frame.
+  /// Plays a box so far away that it is not evaluated in every frame.
   void play_far_away() {
     show(gliding_box(false), {.updates = Updates::held});
     shown_->playback().toggle();
@@ -78,7 +78,7 @@ class shown_scene : public DeviceTest {
     }
     ASSERT_NE(shown_->update_levels().level(), UpdateLevel::every);
   }
-  /// Negative where no joint was evaluated.
+  /// Position of the box; negative if no joint was evaluated.
   double place_m() {
     const auto& model = shown_->newest().model;
     return model.empty() ? -1.0 : static_cast<double>(model[0].row[0].w);
@@ -250,7 +250,7 @@ TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stan
   const glm::dvec3 whole = corner(1.0f), half = corner(0.5f), quarter = corner(0.25f);
   EXPECT_GT(glm::length(whole - half), 0.01);
   EXPECT_LT(glm::length(whole - half - 2.0 * (half - quarter)), 1e-5);
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
@@ -269,7 +269,7 @@ TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) 
   submit(kAhead);
   settled();
   EXPECT_EQ(shown_->cache_fault(), "") << "this frame is whole";
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time_stands_still) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares the passes from depth to ambient visibility with plain double precision, on depth and normals drawn by the
-// GPU.
+// Compares the ambient occlusion passes with a double-precision reference, on depth and normals drawn by the GPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,8 +36,8 @@ std::vector<glm::vec4> greys(const std::vector<double>& values) {
   return pixels;
 }
 
-/// A corridor seen from its open end, with a post one pixel wide before its back wall, at an odd column of 64 x 48
-/// pixels: half-size texels miss it.
+/// A corridor seen from its open end, with a post one pixel wide in front of the back wall. The post is at an odd
+/// column of 64 x 48 pixels, which half-size texels miss.
 BuiltScene post_in_a_corridor(float pixel_m) {
   BuiltScene built;
   const std::uint32_t grey = built.add_material(matte({0.5f, 0.5f, 0.5f}));

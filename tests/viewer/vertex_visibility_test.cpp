@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ambient visibility that comes with the vertices: between key poses, in pictures, and in light.
+// Per-vertex ambient visibility: between key poses, in pictures, and in lighting.
 #include "viewer/upload/visibility_blend.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ BuiltScene facing_square(const Material& material = matte({0.5f, 0.5f, 0.5f})) {
   return built;
 }
 
-/// One list a pose: the values of the vertices of the square.
+/// One list for each pose: the values of the square's vertices.
 VertexVisibility visibility_of(const BuiltScene& built,
                                const std::vector<std::function<float(const glm::vec3&)>>& poses) {
   VertexVisibility visibility;
