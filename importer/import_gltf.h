@@ -71,7 +71,7 @@ ExtensionSupport extension_support(std::string_view name) noexcept;
 /// names file, JSON pointer and rule; a broken rule with a safe and usual repair is a warning that names the repair.
 /// No exception leaves the function.
 /// out   the scene, which has passed check(Scene)
-/// err   the identifiers in importer/rules.inc
+/// err   the identifiers in rules.inc of the importer
 /// cost  O(file); memory below a small multiple of the file, bounded by the options
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options = {});
 

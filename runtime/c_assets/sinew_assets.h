@@ -20,7 +20,7 @@ int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY;   cost O(bytes), allocates
 sinew_error sinew_assets_read(const void* bytes, size_t byte_count, sinew_scene** scene, sinew_messages** messages);
 
-/// How the clips of a file are cut into pages (runtime/c/pages.h).
+/// How the clips of a file are cut into pages (sinew.h).
 typedef struct sinew_page_tables sinew_page_tables;
 
 /// sinew_assets_read without the pages: clips that lie in pages have the first key of each track.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What an engine does with sinew: read an asset file, plan once, then give frames to the job thread and read the newest
 // finished one, never waiting for it. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
-#include <sinew/runtime/asset_file/read_assets.h>
-#include <sinew/runtime/threads/job_thread.h>
+#include <sinew/asset_file.h>
+#include <sinew/job_thread.h>
+#include <sinew/plan.h>
 
 #include <cstdio>
 #include <fstream>
