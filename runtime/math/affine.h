@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/math/conventions.h"
+#include "runtime/math/vectors.h"
 
 namespace sinew {
 

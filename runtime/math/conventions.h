@@ -27,7 +27,6 @@
 /// - GLM options that change the layout of its types are refused below: a program compiled with other layouts than the
 ///   library would link all the same.
 #include <cstddef>
-#include <type_traits>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -36,14 +35,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec3) == 4 && alignof(glm::vec4) == 4 &&
-                  alignof(glm::quat) == 4 && sizeof(glm::mat3) == 36 && alignof(glm::mat4) == 4 &&
-                  sizeof(glm::dvec3) == 24 && alignof(glm::dvec4) == alignof(double),
+#include "runtime/math/vectors.h"
+
+static_assert(sizeof(glm::dvec3) == 24 && alignof(glm::dvec4) == alignof(double) && alignof(glm::quat) == 4 &&
+                  sizeof(glm::mat3) == 36 && alignof(glm::mat4) == 4,
               "sinew needs GLM's packed types: do not define GLM_FORCE_DEFAULT_ALIGNED_GENTYPES.");
 static_assert(offsetof(glm::quat, x) == 0 && offsetof(glm::quat, w) == 12,
               "sinew needs GLM's quaternions in the order x y z w: do not define GLM_FORCE_QUAT_DATA_WXYZ.");
-static_assert(std::is_same_v<glm::length_t, int>,
-              "sinew needs GLM's lengths to be int: do not define GLM_FORCE_SIZE_T_LENGTH.");
 
 // Of GLM 1.0. Constructors are not constant with every option, so a static_assert cannot ask for their order.
 #ifdef GLM_FORCE_QUAT_CTOR_XYZW
@@ -54,16 +52,6 @@ namespace sinew {
 
 template <class T>
 using Vec2 = glm::vec<2, T, glm::defaultp>;
-template <class T>
-using Vec3 = glm::vec<3, T, glm::defaultp>;
-template <class T>
-using Vec4 = glm::vec<4, T, glm::defaultp>;
-template <class T>
-using Quat = glm::qua<T, glm::defaultp>;
-template <class T>
-using Mat3 = glm::mat<3, 3, T, glm::defaultp>;
-template <class T>
-using Mat4 = glm::mat<4, 4, T, glm::defaultp>;
 
 /// Quaternion from its components in storage order (GLM's own constructor takes w first).
 template <class T>

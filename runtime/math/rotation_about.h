@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "runtime/math/affine.h"
+#include "runtime/math/conventions.h"
 
 namespace sinew {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <memory_resource>
 
 #include "runtime/base/contract.h"
 #include "runtime/base/prefetch.h"
@@ -54,13 +55,15 @@ void write_rest_pose(const CompiledPlan& plan, FrameMemory memory) noexcept {
 }  // namespace
 
 void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
-  if (memory != nullptr) memory->deallocate(block, byte_count, kAlignment);
+  if (deallocate != nullptr) deallocate(context, block, byte_count);
 }
 
-FrameBuffer::FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory)
+FrameBuffer::FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
+
+FrameBuffer::FrameBuffer(const Plan& plan, const Source& memory)
     : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(
-                            static_cast<std::byte*>(memory.allocate(plan.frame_bytes(), kAlignment)),
-                            GiveBack{&memory, plan.frame_bytes()})) {}
+                            static_cast<std::byte*>(memory.allocate(memory.context, plan.frame_bytes())),
+                            GiveBack{memory.context, memory.deallocate, plan.frame_bytes()})) {}
 
 FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
     : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(large_enough(block, plan.frame_bytes()), GiveBack{})) {}

@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <memory_resource>
 #include <span>
 
 #include "runtime/base/result.h"
 #include "runtime/math/affine.h"
-#include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
 
+struct CompiledPlan;
 struct FrameInput;
+class Plan;
+
+/// The two functions of std::pmr::memory_resource that a frame buffer calls. Including <memory_resource> would cost
+/// every source file that runs frames 8,000 lines more.
+template <class Memory>
+concept BlockMemory = requires(Memory& memory, void* block) {
+  { memory.allocate(std::size_t{}, std::size_t{}) } -> std::same_as<void*>;
+  memory.deallocate(block, std::size_t{}, std::size_t{});
+};
 
 /// What a frame buffer remembers of the input of its last run; the arrays are in its block. Internal to plan/.
 struct LastInput {
@@ -33,9 +42,20 @@ class FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
 
-  /// Takes the block from `memory`, which must outlive the buffer, or from operator new.
-  explicit FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
-  FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory);
+  /// Takes the block from operator new, or from `memory`, which must outlive the buffer. `memory` is a
+  /// std::pmr::memory_resource, or another type with the two functions of BlockMemory.
+  explicit FrameBuffer(const Plan& plan);
+  template <BlockMemory Memory>
+  FrameBuffer(const Plan& plan, Memory& memory)
+      : FrameBuffer(plan, {.context = &memory,
+                           .allocate =
+                               [](void* context, std::size_t byte_count) {
+                                 return static_cast<Memory*>(context)->allocate(byte_count, kAlignment);
+                               },
+                           .deallocate =
+                               [](void* context, void* block, std::size_t byte_count) {
+                                 static_cast<Memory*>(context)->deallocate(block, byte_count, kAlignment);
+                               }}) {}
 
   /// Uses the caller's block: at least Plan::frame_bytes() bytes at a multiple of kAlignment, which must outlive the
   /// buffer.
@@ -69,8 +89,16 @@ class FrameBuffer {
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
 
+  struct Source {
+    void* context;
+    void* (*allocate)(void* context, std::size_t byte_count);
+    void (*deallocate)(void* context, void* block, std::size_t byte_count);
+  };
+  FrameBuffer(const Plan& plan, const Source& memory);
+
   struct GiveBack {
-    std::pmr::memory_resource* memory = nullptr;  // null: the caller's block
+    void* context = nullptr;
+    void (*deallocate)(void* context, void* block, std::size_t byte_count) = nullptr;  // null: the caller's block
     std::size_t byte_count = 0;
     void operator()(std::byte* block) const noexcept;
   };

@@ -8,3 +8,4 @@
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/plan_stages.h"
+#include "runtime/plan/run_plan.h"
