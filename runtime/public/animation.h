@@ -8,7 +8,6 @@
 ///     const sinew::Clip clip = compile_clip(swing, skeleton, {}, {});
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/close_loop.h"
-#include "runtime/animation/keyframe.h"
 #include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
 #include "runtime/animation/truth_pose.h"

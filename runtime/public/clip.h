@@ -6,11 +6,8 @@
 ///
 ///     const sinew::Clip clip = compile_clip(animation, scene.skeleton, rest_weights_of(scene), scene.first_weight);
 ///     const sinew::Clip faster = unpacked(clip);  // more memory, the same bits
-#include "runtime/clip/base_numbers.h"
 #include "runtime/clip/clip.h"
-#include "runtime/clip/clip_certificate.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/clip/decompile_clip.h"
 #include "runtime/clip/keep_joints.h"
-#include "runtime/clip/key_tolerances.h"
 #include "runtime/clip/unpack_clip.h"

@@ -18,6 +18,5 @@
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
-#include "runtime/deform/surface_faces.h"
 #include "runtime/deform/surface_normals.h"
 #include "runtime/deform/vertex_streams.h"

@@ -8,4 +8,3 @@
 ///     hold_feet(feet, actor.animations[0], actor.skeleton, knight.skeleton, walk);
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/hold_feet.h"
-#include "runtime/retarget/hold_feet_animation.h"

@@ -8,5 +8,4 @@
 ///     const std::vector<sinew::Aabb> boxes = clip_boxes(scene, clip);
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/lod/compile_skeleton_lod.h"
-#include "runtime/model/clip_boxes.h"
 #include "runtime/model/skeleton_lod.h"

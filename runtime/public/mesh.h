@@ -6,5 +6,4 @@
 ///     for (const sinew::Primitive& primitive : scene.meshes[instance.mesh].primitives) upload(primitive.positions,
 ///     primitive.indices); for_each_copy(instance, world_from_mesh, [&](const sinew::Affine& world) { draw(world); });
 #include "runtime/model/mesh.h"
-#include "runtime/model/mesh_copies.h"
 #include "runtime/model/skin.h"

@@ -10,3 +10,4 @@
 #include "runtime/playback/event_cursor.h"
 #include "runtime/playback/playback_clock.h"
 #include "runtime/playback/root_motion.h"
+#include "runtime/playback/root_track.h"

@@ -6,5 +6,7 @@
 ///
 ///     const sinew::ErrorCode code = run_plan(plan, input, frame);
 ///     if (code != sinew::ErrorCode::ok) log(describe(code));
+#include <tl/expected.hpp>
+
 #include "runtime/base/contract.h"
 #include "runtime/base/result.h"

@@ -13,4 +13,3 @@
 #include "runtime/retarget/retarget_weights.h"
 #include "runtime/retarget/share_twist.h"
 #include "runtime/retarget/skeleton_map.h"
-#include "runtime/retarget/twist_map.h"

@@ -8,4 +8,3 @@
 ///     const sinew::Plan plan = compile_plan(scene, {});
 #include "runtime/model/scene.h"
 #include "runtime/model/scene_look.h"
-#include "runtime/model/show_scene.h"

@@ -4,8 +4,17 @@
 # Each public header compiles alone and is small enough: the lines that a compiler reads for it, without comments and blank ones,
 # are the cost of including it. They are counted, since times differ from run to run.
 cmake_minimum_required(VERSION 3.25)
-set(most_lines 90000)          # of any header
-set(most_lines_of_frame.h 90000)
+set(most_lines 88000)
+set(most_lines_of_frame.h 40000)  # by far the most often included
+set(most_lines_of_fwd.h 300)
+set(most_lines_of_frame_hash.h 35000)
+set(most_lines_of_result.h 36000)
+foreach(name IN ITEMS sinew.h sinew_assets.h sinew_geometry.h sinew_import.h)
+  set(most_lines_of_${name} 1000)
+endforeach()
+foreach(name IN ITEMS materials.h math.h mesh.h skeleton.h vrm.h)
+  set(most_lines_of_${name} 46000)
+endforeach()
 
 file(STRINGS ${LIST} pairs)
 set(names "")
