@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The C interface of the runtime, for C11 and C++. Files are read by sinew_assets.h, sinew_geometry.h and
+// The C interface of the runtime, for C and C++. Files are read by sinew_assets.h, sinew_geometry.h and
 // sinew_import.h.
 #include "runtime/c/clips.h"
 #include "runtime/c/frame.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C11 and C++.
+// Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C and C++.
 #include "runtime/c/messages.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/scene.h"
@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/// Whether bytes begin as those of asset files do.
+/// 1 if the bytes begin as an asset file does.
 int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 
 /// The scene of an asset file: its skeleton, and model and clips where it has them. Any bytes are welcome; the scene
