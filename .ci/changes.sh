@@ -40,7 +40,7 @@ what_was_left_out() {
   fi
   echo "changes since ${ci_base:0:12}: $(wc -l <<< "$ci_changes") files; in turn: $(part_in_turn)"
   for part in "${ci_parts[@]}"; do
-    takes "$part" || echo "left out: $part (no path of its has changed, see .ci/run)"
+    takes "$part" || echo "left out: $part (no changed path asks for it, see .ci/run)"
   done
 }
 
@@ -65,7 +65,7 @@ changed_folders() {
     headers=$(grep -E '\.h$' <<< "$ci_changes" || true)
     echo "$ci_changes"
     [ -z "$headers" ] || git grep -lF -f <(echo "$headers") -- '*.h' '*.cpp' || true
-  fi | xargs -n 1 dirname | sort -u
+  fi | sed -n 's|/[^/]*$||p' | sort -u
 }
 
 # Names of at most $1 programs: those that follow, then those of changed folders, then others; the latter two in an order that the
@@ -107,6 +107,7 @@ install_tools() {
     @pixiv/three-vrm@3.4.5 @pixiv/three-vrm-animation@3.4.5
   ./run --preset asan install
   ! takes arm || ./run --preset aarch64 install
+  ! takes windows || ./run --preset mingw install
 }
 
 # Nothing that is compiled needs the tools: they are loaded and unpacked beside it.

@@ -26,9 +26,7 @@ set(sinew_public_headers
   runtime/math/normal_transform.h
   runtime/math/quat_log_exp.h
   runtime/math/quaternion.h
-  runtime/math/rotation_about.h
   runtime/math/rotation_between.h
-  runtime/math/stretch.h
   runtime/math/swing_twist.h
   runtime/math/transform.h
   runtime/math/two_bones.h
@@ -84,7 +82,6 @@ set(sinew_public_headers
   runtime/deform/skin_center_of_rotation.h
   runtime/deform/skin_dual_quaternion.h
   runtime/deform/skin_linear.h
-  runtime/deform/surface_faces.h
   runtime/deform/surface_normals.h
   runtime/deform/vertex_streams.h
   runtime/plan/compile_plan.h
@@ -105,7 +102,6 @@ set(sinew_public_headers
   runtime/playback/root_track.h
   runtime/retarget/feet_map.h
   runtime/retarget/hold_feet.h
-  runtime/retarget/hold_feet_animation.h
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
   runtime/retarget/retarget_pose.h
@@ -113,7 +109,6 @@ set(sinew_public_headers
   runtime/retarget/retarget_weights.h
   runtime/retarget/share_twist.h
   runtime/retarget/skeleton_map.h
-  runtime/retarget/twist_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h
   runtime/compress/compile_clip_within.h

@@ -32,7 +32,7 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
   if (mesh.triangles.size() % 3 != 0 || !all_below(mesh.triangles, mesh.vertex_count))
     return refuse("cache-triangles", where + " has a corner that is cut off, or of a vertex that is not there").value();
   for (const TakeStream& stream : mesh.streams) {
-    if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMostPoints)
+    if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMaxPoints)
       return refuse("cache-frames", where + " has " + std::to_string(stream.frames.size()) + " frames of " +
                                         std::to_string(frame_count) + ", or too many vertices")
           .value();

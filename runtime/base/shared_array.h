@@ -15,7 +15,7 @@ template <class T>
 class SharedArray {
  public:
   SharedArray() = default;
-  SharedArray(std::vector<T> elements) : elements_(std::make_shared<std::vector<T>>(std::move(elements))) { look(); }
+  SharedArray(std::vector<T> elements) : elements_(std::make_shared<std::vector<T>>(std::move(elements))) { update_view(); }
   SharedArray(const SharedArray&) = default;
   SharedArray& operator=(const SharedArray&) = default;
 
@@ -30,14 +30,14 @@ class SharedArray {
 
   void assign(std::size_t count, const T& value) { *this = SharedArray(std::vector<T>(count, value)); }
   void resize(std::size_t count, const T& value) {
-    own();
+    writable();
     if (elements_ == nullptr) elements_ = std::make_shared<std::vector<T>>();
     elements_->resize(count, value);
-    look();
+    update_view();
   }
 
   /// The elements for writing. If copies share the elements, they are copied first.
-  T* own() {
+  T* writable() {
     if (elements_.use_count() > 1) *this = SharedArray(std::vector<T>(*elements_));
     return elements_ == nullptr ? nullptr : elements_->data();
   }
@@ -50,7 +50,7 @@ class SharedArray {
   }
 
  private:
-  void look() noexcept {
+  void update_view() noexcept {
     first_ = elements_->data();
     size_ = elements_->size();
   }

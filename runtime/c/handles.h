@@ -20,7 +20,7 @@
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/retarget_pose.h"
 #include "runtime/retarget/retarget_weights.h"
-#include "runtime/retarget/twist_map.h"
+#include "runtime/retarget/share_twist.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)

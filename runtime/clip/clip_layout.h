@@ -82,7 +82,7 @@ struct JointPlaces {
 ///     weights, numbers         value, or in | value | out
 ///
 /// `arc` is half the rotation angle to the next key on the short arc, at least kSmallestArc. It is negative if the next
-/// key must be negated for that arc.
+/// key must be negated for that arc. The sign of squad, 1 or -1, aligns the next key.
 struct TrackBlock {
   Property property = Property::translation;
   Interpolation interpolation = Interpolation::linear;

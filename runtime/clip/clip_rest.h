@@ -19,18 +19,18 @@ using RestNumbers = std::shared_ptr<const std::vector<float>>;
 /// clips of a scene share the rest values, so a clip takes memory only for the joints that it changes.
 class BaseNumbers {
  public:
-  struct Own {
+  struct Override {
     std::uint32_t at;
     float value;
   };
-  /// A clip that changes more than one value in kFewOwn has its own copy of all values instead.
-  static constexpr std::size_t kFewOwn = 16;
+  /// A clip that changes more than one value in kOverrideShare has its own copy of all values instead.
+  static constexpr std::size_t kOverrideShare = 16;
 
   BaseNumbers() = default;
   /// in   rest  fewer than 2^32 values
-  ///      own   in any order; if several have the same `at`, the last one counts; rest values are dropped
-  /// cost O(own log own); O(rest) if there are more than rest / kFewOwn
-  explicit BaseNumbers(RestNumbers rest, std::vector<Own> own = {});
+  ///      overrides   in any order; if several have the same `at`, the last one counts; rest values are dropped
+  /// cost O(overrides log overrides); O(rest) if there are more than rest / kOverrideShare
+  explicit BaseNumbers(RestNumbers rest, std::vector<Override> overrides = {});
 
   /// The given values, of which those equal to `rest` are shared.
   /// in   numbers  as many as in rest    cost O(numbers)
@@ -39,12 +39,12 @@ class BaseNumbers {
   std::size_t size() const noexcept { return size_; }
   const RestNumbers& rest() const noexcept { return rest_; }
   /// The values that differ from the rest values, sorted by `at`; empty for a clip with its own copy.
-  std::span<const Own> own() const noexcept { return own_; }
+  std::span<const Override> overrides() const noexcept { return overrides_; }
   float operator[](std::size_t at) const noexcept;
 
   void copy_to(float* out) const noexcept {
     std::copy_n(first_, size_, out);
-    for (const Own& number : own_) out[number.at] = number.value;
+    for (const Override& number : overrides_) out[number.at] = number.value;
   }
   std::vector<float> all() const {
     std::vector<float> numbers(size_);
@@ -52,13 +52,15 @@ class BaseNumbers {
     return numbers;
   }
   /// Bytes that are not shared with other clips.
-  std::size_t byte_size() const noexcept { return own_.size() * sizeof(Own) + (is_copy_ ? size_ * sizeof(float) : 0); }
+  std::size_t byte_size() const noexcept {
+    return overrides_.size() * sizeof(Override) + (is_copy_ ? size_ * sizeof(float) : 0);
+  }
 
  private:
   const float* first_ = nullptr;  ///< data of `rest_`
   std::size_t size_ = 0;
   RestNumbers rest_;
-  std::vector<Own> own_;
+  std::vector<Override> overrides_;
   bool is_copy_ = false;  ///< `rest_` belongs to this clip alone
 };
 

@@ -191,7 +191,7 @@ void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lan
     return add_packed_blocks(group, property, lane.track->interpolation, targets, packed);
   TrackBlock block = block_of(property, lane.track->interpolation, n);
   make_room(block, group.times.key_count());
-  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.own());
+  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.writable());
   block.targets = std::move(targets);
   group.blocks.push_back(std::move(block));
 }
@@ -209,9 +209,9 @@ class Compiler {
     add_weights(animation, first_weight, rounding);
     add_properties(animation);
     for (const Draft& draft : drafts_.all()) add_group(draft);
-    layout_.base_pose = BaseNumbers(rest_.pose, std::move(own_pose_));
-    layout_.base_weights = BaseNumbers(rest_.weights, std::move(own_weights_));
-    layout_.base_properties = BaseNumbers(rest_.properties, std::move(own_properties_));
+    layout_.base_pose = BaseNumbers(rest_.pose, std::move(pose_overrides_));
+    layout_.base_weights = BaseNumbers(rest_.weights, std::move(weights_overrides_));
+    layout_.base_properties = BaseNumbers(rest_.properties, std::move(properties_overrides_));
   }
 
  private:
@@ -242,7 +242,8 @@ class Compiler {
   }
 
   void set_constant(std::size_t plane, std::uint32_t joint, std::initializer_list<float> components) {
-    for (const float x : components) own_pose_.push_back({static_cast<std::uint32_t>(plane++ * stride_ + joint), x});
+    for (const float x : components)
+      pose_overrides_.push_back({static_cast<std::uint32_t>(plane++ * stride_ + joint), x});
   }
 
   void add_vector(Property property, const Lane<Vec3Track>& lane) {
@@ -282,24 +283,25 @@ class Compiler {
       tracks[first] = {first, &a.weights, rounding.weights.empty() ? std::span<const double>() : rounding.weights[i]};
     }
     for (const auto& [first, lane] : tracks)
-      if (!fold(*lane.track, first, own_weights_)) drafts_.with_times(lane.track->times_s).weights.push_back(lane);
+      if (!fold(*lane.track, first, weights_overrides_))
+        drafts_.with_times(lane.track->times_s).weights.push_back(lane);
   }
 
   void add_properties(const Animation& animation) {
     for (const PropertyTrack& track : animation.properties) {
       const PropertyTable::Entry* entry = properties_.find(track.target);
       CONTRACT(entry != nullptr && entry->count == track.values.target_count);
-      if (track.values.empty() || fold(track.values, entry->first, own_properties_)) continue;
+      if (track.values.empty() || fold(track.values, entry->first, properties_overrides_)) continue;
       drafts_.with_times(track.values.times_s).numbers.push_back({entry->first, &track.values});
     }
   }
 
   /// Makes a constant track part of the base values; false if the track is not constant.
-  bool fold(const WeightTrack& track, std::uint32_t first, std::vector<BaseNumbers::Own>& own) {
+  bool fold(const WeightTrack& track, std::uint32_t first, std::vector<BaseNumbers::Override>& overrides) {
     if (!is_constant(track)) return false;
     const std::uint32_t n = track.target_count;
     const float* values = track.values.data() + (is_cubic(track.interpolation) ? n : 0);
-    for (std::uint32_t i = 0; i < n; ++i) own.push_back({first + i, values[i]});
+    for (std::uint32_t i = 0; i < n; ++i) overrides.push_back({first + i, values[i]});
     layout_.counts.folded += n;
     return true;
   }
@@ -321,7 +323,7 @@ class Compiler {
   const PropertyTable& properties_;
   std::size_t stride_;
   Drafts drafts_;
-  std::vector<BaseNumbers::Own> own_pose_, own_weights_, own_properties_;
+  std::vector<BaseNumbers::Override> pose_overrides_, weights_overrides_, properties_overrides_;
 };
 
 }  // namespace

@@ -26,13 +26,13 @@ class KeptPoses {
 
   BaseNumbers of(const BaseNumbers& base) {
     const std::size_t whole = BasePose::stride_for(numbers_.size());
-    std::vector<BaseNumbers::Own> own;
-    for (const BaseNumbers::Own& number : base.own())
+    std::vector<BaseNumbers::Override> overrides;
+    for (const BaseNumbers::Override& number : base.overrides())
       if (const std::uint32_t joint = numbers_[number.at % whole]; joint != kNone)
-        own.push_back({static_cast<std::uint32_t>(number.at / whole * stride_ + joint), number.value});
+        overrides.push_back({static_cast<std::uint32_t>(number.at / whole * stride_ + joint), number.value});
     RestNumbers& rest = known_[base.rest()];
     if (rest == nullptr) rest = rest_numbers(kept(base.rest(), whole));
-    return BaseNumbers(rest, std::move(own));
+    return BaseNumbers(rest, std::move(overrides));
   }
 
  private:

@@ -21,7 +21,7 @@ class KeyTimes {
     const std::size_t buckets = span > 0.0 ? times_s_.size() : 1;
     buckets_per_s_ = span > 0.0 ? static_cast<double>(buckets) / span : 0.0;
     first_key_.assign(buckets + 1, 0);
-    std::uint32_t* const first_key = first_key_.own();
+    std::uint32_t* const first_key = first_key_.writable();
     for (const float t : times_s_) ++first_key[bucket_of(static_cast<double>(t)) + 1];
     for (const std::uint32_t keys : first_key_)
       search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));

@@ -16,7 +16,7 @@ namespace sinew {
 /// others since keys are unit. Signs of keys are chosen so that it is positive, as q and -q are the same rotation.
 struct PackedTrack {
   static constexpr std::uint32_t kMostBits = 24;     ///< per component: float holds such integers exactly
-  static constexpr std::uint32_t kMostKeyBits = 56;  ///< of a key
+  static constexpr std::uint32_t kMostKeyBits = 56;  ///< per key
   /// Of components with bits. Sampling divides steps by up to 128, which must be exact.
   static constexpr float kLeastStep = 0x1p-100f;
   static constexpr std::uint8_t kNoneDerived = 4;

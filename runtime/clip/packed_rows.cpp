@@ -222,7 +222,7 @@ PackedRows empty_rows(std::span<const PackedTrack> tracks, std::size_t key_count
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count) {
   PackedRows rows = empty_rows(tracks, key_count);
   const std::size_t lanes = tracks.size(), components = tracks.front().components;
-  std::uint8_t* const bits = rows.bits.own();
+  std::uint8_t* const bits = rows.bits.writable();
   each_component(rows, lanes, components, [&](std::size_t lane, std::size_t c, std::size_t slot, std::size_t at) {
     const std::uint32_t width = width_of(rows.mask[at]);
     if (width == 0) return;
@@ -239,7 +239,7 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::span<const std:
   CONTRACT(bits.size() == key_count * rows.row_bytes);
   std::vector<std::uint8_t> from(bits.begin(), bits.end());
   from.resize(from.size() + kReadAhead);
-  std::uint8_t* const placed = rows.bits.own();
+  std::uint8_t* const placed = rows.bits.writable();
   each_number(rows, tracks.size(), key_count,
               [&](std::size_t row, std::size_t in_row, std::size_t in_lane_order, std::uint32_t width) {
                 write_bits(placed + row, in_row, read_bits(from.data() + row, in_lane_order, width));

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-using Own = std::vector<BaseNumbers::Own>;
+using Overrides = std::vector<BaseNumbers::Override>;
 
 constexpr Property kJointProperties[] = {Property::translation, Property::rotation, Property::scale};
 
@@ -52,25 +52,26 @@ BaseNumbers moved_pose(const Clip& clip, const ClipRest& from, std::span<const s
                        const ClipRest& to, std::uint32_t& folded) {
   const std::vector<float> base = clip.layout().base_pose.all();
   const std::size_t stride = BasePose::stride_for(from.joint_count), new_stride = BasePose::stride_for(to.joint_count);
-  Own own;
+  Overrides overrides;
   each_constant(base, *from.pose, from.joint_count, [&](std::uint32_t joint, Property property) {
     if (targets[joint] == kNone) return;
     const std::size_t first = first_plane(property);
     for (std::size_t plane = first; plane < first + component_count(property); ++plane)
-      own.push_back({static_cast<std::uint32_t>(plane * new_stride + targets[joint]), base[plane * stride + joint]});
+      overrides.push_back(
+          {static_cast<std::uint32_t>(plane * new_stride + targets[joint]), base[plane * stride + joint]});
     ++folded;
   });
-  return BaseNumbers(to.pose, std::move(own));
+  return BaseNumbers(to.pose, std::move(overrides));
 }
 
 BaseNumbers moved_numbers(const BaseNumbers& base, const RestNumbers& from, std::span<const std::uint32_t> targets,
                           const RestNumbers& to, std::uint32_t& folded) {
   const std::vector<float> numbers = base.all();
-  Own own;
+  Overrides overrides;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (targets[i] != kNone && !same_bits(numbers[i], (*from)[i])) own.push_back({targets[i], numbers[i]});
-  folded += static_cast<std::uint32_t>(own.size());
-  return BaseNumbers(to, std::move(own));
+    if (targets[i] != kNone && !same_bits(numbers[i], (*from)[i])) overrides.push_back({targets[i], numbers[i]});
+  folded += static_cast<std::uint32_t>(overrides.size());
+  return BaseNumbers(to, std::move(overrides));
 }
 
 /// If no target changes, the block is copied with its tables.

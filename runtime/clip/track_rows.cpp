@@ -10,12 +10,12 @@ namespace sinew {
 namespace {
 
 void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::vec3& v) {
-  float* row = block.rows.own() + (key * block.plane_count + plane) * block.lane_count + lane;
+  float* row = block.rows.writable() + (key * block.plane_count + plane) * block.lane_count + lane;
   for (int c = 0; c < 3; ++c) row[static_cast<std::size_t>(c) * block.lane_count] = v[c];
 }
 
 void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::quat& q) {
-  float* row = block.rows.own() + (key * block.plane_count + plane) * block.lane_count + lane;
+  float* row = block.rows.writable() + (key * block.plane_count + plane) * block.lane_count + lane;
   for (const float x : {q.x, q.y, q.z, q.w}) {
     *row = x;
     row += block.lane_count;
@@ -23,7 +23,7 @@ void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane
 }
 
 void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, float x) {
-  block.rows.own()[(key * block.plane_count + plane) * block.lane_count + lane] = x;
+  block.rows.writable()[(key * block.plane_count + plane) * block.lane_count + lane] = x;
 }
 
 /// TrackBlock's `arc` of a key: half the rotation angle to `next` on the short arc, negative if `next` must be

@@ -15,7 +15,7 @@ namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// In the order of blend_matrix-inl.h: fused from the second on.
+/// Sums in the order of blend_matrix-inl.h, fused from the second influence on, to get the same bits.
 template <int kCount>
 void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group,
                  JointMatrix* out) {

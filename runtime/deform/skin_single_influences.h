@@ -4,11 +4,11 @@
 
 namespace sinew {
 
-/// SkinLinearJob for the vertices of its groups alone; a checked job has groups for all vertices.
+/// SkinLinearJob without the rule that groups cover all vertices: only the vertices of its groups are written.
 void skin_linear_groups(const SkinLinearJob& job) noexcept;
 
-/// Vertices with one influence move with their joint: R S p + t = J p, for every kind of skinning. Linear blending of
-/// one matrix does them, with the normals of the two-phase kinds.
+/// Skins the vertices with one influence by linear blending, for every kind of skinning: R S p + t = J p for one joint.
+/// Normals are those of two-phase skinning.
 /// in   any_stretch  normals need cofactors
 inline void skin_single_influences(const InfluenceStreams& influences, std::span<const JointMatrix> palette,
                                    bool any_stretch, const VertexInput& in, const VertexOutput& out) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/deform/surface_faces.h"
+#include "runtime/deform/surface_normals.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// Order by the bits of position and normal, so that equal vertices are neighbours.
+/// Orders vertices by the bits of position and normal, so that equal vertices become neighbours.
 int compare(const Primitive& primitive, std::uint32_t a, std::uint32_t b) {
   const int by_position = std::memcmp(&primitive.positions[a], &primitive.positions[b], sizeof(glm::vec3));
   if (by_position != 0 || primitive.normals.empty()) return by_position;
@@ -25,7 +25,7 @@ void join_points(const Primitive& primitive, SurfaceFaces& faces) {
     const int by_bits = compare(primitive, a, b);
     return by_bits != 0 ? by_bits < 0 : a < b;
   });
-  // Points are numbered by their first vertex, so that sums of neighbours lie together.
+  // Points are numbered by their first vertex, so that the sums of neighbouring points lie together.
   std::vector<std::uint32_t> first_of(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
     first_of[order[k]] = k > 0 && compare(primitive, order[k - 1], order[k]) == 0 ? first_of[order[k - 1]] : order[k];
@@ -34,8 +34,8 @@ void join_points(const Primitive& primitive, SurfaceFaces& faces) {
     faces.point_of_vertex[v] = first_of[v] == v ? faces.point_count++ : faces.point_of_vertex[first_of[v]];
 }
 
-/// eq   t = x (b - a) + y (c - a) in the plane of the triangle, by the reciprocal basis;  (x, y) |n|, n the cross
-/// product
+/// eq   t = x (b - a) + y (c - a) in the plane of the triangle, solved with the reciprocal basis
+/// out  (x, y) |n|, n the cross product of the edges
 glm::vec2 along_edges(const Vec3<double>& t, const Vec3<double>& ab, const Vec3<double>& ac) {
   const Vec3<double> n = glm::cross(ab, ac);
   const double length = glm::length(n);

@@ -33,7 +33,7 @@ ErrorCode check_influences(const InfluenceStreams& influences, std::size_t verte
     const std::size_t end = group.first_influence + std::size_t{group.vertex_count} * group.influence_count;
     if (group.first_vertex != next_vertex || group.influence_count == 0 || end > influences.joint_count())
       return ErrorCode::size_mismatch;
-    if (!influences.is_wide() && group.influence_count > InfluenceStreams::kMostWidened) return ErrorCode::unsupported;
+    if (!influences.is_wide() && group.influence_count > InfluenceStreams::kMaxConverted) return ErrorCode::unsupported;
     next_vertex += group.vertex_count;
   }
   if (next_vertex != vertex_count) return ErrorCode::size_mismatch;

@@ -17,7 +17,7 @@ enum class IfUnbound : std::uint8_t { leave_out, refuse };
 /// Clips from any number of files, bound to one skeleton. All scenes with models on that skeleton can share it.
 ///
 ///     ClipLibrary library(body.skeleton);
-///     library.add(walks);  // scenes of other files; what does not bind is listed
+///     library.add(walks);  // scenes of other files; returns the channels that do not bind
 ///     library.add(gestures);
 ///     const BoundClips clips = clips_for(library, outfit);  // same keys; rest values and weights of the outfit
 ///     const Plan plan = compile_plan(outfit, clips.clips, needs);

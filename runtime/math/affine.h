@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
 #include "runtime/math/conventions.h"
 
 namespace sinew {
@@ -80,6 +82,22 @@ template <class T>
 T determinant(const AffineT<T>& m) noexcept {
   const auto &a = m.row[0], &b = m.row[1], &c = m.row[2];
   return a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
+}
+
+/// Upper bound of the factor by which a matrix lengthens a vector; exact for rotations with uniform scale.
+/// eq   sqrt(m + sqrt 2 s), m the mean and s the standard deviation of the eigenvalues of A^T A, from its trace and
+///      Frobenius norm   (Wolkowicz and Styan 1980)
+template <class T>
+T largest_stretch(const AffineT<T>& a) noexcept {
+  T trace = T(0), squares = T(0);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const T g = a.row[0][i] * a.row[0][k] + a.row[1][i] * a.row[1][k] + a.row[2][i] * a.row[2][k];
+      squares += g * g;
+      if (i == k) trace += g;
+    }
+  const T mean = trace / T(3), variance = squares / T(3) - mean * mean;
+  return std::sqrt(mean + std::sqrt(T(2) * (variance > T(0) ? variance : T(0))));
 }
 
 }  // namespace sinew

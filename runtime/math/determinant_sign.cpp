@@ -58,7 +58,7 @@ class ExactSum {
   int sign() const noexcept { return count_ == 0 ? 0 : parts_[count_ - 1] > 0.0 ? 1 : -1; }
 
  private:
-  static constexpr std::size_t kTerms = 6 * 4;  // each adds one part at the most
+  static constexpr std::size_t kTerms = 6 * 4;  // each term adds at most one part
   double parts_[kTerms] = {};
   std::size_t count_ = 0;
 };

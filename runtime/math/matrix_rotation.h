@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
@@ -50,6 +53,27 @@ Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   if (xx >= yy && xx >= zz) return normalised(quat_xyzw(T(1) + (xx - yy - zz), xy, xz, x_of));
   if (yy >= zz) return normalised(quat_xyzw(xy, T(1) + (yy - xx - zz), yz, y_of));
   return normalised(quat_xyzw(xz, yz, T(1) + (zz - xx - yy), z_of));
+}
+
+/// Rotation about a coordinate axis: 0 x, 1 y, 2 z, counter-clockwise seen from the tip of the axis.
+/// eq   Real-Time Rendering, eqs. 4.5-4.7
+template <class T>
+Mat3<T> rotation_about_axis(int axis, T angle_rad) noexcept {
+  const T c = std::cos(angle_rad), s = std::sin(angle_rad);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  Mat3<T> m(T(1));
+  m[j][j] = c;
+  m[j][k] = s;
+  m[k][j] = -s;
+  m[k][k] = c;
+  return m;
+}
+
+/// Rotation about a point.
+/// eq   X = T(p) R T(-p)   (Real-Time Rendering, eq. 4.8); p is the fixed point
+template <class T>
+AffineT<T> about_point(const Mat3<T>& rotation, const Vec3<T>& point) noexcept {
+  return affine_from(rotation, point - rotation * point);
 }
 
 }  // namespace sinew

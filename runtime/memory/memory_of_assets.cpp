@@ -73,7 +73,7 @@ void MemoryCount::add(const RestNumbers& rest) {
 
 void MemoryCount::add(const BaseNumbers& base) {
   add(base.rest());
-  bytes_.clip_tables += base.own().size_bytes();
+  bytes_.clip_tables += base.overrides().size_bytes();
 }
 
 MemoryCount& MemoryCount::add(const Clip& clip) {

@@ -69,9 +69,9 @@ struct Specular {
 /// A clear coating over the surface (KHR_materials_clearcoat); none if the factor is 0.
 struct Clearcoat {
   float factor = 0.0f;
-  TextureUse texture;  ///< R, linear, times the factor
+  TextureUse texture;  ///< channel R, linear; multiplies the factor
   float roughness = 0.0f;
-  TextureUse roughness_texture;  ///< G, linear
+  TextureUse roughness_texture;  ///< channel G, linear
   TextureUse normal_texture;     ///< if unused, the coating has the normals of the mesh
   float normal_scale = 1.0f;
 };
@@ -81,13 +81,13 @@ struct Sheen {
   glm::vec3 color{0.0f};
   TextureUse color_texture;
   float roughness = 0.0f;
-  TextureUse roughness_texture;  ///< A, linear
+  TextureUse roughness_texture;  ///< channel A, linear
 };
 
 /// Transmission of light through a thin dielectric surface (KHR_materials_transmission).
 struct Transmission {
   float factor = 0.0f;
-  TextureUse texture;  ///< R, linear, times the factor
+  TextureUse texture;  ///< channel R, linear; multiplies the factor
 };
 
 /// glTF 2.0 metallic-roughness material; factors are linear, colour textures are sRGB.
@@ -97,12 +97,12 @@ struct Material {
   TextureUse base_color_texture;
   float metallic = 1.0f;
   float roughness = 1.0f;
-  TextureUse metallic_roughness_texture;  ///< G roughness, B metallic, linear
+  TextureUse metallic_roughness_texture;  ///< channels G roughness, B metallic, linear
   TextureUse normal_texture;
   float normal_scale = 1.0f;
-  TextureUse occlusion_texture;  ///< R, linear
+  TextureUse occlusion_texture;  ///< channel R, linear
   float occlusion_strength = 1.0f;
-  glm::vec3 emissive{0.0f};        ///< 0 to 1, times the strength
+  glm::vec3 emissive{0.0f};        ///< 0 to 1; the strength multiplies it
   float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
   TextureUse emissive_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;

@@ -6,7 +6,7 @@
 
 #include "runtime/math/negligible.h"
 #include "runtime/pose/add_pose.h"
-#include "runtime/pose/blend_weights.h"
+#include "runtime/pose/blend_poses.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/sample_clip.h"
 

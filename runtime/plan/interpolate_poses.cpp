@@ -6,7 +6,6 @@
 
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/pose/blend_poses.h"
-#include "runtime/pose/blend_weights.h"
 
 namespace sinew {
 namespace {

@@ -10,9 +10,9 @@ namespace sinew {
 enum class PlayMode : std::uint8_t {
   loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once.
               ///< Nothing is interpolated across the seam, unless the clip was closed (animation/close_loop.h).
-  clamp,      ///< holds the end; turns back at once when the direction changes
+  clamp,      ///< stays at the end; leaves it at once if the direction changes
   ping_pong,  ///< plays forward, then backward; each end is shown once
-  once,       ///< as clamp, and the clock is finished at the end until it is sought or turned back
+  once,       ///< as clamp, and finished() is true at the end until a seek or a change of direction
 };
 
 /// The time that one call of advance played, for EventCursor and root_motion. Phases are clip times; in ping-pong they

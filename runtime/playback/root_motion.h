@@ -50,7 +50,7 @@ struct RootShare {
   double weight = 0.0;
 };
 
-/// The motion that carries the character, and the place to take out of the blended pose.
+/// The blended motion of the character, and the place to remove from the blended pose.
 struct BlendedRoot {
   DualQuatd motion, place;
 };

@@ -15,7 +15,7 @@ namespace {
 using Vec3d = Vec3<double>;
 using Quatd = Quat<double>;
 
-/// Intervals between the times of authoring keys are halved at most so often where a straight line does not fit.
+/// An interval between authoring keys is halved at most this many times while a straight line does not fit.
 constexpr int kMostHalvings = 12;
 constexpr int kChecksInInterval = 8;
 
@@ -38,7 +38,7 @@ double distance(const Place& a, const Place& b) noexcept {
   return std::max(safe_length(a.translation - b.translation), rotation_angle_between(a.turn, b.turn));
 }
 
-/// Finds the keys of a track. Candidates are all places where one may be needed; `choose` drops those that are not.
+/// Finds the keys of a track. Candidates are all keys that may be needed; chosen() drops those that are not.
 class KeySearch {
  public:
   KeySearch(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts, double tolerance)
@@ -49,7 +49,8 @@ class KeySearch {
     if (times.empty()) return {place_at(0.0, 0.0)};
     candidates_.push_back(place_at(times.front(), times.front()));
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-      // A step key is a jump: what the interval ends with and what the next one begins with are two candidates.
+      // A step key is a jump: the end of its interval and the start of the next one are two candidates at the same
+      // time.
       const Place end = place_at(times[i + 1], std::nextafter(times[i + 1], times[i]));
       add_interval(candidates_.back(), end, 0);
       const Place next = place_at(times[i + 1], times[i + 1]);
@@ -81,7 +82,7 @@ class KeySearch {
     return true;
   }
 
-  /// Half of the tolerance for the candidates leaves the other half to the choice among them.
+  /// Adds candidates with half of the tolerance; the other half is left for chosen().
   void add_interval(const Place& from, const Place& to, int halvings) {
     if (halvings < kMostHalvings && !straight_line_fits(from, to, 0.5 * tolerance_)) {
       const double middle_s = 0.5 * (from.time_s + to.time_s);

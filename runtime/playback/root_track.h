@@ -8,11 +8,11 @@
 
 namespace sinew {
 
-/// The root motion of one clip, apart from its authoring keys: 32 bytes a key, so that an engine can drop the keys.
+/// The root motion of one clip without its authoring keys, which an engine can then drop. It takes 32 bytes a key.
 class RootTrack {
  public:
-  /// A place of the character; between keys translations go straight and turns follow slerp. Two keys of one time are a
-  /// jump.
+  /// A position and rotation of the character. Between keys translations are linear and rotations use slerp. Two keys
+  /// with the same time are a jump.
   struct Key {
     float time_s;
     glm::vec3 translation;
@@ -22,15 +22,16 @@ class RootTrack {
   /// A clip that does not move the character.
   RootTrack() noexcept = default;
 
-  /// As few keys as a greedy search needs to stay within the tolerance of root_place.
-  /// in   tolerance  metres and radians, above 0. Floats bound it: 1e-7 of the largest coordinate.
+  /// Makes a track that stays within `tolerance` of root_place, with as few keys as a greedy search finds.
+  /// in   tolerance  metres and radians, above 0; at least 1e-7 of the largest coordinate, which is the accuracy of
+  ///      float
   /// cost O(K log K) places for K keys of the root joint, allocates
   static RootTrack make(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                         double tolerance);
 
   std::span<const Key> keys() const noexcept { return keys_; }
 
-  /// Largest distance from root_place, in metres or radians, as measured at eight times in each key interval.
+  /// Largest distance from root_place, in metres or radians, measured at eight times in each key interval.
   double measured_error() const noexcept { return measured_error_; }
 
   /// As root_place.     cost O(log keys), no allocation

@@ -16,7 +16,7 @@ void add(float& weight, double correction) noexcept {
   weight = flushed(static_cast<float>(static_cast<double>(weight) + correction));
 }
 
-/// eq   s' = clamp(s, 0, 1) / sum, where the sum is large enough
+/// eq   s' = clamp(s, 0, 1) / sum; fades out where the sum is below 0.01 (CorrectPoseJob)
 void make_partition(std::span<double> shares) noexcept {
   double sum = 0.0;
   for (double& share : shares) sum += share = std::clamp(share, 0.0, 1.0);

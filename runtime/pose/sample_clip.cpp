@@ -13,9 +13,8 @@
 namespace sinew {
 namespace {
 
-/// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need
-/// an
-///      arc tangent, and squad is asked for by hand only.
+/// eq   Shoemake 1987; control points and signs were computed when the clip was compiled.
+/// Scalar code: slerps of slerps need an arc tangent, and only programs that ask for squad get it.
 void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept;
 
 }  // namespace

@@ -10,23 +10,22 @@
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/two_bones.h"
 #include "runtime/retarget/dense_times.h"
-#include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/leg_pose.h"
 
 namespace sinew {
 namespace {
 
-/// The two poses that a foot is held between: how their joints are read, and how those of the target are written.
+/// Access to the two poses: reads joints of source and target, writes rotations of the target.
 template <class SourceLocal, class TargetLocal, class Set>
 struct FootPoses {
   SourceLocal source;  ///< (joint) -> TransformT<T>
   TargetLocal target;
-  Set set_rotation;  ///< (joint, rotation), of the target
+  Set set_rotation;  ///< (joint, rotation) of the target
 };
-template <class SourceLocal, class TargetLocal, class Set>  // clang deduces these of aggregates from version 17 on
+template <class SourceLocal, class TargetLocal, class Set>  // deduction guide, which clang before version 17 needs
 FootPoses(SourceLocal, TargetLocal, Set)->FootPoses<SourceLocal, TargetLocal, Set>;
 
-/// A leg of the target before it is held, and where its ankle goes.
+/// A leg of the target before it is held, and the goal of its ankle.
 template <class T>
 struct LegGoal {
   LegPose<T> pose;
@@ -43,10 +42,10 @@ LegGoal<T> leg_goal(const LegPair& leg, T ratio, T ground, const Poses& poses) {
   return goal;
 }
 
-/// How far the hips come down so that the leg reaches its goal, at most a fourth of its length. 0 below a parent that
-/// flattens space, in which no offset is that far.
+/// How far the hips must come down so that the leg reaches its goal, at most a fourth of its length. 0 if the parent of
+/// the hips flattens space, because no offset reaches that far.
 template <class T>
-T drop_of(const LegPair& leg, const LegGoal<T>& goal) {
+T hips_drop(const LegPair& leg, const LegGoal<T>& goal) {
   if (determinant(goal.pose.above_hips) == T(0)) return T(0);
   const TwoBonesT<T> bones{goal.pose.upper.place, goal.pose.lower.place, goal.pose.foot.place};
   const Vec3<T> way = bones.root - goal.ankle;
@@ -69,7 +68,8 @@ void hold_leg(const LegPair& leg, const LegGoal<T>& goal, const Vec3<T>& hips_of
   set(leg.target.foot, turns.lower * pose.foot.above, pose.foot.rotation);
 }
 
-/// The goals of all legs. Those of the first legs are kept, so that each is placed once; a leg is no part of another.
+/// The goals of all legs. The first legs' goals are stored, so that each leg is evaluated only once. Legs share no
+/// joint.
 template <class T, class Poses>
 class LegGoals {
  public:
@@ -91,13 +91,13 @@ class LegGoals {
   std::array<LegGoal<T>, kKept> kept_;
 };
 
-/// out  how far the hips go, in the space of their parent
+/// out  returns the offset of the hips, in the space of their parent
 template <class T, class Poses>
 Vec3<T> hold_all(const FeetMap& feet, T ground, const Poses& poses) {
   const LegGoals<T, Poses> goals(feet, ground, poses);
   T drop = T(0);
   for (std::size_t i = 0; feet.hips != kNone && i < feet.legs.size(); ++i)
-    drop = std::max(drop, drop_of(feet.legs[i], goals[i]));
+    drop = std::max(drop, hips_drop(feet.legs[i], goals[i]));
   Vec3<T> hips_offset(T(0));
   for (std::size_t i = 0; i < feet.legs.size(); ++i) {
     const LegPair& leg = feet.legs[i];

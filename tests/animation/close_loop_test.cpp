@@ -51,7 +51,7 @@ TEST(close_loop, G12_interpolates_from_the_last_pose_to_the_first_over_the_gap) 
   EXPECT_EQ(weights[1], 0.0);
 }
 
-TEST(close_loop, G12_the_end_of_the_gap_is_the_start_bit_for_bit_and_what_was_there_stays) {
+TEST(close_loop, G12_the_closed_end_has_the_bits_of_the_start_and_old_keys_stay) {
   for (const Interpolation kind : {Interpolation::step, Interpolation::linear, Interpolation::squad}) {
     Animation open = two_tracks();
     open.bones[0].rotation.interpolation = kind;
@@ -164,7 +164,7 @@ TEST(close_loop, G05_cubic_rotations_close_on_the_short_arc) {
   EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(0.1)), 1e-7);
 }
 
-TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_changes_sides_with_its_tangents) {
+TEST(close_loop, G05_a_closing_cubic_rotation_is_negated_with_its_tangents) {
   Animation open;
   open.duration_s = 1.0;
   open.bones.resize(1);
@@ -177,7 +177,7 @@ TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_changes_sides_with_its_
   EXPECT_EQ(closed.values[5], speed);   // out-tangent of the last key: its in-tangent
 }
 
-TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_stays_on_its_side_where_that_is_nearer) {
+TEST(close_loop, G05_a_closing_cubic_rotation_keeps_its_sign_if_the_last_key_is_near) {
   Animation open;
   open.duration_s = 1.0;
   open.bones.resize(1);

@@ -62,7 +62,7 @@ TEST(mirror_map, places_pair_joints_where_names_do_not_tell) {
   EXPECT_EQ(paired_joints(make_mirror_map(scenes::biped())), 58u);
 }
 
-TEST(mirror_map, places_pair_joints_across_other_planes_that_do_not_run_through_the_origin) {
+TEST(mirror_map, positions_pair_joints_at_other_planes_away_from_the_origin) {
   Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
   for (std::string& name : skeleton.names) name.clear();
   const auto turn = quat_xyzw(0.0f, std::sqrt(0.5f), 0.0f, std::sqrt(0.5f));
@@ -228,7 +228,7 @@ TEST(mirror_map, places_off_by_rounding_alone_have_no_offset) {
   }
 }
 
-TEST(mirror_map, what_is_rounding_of_places_is_told_by_how_long_lengths_are_below_a_joint) {
+TEST(mirror_map, the_tolerance_of_positions_is_scaled_to_the_space_of_the_parent) {
   for (const float scale : {1.0f, 0.01f, 100.0f}) {
     TwoSided body = scenes::two_sided(RightSide::mirrored_axes);
     body.skeleton.rest[0].scale *= scale;
@@ -253,7 +253,7 @@ TEST(mirror_map, a_joint_that_a_name_pairs_is_no_partner_by_place) {
   EXPECT_EQ(map.joints[4].source, 4u);
 }
 
-TEST(mirror_map, axes_within_the_tolerance_are_taken_for_mirror_images_and_others_are_not) {
+TEST(mirror_map, axes_within_the_tolerance_count_as_mirror_images_and_others_do_not) {
   for (const RightSide right : {RightSide::mirrored_axes, RightSide::opposite_axes}) {
     TwoSided body = scenes::two_sided(right);
     const auto paired =

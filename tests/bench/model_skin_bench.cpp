@@ -65,7 +65,7 @@ struct Skinned {
       : primitive(&p),
         skin(skin_index),
         combinations(p.influences, joint_count),
-        pairs(sharing_pairs(p.influences, joint_count)),
+        pairs(joint_pairs_of_vertices(p.influences, joint_count)),
         centers(p.positions),
         positions(p.vertex_count()),
         normals(p.vertex_count()) {

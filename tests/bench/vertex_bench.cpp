@@ -59,7 +59,7 @@ struct Surface {
     palette.resize(skin.joints.size());
     split.resize(skin.joints.size());
     run_unchecked(JointPaletteJob{&skin, model, palette});
-    pairs = sharing_pairs(primitive.influences, palette.size());
+    pairs = joint_pairs_of_vertices(primitive.influences, palette.size());
     run_unchecked(SplitPaletteJob{palette, split, &any_stretch, hemisphere_edges(skeleton, skin)});
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
     for (const RigidStretch& s : split) glm_rigid.push_back({s.rigid.real, s.rigid.dual});

@@ -16,7 +16,6 @@
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
 #include "runtime/retarget/hold_feet.h"
-#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/c/numbers.h"
 #include "tests/library/named_scene.h"

@@ -41,7 +41,7 @@ TEST(clip_file, loaded_clips_sample_the_same_bits) {
   EXPECT_EQ(saved({&(*loaded)[0], &(*loaded)[1]}), saved({&a, &b}));
 }
 
-TEST(clip_file, numbers_at_rest_keep_every_bit_and_are_short_where_they_are_the_identity) {
+TEST(clip_file, rest_values_keep_every_bit_and_the_identity_takes_little_space) {
   Skeleton skeleton = test::chain_skeleton(40);
   const auto size_of = [](const Clip& clip) { return saved({&clip}).size(); };
   const std::size_t of_identities = size_of(test::clip_of({}, skeleton));

@@ -108,8 +108,8 @@ TEST(clip_rest, clips_of_some_joints_go_on_sharing) {
   for (std::uint32_t j = 0; j < kJoints; j += 2) even.push_back(j);
   const std::vector<Clip> kept = keep_joints(clips, even);
   EXPECT_EQ(kept[0].layout().base_pose.rest(), kept[1].layout().base_pose.rest());
-  EXPECT_TRUE(kept[0].layout().base_pose.own().empty());  // joint 7 was not kept
-  EXPECT_EQ(kept[1].layout().base_pose.own().size(), 3u);
+  EXPECT_TRUE(kept[0].layout().base_pose.overrides().empty());  // joint 7 was not kept
+  EXPECT_EQ(kept[1].layout().base_pose.overrides().size(), 3u);
   for (const std::size_t i : {0u, 1u}) expect_same_poses(kept[i], keep_joints(clips[i], even));
 }
 

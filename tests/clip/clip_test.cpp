@@ -153,7 +153,7 @@ TEST(clip, bytes_count_every_array) {
             first.rows.size() * 4 + 4 + first.places.byte_size());
   SharedArray<float> times;
   times.assign(3, 0.0f);
-  times.own()[2] = 1.0f;
+  times.writable()[2] = 1.0f;
   const KeyTimes longer(times);
   EXPECT_EQ(more([&](ClipLayout& l) { l.groups[0].times = longer; }),
             longer.byte_size() - layout.groups[0].times.byte_size());

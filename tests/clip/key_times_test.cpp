@@ -36,7 +36,7 @@ std::vector<float> spread(int kind, test::FixedRandom& random) {
   }
 }
 
-TEST(key_times, bucketed_search_answers_as_the_plain_one_on_beside_and_between_keys) {
+TEST(key_times, bucketed_search_equals_plain_search_on_beside_and_between_keys) {
   test::FixedRandom random(3);
   for (int kind = 0; kind <= 6; ++kind) {
     const auto times = spread(kind, random);

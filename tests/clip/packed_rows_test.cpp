@@ -59,7 +59,7 @@ TEST(packed_rows, every_lane_comes_back_as_it_was_packed) {
   }
 }
 
-TEST(packed_rows, the_order_of_lanes_has_the_components_of_each_lane_one_after_another) {
+TEST(packed_rows, lane_order_stores_the_components_of_each_lane_together) {
   const std::vector<PackedTrack> tracks = rotations(21);
   const PackedRows rows = packed_rows(tracks, kKeys);
   const std::vector<std::uint8_t> bits = in_lane_order(rows, tracks.size(), kKeys);

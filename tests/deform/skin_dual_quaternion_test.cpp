@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kDualCounts[] = {1, 2, 3, 4, 5, 8, 12};
 
-/// The vertices with their palette split for the job.
+/// Vertices with their palette split for the job.
 struct Split {
   test::SkinnedVertices vertices;
   std::vector<RigidStretch> split;
@@ -57,7 +57,7 @@ void expect_truth(Split& s) {
   EXPECT_EQ(run(s.job()), ErrorCode::ok);
   for (std::size_t v = 0; v < s.vertices.positions.size(); ++v) {
     const auto expected = truth(s, v);
-    // random rotations nearly cancel now and then; their blend loses digits by 1 / its length
+    // random rotations sometimes nearly cancel; the error grows with 1 / length of the blend
     EXPECT_TRUE(test::is_near(Vec3<double>(s.vertices.out_positions[v]), expected.position, 1e-4)) << v;
     EXPECT_TRUE(test::is_near(Vec3<double>(s.vertices.out_normals[v]), expected.normal, 1e-4)) << v;
     EXPECT_NEAR(glm::length(s.vertices.out_normals[v]), 1.0f, 1e-6f) << v;
@@ -133,7 +133,7 @@ TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
     EXPECT_TRUE(s.vertices.out_positions == positions) << turn_rad;
     EXPECT_TRUE(s.vertices.out_normals == normals) << turn_rad;
     s.split[3].rigid = {-s.split[3].rigid.real, -s.split[3].rigid.dual};
-    const JointPair wrong[] = {{1, 2}};  // a list that misses pairs is believed
+    const JointPair wrong[] = {{1, 2}};  // an incomplete list is trusted
     job.pairs = wrong;
     EXPECT_EQ(run(job), ErrorCode::ok);
     EXPECT_EQ(s.vertices.out_positions == positions,
@@ -200,7 +200,7 @@ TEST(skin_dual_quaternion, N18_the_skin_moves_continuously_while_a_joint_turns_t
       for (std::size_t i = 0; i < 2; ++i) jumps += glm::length(s.vertices.out_positions[i] - last[i]) > 0.1f;
     last = s.vertices.out_positions;
   }
-  // The documented exception: at 180 and 540 degrees the short way round changes side, once per vertex and turn.
+  // The documented exception: at 180 and 540 degrees the shorter way changes, once per vertex and turn.
   EXPECT_EQ(jumps, 4);
 }
 
@@ -239,7 +239,7 @@ TEST(skin_dual_quaternion, a_single_influence_has_the_bits_of_linear_blending_wh
 TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
   test::FixedRandom random(7);
   Split s(test::random_skinned_vertices(random, kDualCounts, 10, 16, false));
-  for (auto& m : s.vertices.palette) {  // keep rotations close, so that no sign decision is near its edge
+  for (auto& m : s.vertices.palette) {  // small rotations keep all dot products far from zero
     Transform t = random.transform();
     t.rotation = random.rotation_by(0.5);
     t.scale = glm::vec3(1);

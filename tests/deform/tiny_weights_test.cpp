@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Weights that are tiny but in proportion, for the kinds of skinning that divide by the length of a blend.
+// Tiny weights in the right proportion, for the kinds of skinning that divide by the length of a blend.
 #include <gtest/gtest.h>
 
 #include "runtime/math/decompose.h"
@@ -61,13 +61,13 @@ struct Case {
   }
 };
 
-/// Compares one run with the reference in double; normals only where directions are skinned too.
+/// Compares one run with the reference in double. Normals are compared only if `directions`.
 void expect_truth(Way way, bool with_scale, float weight, bool directions) {
   Case c(with_scale, weight);
   c.skin(way, directions);
   for (std::size_t v = 0; v < c.s.positions.size(); ++v) {
     const auto truth = c.truth(way, v);
-    // random rotations nearly cancel now and then; their blend loses digits by 1 / its length
+    // random rotations sometimes nearly cancel; the error grows with 1 / length of the blend
     EXPECT_TRUE(test::is_near(Vec3d(c.s.out_positions[v]), truth.position, 1e-4)) << v;
     if (!directions) continue;
     EXPECT_TRUE(test::is_near(Vec3d(c.s.out_normals[v]), truth.normal, 1e-4)) << v;

@@ -30,7 +30,7 @@ TwoBonesT<double> random_limb(test::FixedRandom& random) {
   return {root, middle, middle + random.direction<double>() * random.in(0.3, 1.0)};
 }
 
-TEST(two_bones, the_tip_comes_to_every_place_within_reach_and_bones_keep_their_lengths) {
+TEST(two_bones, the_tip_reaches_every_goal_within_reach_and_bones_keep_their_lengths) {
   test::FixedRandom random(1);
   for (int i = 0; i < 2000; ++i) {
     const TwoBonesT<double> limb = random_limb(random);

@@ -41,7 +41,7 @@ DualQuatd carried(PlayMode mode, double speed, double dt_s, int frames, const Ro
   return world;
 }
 
-TEST(root_motion, U07_a_step_within_the_clip_is_the_difference_of_two_places) {
+TEST(root_motion, U07_a_step_within_the_clip_is_the_difference_of_two_root_places) {
   const BoneAnimation root = walk();
   PlaybackClock clock(1.0);
   clock.advance(0.25);
@@ -62,7 +62,7 @@ TEST(root_motion, U07_rounds_go_on_where_the_last_one_ended) {
   EXPECT_NEAR(moved.z, 7 * 1.25 + 0.3, 1e-7);
 }
 
-TEST(root_motion, U07_a_whole_round_carries_from_the_start_to_the_end_and_two_do_so_twice) {
+TEST(root_motion, U07_a_round_moves_from_start_to_end_and_two_rounds_do_so_twice) {
   const BoneAnimation root = walk();
   const DualQuatd round = dual_quat_conjugate(root_place(root, {}, kAll, 0.0)) * root_place(root, {}, kAll, 1.0);
   PlaybackClock once(1.0), twice(1.0);

@@ -101,7 +101,7 @@ TEST(root_track, carries_over_many_rounds_as_the_authoring_keys_do) {
   }
 }
 
-/// Plays two clips blended half and half, and answers where the root joint and the character stand.
+/// Positions of the root joint and of the character after two blended clips have played.
 struct Stands {
   Vec3d joint, character;
 };
@@ -149,7 +149,7 @@ TEST(root_motion, blended_turns_keep_the_joint_with_the_character) {
   EXPECT_NEAR(stands.joint.z, stands.character.z, 1e-12);
 }
 
-TEST(root_motion, a_blend_takes_opposite_quaternions_for_one_turn_and_weighs_by_shares) {
+TEST(root_motion, a_blend_treats_q_and_minus_q_as_equal_and_normalises_weights) {
   const DualQuatd turn = dual_quat_from(quat_from_axis_angle(Vec3d(0, 1, 0), 0.4), Vec3d(1, 0, 0));
   const DualQuatd same{-turn.real, -turn.dual};
   const std::array<RootShare, 3> shares{RootShare{turn, same, 0.2}, RootShare{same, turn, 0.6}, RootShare{{}, {}, 0.0}};

@@ -36,7 +36,7 @@ Transformd as_double(const Transform& t) {
   return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
 }
 
-/// The equations of add_pose.h, plainly.
+/// The equations of add_pose.h, in double.
 Transformd truth(const Transform& base, const Transform& layer, const Transform& reference, double w) {
   const Transformd b = as_double(base), l = as_double(layer), r = as_double(reference);
   Quat<double> delta = l.rotation * quat_conjugate(r.rotation);

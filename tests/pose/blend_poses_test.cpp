@@ -78,7 +78,7 @@ TEST(blend_poses, hand_computed_halves_and_the_rest_fills_up) {
 TEST(blend_poses, agrees_with_the_reference) {
   test::FixedRandom random(5);
   for (std::size_t round = 0; round < 50; ++round) {
-    const std::size_t joints = 30 + round % 17;  // tails of every length: masks have no padding
+    const std::size_t joints = 30 + round % 17;  // all lengths of an incomplete last vector: masks have no padding
     PoseBuffer rest = random_pose(random, joints), out(joints);
     std::vector<PoseBuffer> poses;
     std::vector<std::vector<float>> masks;
@@ -169,7 +169,7 @@ glm::quat about_x(double degrees) {
   return quat_xyzw(static_cast<float>(std::sin(half)), 0.0f, 0.0f, static_cast<float>(std::cos(half)));
 }
 
-/// Blends three layers of equal weight in every order; masks have the same weights, joint by joint.
+/// Blends three layers of equal weight in every order, with weights per layer and with equal masks.
 template <class Expect>
 void blend_in_every_order(std::array<PoseSpan, 3> poses, PoseSpan rest, const Expect& expect) {
   PoseBuffer out(rest.joint_count);
@@ -192,15 +192,16 @@ TEST(blend_poses, N17_layers_of_equal_weight_within_a_right_angle_blend_alike_in
     PoseBuffer a(1), b(1), c(1), rest(1);
     const glm::quat middle = random.rotation<float>();
     for (PoseBuffer* pose : {&a, &b, &c}) {
-      const glm::quat q = middle * random.rotation_by<float>(0.75);               // 43 degrees: any two are within 90
-      pose->span().set(0, {{}, random.in(-1.0, 1.0) < 0.0 ? q : -q, {1, 1, 1}});  // either quaternion of the rotation
+      const glm::quat q = middle * random.rotation_by<float>(0.75);  // at most 43 degrees, so any two are within 90
+      pose->span().set(0, {{}, random.in(-1.0, 1.0) < 0.0 ? q : -q, {1, 1, 1}});  // either sign of the quaternion
     }
     PoseBuffer first(1);
     const BlendLayer layers[] = {{a.span(), 1.0f / 3, {}}, {b.span(), 1.0f / 3, {}}, {c.span(), 1.0f / 3, {}}};
     EXPECT_EQ(run(BlendPosesJob{layers, rest.span(), first.span()}), ErrorCode::ok);
     blend_in_every_order({a.span(), b.span(), c.span()}, rest.span(), [&](std::size_t, const Transform& blended) {
       EXPECT_TRUE(test::same_rotation(blended.rotation, first.span().get(0).rotation, 1e-6)) << round;
-      EXPECT_LE(test::angle_between(blended.rotation, middle), 0.75) << round;  // a mean is among what it is of
+      EXPECT_LE(test::angle_between(blended.rotation, middle), 0.75)
+          << round;  // the mean is no farther away than the rotations
     });
   }
 }
@@ -242,7 +243,7 @@ TEST(blend_poses, N02_opposite_rotations_blend_to_themselves_not_to_zero) {
 TEST(blend_poses, N26_weights_too_small_to_matter_count_as_none) {
   test::FixedRandom random(26);
   PoseBuffer a = random_pose(random, 3), b = random_pose(random, 3), rest(3), out(3);
-  // The length shows that nothing was blended: a blend would normalise.
+  // The length shows that nothing was blended: blending would normalise.
   for (std::size_t j = 0; j < 3; ++j) a.span().set(j, {{1, 2, 3}, random.rotation() * 0.5f, {1, 1, 1}});
   BlendLayer layers[] = {{a.span(), 1.0f, {}}, {b.span(), 1e-30f, {}}};
   EXPECT_EQ(run(BlendPosesJob{layers, rest.span(), out.span()}), ErrorCode::ok);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What must hold for every scene, through all jobs in a row.
+// Invariants of every scene, through the whole chain of jobs.
 #include <gtest/gtest.h>
 
 #include "runtime/deform/morph_vertices.h"
@@ -139,7 +139,7 @@ TEST(invariants, the_same_input_gives_the_same_bits) {
   const Skeleton skeleton = scenes::biped();
   Character first(skeleton, 4), second(skeleton, 4);
   second.pose_at(0.1);
-  second.deform();  // another history
+  second.deform();  // has run before, so its buffers differ
   first.pose_at(0.5);
   first.deform();
   second.pose_at(0.5);

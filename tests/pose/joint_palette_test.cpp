@@ -63,7 +63,7 @@ TEST(joint_palette, N27_N28_every_instruction_set_gives_the_bits_of_the_plain_pr
     skin.joints.push_back((j * 8) % 21);
     skin.inverse_bind.push_back(affine_from_transform(random.transform()));
   }
-  model[3].row[1].z = std::numeric_limits<float>::infinity();  // stays out of the last row
+  model[3].row[1].z = std::numeric_limits<float>::infinity();  // must not reach the last row
   skin.inverse_bind[4] = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
@@ -144,8 +144,8 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   }
 }
 
-/// Matrices of every kind in turn: rigid, mirrored, stretched a little, much and far too much for lanes, flat, nothing,
-/// not finite, and so large that the stretch is infinite in float.
+/// Matrices of all kinds in turn: rigid, mirrored, slightly, strongly and extremely stretched (too much for the SIMD
+/// path), flat, zero and not finite. Others are so large that the stretch overflows float.
 std::vector<JointMatrix> matrices_of_every_kind(std::size_t count) {
   constexpr float kNone = 0.0f, kTiny = 1e-5f;
   const glm::vec3 scales[] = {{1, 1, 1},      {0.9f, 1.2f, 1}, {1, 1, 1}, {-1, 1, 1}, {2, 2, 2}, {1, kNone, 1},
@@ -185,8 +185,8 @@ TEST(split_palette, N27_N28_lanes_and_instruction_sets_give_each_matrix_the_same
   }
 }
 
-/// Largest difference of the split from the decomposition in double precision: of the components of the quaternion,
-/// and of the stretch relative to its largest entry. 1 is what rounding to float alone may do.
+/// Largest error of a split against the decomposition in double: of the quaternion's components, and of the stretch
+/// relative to its largest entry. The unit is the rounding to float.
 double roundings_from_double(const RigidStretch& split, const JointMatrix& matrix) {
   const auto truth = decompose_polar(Mat3<double>(linear_part(affine_from(matrix))));
   const auto& q = split.rigid.real;

@@ -109,7 +109,7 @@ TEST(local_to_model, G49_non_uniform_scale_above_a_rotation_shears) {
   rig.pose.set(0, {{0, 0, 0}, quat_identity<float>(), {2, 1, 1}});
   rig.pose.set(1, {{0, 0, 0}, quat_xyzw(0.0f, 0.0f, std::sin(0.3926991f), std::cos(0.3926991f)), {1, 1, 1}});
   EXPECT_EQ(run(rig.job()), ErrorCode::ok);
-  // diag(2,1,1) times a turn of 45 degrees: no rotation and scale of its own gives this
+  // diag(2,1,1) times a rotation by 45 degrees is sheared: no rotation and scale can express it
   EXPECT_NEAR(rig.model[1].row[0].x, 2 * h, 1e-6f);
   EXPECT_NEAR(rig.model[1].row[0].y, -2 * h, 1e-6f);
   EXPECT_NEAR(rig.model[1].row[1].x, h, 1e-6f);
@@ -123,7 +123,7 @@ TEST(local_to_model, random_trees_agree_with_double_within_a_few_roundings_per_l
     std::vector<std::uint32_t> parents(count, kNone);
     std::vector<int> depth(count, 1);
     for (std::uint32_t j = 1; j < count; ++j) {
-      if (random.below(10) == 0) continue;  // another root
+      if (random.below(10) == 0) continue;  // this joint becomes a root
       parents[j] = random.below(j);
       depth[j] = depth[parents[j]] + 1;
     }

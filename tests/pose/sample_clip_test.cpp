@@ -24,7 +24,7 @@ constexpr Interpolation kAll[] = {Interpolation::step, Interpolation::linear, In
 
 Interpolation vector_kind(Interpolation i) { return i == Interpolation::squad ? Interpolation::linear : i; }
 
-/// A clip, its animation and room for a pose.
+/// A clip, its animation and a pose buffer.
 struct Player {
   Animation animation;
   Skeleton skeleton;
@@ -57,7 +57,7 @@ Player one(Vec3Track track) {
   return {{bone}, 1};
 }
 
-/// `joints` joints that are animated in all ways, in few time groups.
+/// A clip that animates `joints` joints in all ways, in few time groups.
 Player crowded(std::uint32_t joints, std::uint64_t seed) {
   test::FixedRandom random(seed);
   std::vector<std::vector<float>> times;
@@ -169,7 +169,8 @@ TEST(sample_clip, G03_G05_G07_G10_G13_every_joint_agrees_with_its_bone_animation
       const Transform found = player.pose.span().get(bone.joint);
       EXPECT_TRUE(test::is_near(Vec3<double>(found.translation), truth.translation, 2e-6)) << bone.joint << " at " << t;
       EXPECT_TRUE(test::is_near(Vec3<double>(found.scale), truth.scale, 2e-6)) << bone.joint << " at " << t;
-      // Squad's error grows with its arcs, and random cubic rotations pass near zero, where any direction is far.
+      // The error of squad grows with its arcs. Random cubic rotations pass near zero, where the direction is
+      // ill-conditioned.
       const double tolerance = bone.rotation.interpolation == Interpolation::linear ? 4e-7
                                : bone.rotation.interpolation == Interpolation::step ? 0
                                                                                     : 3e-5;
@@ -185,7 +186,8 @@ TEST(sample_clip, G22_joints_without_tracks_among_animated_ones_keep_their_rest_
     std::vector<BoneAnimation> bones;
     std::vector<float> x(kJoints, 0.0f);
     for (std::uint32_t j = 0; j < kJoints; ++j) {
-      const bool rests = round < kJoints ? j == round : random.below(1 + round % 12) != 0;  // one joint, some, most
+      const bool rests =
+          round < kJoints ? j == round : random.below(1 + round % 12) != 0;  // one, some or most joints at rest
       if (rests) continue;
       x[j] = static_cast<float>(1 + j);
       BoneAnimation bone;
@@ -235,7 +237,7 @@ TEST(sample_clip, G22_what_the_clip_does_not_animate_returns_to_rest) {
   for (Transform& t : skeleton.rest) t = random.transform();
   const Clip clip = test::clip_of(test::animation_of({bone}), skeleton);
   test::PoseBuffer pose(3);
-  for (std::size_t j = 0; j < 3; ++j) pose.span().set(j, random.transform());  // left over from another clip
+  for (std::size_t j = 0; j < 3; ++j) pose.span().set(j, random.transform());  // as another clip would leave it
   EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = 0.5, .pose = pose.span(), .weights = {}}), ErrorCode::ok);
   EXPECT_EQ(pose.span().get(0), skeleton.rest[0]);
   EXPECT_EQ(pose.span().get(2), skeleton.rest[2]);
@@ -288,7 +290,7 @@ TEST(sample_clip, G19_G43_weights_of_all_instances_and_modes) {
       ASSERT_EQ(run(job), ErrorCode::ok);
       const WeightTrack& track = animation.weights[0].weights;
       for (std::size_t i = 0; i < 3; ++i) {
-        // one target of the track, as a track of its own
+        // one target of the weight track as a separate track
         Vec3Track alone{interpolation, track.times_s, {}};
         for (std::size_t row = 0; row < track.values.size() / 3; ++row)
           alone.values.emplace_back(track.values[3 * row + i]);
@@ -325,7 +327,7 @@ TEST(sample_clip, N29_rotations_are_unit_however_the_keys_were_rounded) {
   Player player = one(track);
   for (int i = 0; i < 2000; ++i) {
     const double t = random.in(0, 99);
-    if (t == std::floor(t)) continue;  // keys come out as stored
+    if (t == std::floor(t)) continue;  // at keys the stored value is returned
     EXPECT_NEAR(safe_length(quat_cast<double>(player.at(t).rotation)), 1, 4 * test::kEps);
   }
 }
@@ -348,7 +350,7 @@ TEST(sample_clip, G05_a_cubic_rotation_through_zero_falls_back_to_the_nearer_of_
     const auto at = sample_track<double>(track, time_s);
     EXPECT_LE(test::angle_between(at, nearer), 1e-15) << "truth at " << time_s;
     EXPECT_LE(test::angle_between(one(track).at(time_s).rotation, nearer), 1e-7) << "clip at " << time_s;
-    for (const double aside : {-1e-3, 1e-3})  // next to it the curve has a direction, which is neither key
+    for (const double aside : {-1e-3, 1e-3})  // beside it the curve has a direction, which is not that of a key
       EXPECT_GT(test::angle_between(one(track).at(time_s + aside).rotation, nearer), 0.01);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips whose keys are rounded: what the lanes make of packed rows.
+// Clips with rounded keys: SIMD sampling of packed rows.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Packed {
   Clip clip;
 };
 
-/// Every second joint turns and moves, in two time groups; steps of up to `step_rad` between keys.
+/// Every second joint rotates and moves, in two time groups; keys are up to `step_rad` apart.
 Packed packed(double step_rad) {
   test::FixedRandom random(17);
   const std::vector<float> times[] = {test::random_times(random, 14), test::random_times(random, 9)};

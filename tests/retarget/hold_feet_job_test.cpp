@@ -12,7 +12,7 @@ namespace {
 
 using namespace scenes;
 
-/// The job on a pose and its retargeted one gives what hold_feet does in double.
+/// Compares the job with hold_feet in double, for one pose and its retargeted pose.
 void expect_job_is_the_truth(const FeetMap& feet, const Skeleton& target, float ground,
                              const std::vector<Transformd>& pose, const std::vector<Transformd>& retargeted) {
   test::PoseBuffer source(pose.size()), held(retargeted.size());

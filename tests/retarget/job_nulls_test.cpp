@@ -11,7 +11,6 @@
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
 #include "runtime/deform/surface_normals.h"
-#include "runtime/geometry_cache/block_motion.h"
 #include "runtime/pose/add_pose.h"
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/correct_pose.h"
@@ -89,7 +88,6 @@ TEST(job_nulls, spans_without_memory_are_refused) {
   EXPECT_EQ(run(MorphVerticesJob{&no_targets, {}, in, out, without_memory<glm::vec3>()}), ErrorCode::size_mismatch);
   const FlatFaces no_faces;
   EXPECT_EQ(run(FlatNormalsJob{&no_faces, in.positions, in.positions, false, out.positions}), ErrorCode::size_mismatch);
-  EXPECT_EQ(run(EmitPointsJob{.out = out.positions}), ErrorCode::size_mismatch);
 }
 
 TEST(job_nulls, indices_outside_of_the_vertices_are_refused) {

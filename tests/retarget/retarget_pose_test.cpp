@@ -36,14 +36,14 @@ struct Retargeted {
   RetargetPoseJob job() { return {&tables, pose.span(), scratch.span(), out.span()}; }
 };
 
-/// Bodies of other axes and lengths; of the second pair the hand follows over a forearm that nothing follows.
+/// Bodies with other bone axes and lengths. In the second pair nothing follows the forearm above the hand.
 Retargeted two_bodies(std::uint64_t seed, bool all_joints) {
   Skeleton to = scenes::two_sided(RightSide::another_posture, seed + 20).skeleton;
   if (!all_joints) to.names[9] = "something";
   return {scenes::two_sided(RightSide::any_axes, seed).skeleton, to, seed};
 }
 
-/// Joints of the target rest with another scale along each axis, which scales of the source multiply.
+/// Joints of the target rest with different scales per axis, which scales of the source multiply.
 Retargeted scaled_bodies() {
   Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton, to = from;
   for (std::size_t j = 0; j < to.rest.size(); ++j) to.rest[j].scale = {1.0f, 1.5f, 2.0f + 0.1f * static_cast<float>(j)};
@@ -127,7 +127,8 @@ TEST(retarget_pose, joints_of_the_source_with_a_fixed_matrix_rest_whatever_the_p
   }
 }
 
-/// A second forearm follows the first one of the source, a second hand its hand but over a forearm that rests.
+/// A second forearm of the target follows the same source forearm. A second hand follows the same source hand, but
+/// below a forearm that rests.
 TEST(retarget_pose, a_joint_of_the_source_is_seen_from_different_joints_above_at_once) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes).skeleton;
   SkeletonMapOptions options;

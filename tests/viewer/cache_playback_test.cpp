@@ -100,8 +100,8 @@ TEST(cache_playback, tells_what_it_takes) {
   EXPECT_EQ(facts.frame_count, 20u);
   EXPECT_EQ(facts.vertex_count, 33u * 25u);
   EXPECT_EQ(facts.window_frames, 16u) << "a segment and what is read ahead";
-  EXPECT_GT(facts.frames_there, 5u);
-  EXPECT_LE(facts.frames_there, facts.window_frames);
+  EXPECT_GT(facts.frames_loaded, 5u);
+  EXPECT_LE(facts.frames_loaded, facts.window_frames);
   EXPECT_GT(facts.window_bytes, 0u);
   ASSERT_TRUE(facts.ns_per_vertex);
   EXPECT_GT(*facts.ns_per_vertex, 0.0);
@@ -110,7 +110,7 @@ TEST(cache_playback, tells_what_it_takes) {
   const CacheAlone brief = flag_alone(few);
   EXPECT_EQ(CachePlayback(*brief.cache, brief.scene, Reads::blocking).facts().window_frames, 10u) << "all of it";
   EXPECT_EQ(describe_cost({.ns_per_vertex = 3.14, .late = 2}), "3.1 ns a decoded vertex, pictures late: 2");
-  EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_there = 3, .window_frames = 40, .window_bytes = 1234567}),
+  EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_loaded = 3, .window_frames = 40, .window_bytes = 1234567}),
             "18 kB a second read, window 3 of 40 frames in 1.2 MB");
 }
 

@@ -18,7 +18,7 @@ GeometryStatus decode(GeometryDecoder& decoder, std::uint32_t frame, FrameWindow
   for (;; std::this_thread::yield()) {
     window.prefetch(decoder.next_for(frame));
     const GeometryStatus status = decoder.decode(frame, window);
-    if (status != GeometryStatus::not_there) return status;
+    if (status != GeometryStatus::not_loaded) return status;
   }
 }
 
@@ -42,7 +42,7 @@ TEST(cache_reader, every_way_of_reading_gives_the_bytes_of_the_file) {
         ASSERT_EQ(points, truth) << frame;
       }
       EXPECT_GT(reader.bytes_read(), 0u);
-      EXPECT_LE(reader.bytes_read(), window.bytes_asked());
+      EXPECT_LE(reader.bytes_read(), window.bytes_requested());
       reader.stop();
       EXPECT_EQ(window.pending_reads(), 0u);
     }
@@ -59,7 +59,7 @@ TEST(cache_reader, reads_that_fail_are_late_frames) {
     CacheReader reader(file, Reads::blocking, 4);
     FrameWindow window(file.cache, reader.reader(), 4);
     GeometryDecoder decoder(file.cache);
-    EXPECT_EQ(decoder.decode(5, window), GeometryStatus::not_there);
+    EXPECT_EQ(decoder.decode(5, window), GeometryStatus::not_loaded);
     EXPECT_EQ(decoder.frame(), path == cut.path() ? 2u : kNone);
   }
 }
@@ -73,7 +73,7 @@ TEST(cache_reader, ends_while_reads_wait) {
     window.prefetch(0);
     reader.stop();
     EXPECT_EQ(window.pending_reads(), 0u);
-    EXPECT_EQ(window.frames_there(), 20u) << "what was asked for before is read";
+    EXPECT_EQ(window.frames_loaded(), 20u) << "what was asked for before is read";
     window.prefetch(0);
   }
 }

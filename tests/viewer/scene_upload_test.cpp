@@ -314,11 +314,15 @@ TEST_F(material_set, G66_features_leave_out_data_that_cannot_be_read_but_not_col
   EXPECT_EQ(set.features_of(kNone).texcoord_sets, (Sets{}));
 }
 
-TEST(texel_use, base_colours_cover_where_alpha_counts_and_the_cutoff_is_the_least_code_that_an_alpha_test_keeps) {
+TEST(texel_use, base_colours_cover_where_alpha_counts) {
   Material m;
   EXPECT_EQ(base_color_use(m), (TexelUse{true, false, 0}));
   m.alpha_mode = AlphaMode::blend;
   EXPECT_EQ(base_color_use(m), (TexelUse{true, true, 0}));
+}
+
+TEST(texel_use, cutoff_is_the_least_code_that_an_alpha_test_keeps) {
+  Material m;
   m.alpha_mode = AlphaMode::mask;
   const auto cutoff = [&](float alpha_cutoff, float factor) {
     m.alpha_cutoff = alpha_cutoff;

@@ -12,7 +12,6 @@
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
 #include "runtime/retarget/hold_feet.h"
-#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/humanoid_bones.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_pose.h"

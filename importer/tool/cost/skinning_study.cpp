@@ -26,7 +26,7 @@ class Skinner {
         centers_(centers.begin(), centers.end()),
         split_(part.skin->joints.size()),
         edges_(hemisphere_edges(*part.skeleton, *part.skin)),
-        pairs_(sharing_pairs(part.primitive->influences, split_.size())),
+        pairs_(joint_pairs_of_vertices(part.primitive->influences, split_.size())),
         out_(part.vertex_count()) {}
 
   /// Splitting the joint matrices belongs to the rigid methods; it is done once a frame.

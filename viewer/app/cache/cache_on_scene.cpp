@@ -32,7 +32,7 @@ std::vector<Aabb> CacheOnScene::reach(const Scene& scene) const {
 }
 
 std::string describe_fault(const CacheFile& file, GeometryStatus status) {
-  if (status == GeometryStatus::not_there)
+  if (status == GeometryStatus::not_loaded)
     return file.name + ": cache-size: a frame cannot be read: the file has changed";
   return file.name + ": cache-checksum: a frame is not as it was written; bake the cache again";
 }

@@ -27,7 +27,7 @@ struct CacheOnScene {
 };
 
 /// One sentence: why a frame cannot be shown.
-/// in   status  damaged or not_there
+/// in   status  damaged or not_loaded
 std::string describe_fault(const CacheFile& file, GeometryStatus status);
 
 /// Binds each mesh of a cache to the scene's mesh of the same name.

@@ -37,7 +37,7 @@ std::span<const GeometryInput> CachePlayback::at(double time_s, float weight) no
 
 std::string CachePlayback::fault() const {
   const GeometryStatus status = player_.status();
-  const bool unread = status == GeometryStatus::not_there && reads_ == CacheReader::Reads::blocking;
+  const bool unread = status == GeometryStatus::not_loaded && reads_ == CacheReader::Reads::blocking;
   return status == GeometryStatus::damaged || unread ? describe_fault(cache_.file, status) : std::string();
 }
 
@@ -67,7 +67,7 @@ CacheFacts CachePlayback::facts() const {
   facts.frame_s = cache.frame_s();
   for (const GeometryMesh& mesh : cache.meshes()) facts.vertex_count += mesh.vertex_count;
   facts.bytes_per_s = bytes_per_s_;
-  facts.frames_there = window_.frames_there();
+  facts.frames_loaded = window_.frames_loaded();
   facts.window_frames = std::min(window_of(cache), cache.frame_count());
   facts.window_bytes = window_.memory_bytes();
   facts.ns_per_vertex = ns_per_vertex_;
