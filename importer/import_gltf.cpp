@@ -181,10 +181,10 @@ class Import {
   }
 
   void add_centers(Scene& scene) const {
-    CentersOptions how;
-    how.cache_folder = options_.centers_cache;
-    how.progress = [this](double done) { progress("centers of rotation", done); };
-    add_centers_of_rotation(scene, how);
+    CentersOptions centers;
+    centers.cache_folder = options_.centers_cache;
+    centers.progress = [this](double done) { progress("centers of rotation", done); };
+    add_centers_of_rotation(scene, centers);
   }
 
   void fill_facts(ImportedFile::Facts& facts) {

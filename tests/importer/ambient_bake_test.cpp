@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ambient visibility where it has a closed form, beside plain double precision, and the rules of its mean.
+// Ambient visibility, compared with closed forms and a double-precision reference, and the rules of averaging.
 #include "importer/ambient/bake_ambient_visibility.h"
 
 #include <gtest/gtest.h>

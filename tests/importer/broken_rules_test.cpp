@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For every rule of importer/rules.inc a small file breaks it; the import reports its code, severity and JSON pointer.
-// Files in broken/ are named after the rule; asset.extras gives the place and what is said of it. Rules about
+// Files in broken/ are named after the rule; asset.extras has the location and the expected report. Rules about
 // containers and limits, which no .gltf can break, are broken in code.
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ std::string list(const std::vector<ImportIssue>& issues) {
   return text;
 }
 
-/// What is said of a rule that is broken at a place, " | " between several; nothing where it is not named.
+/// The reports of a rule at a location, joined by " | "; empty if there are none.
 std::string said(const std::vector<ImportIssue>& issues, const RuleText& rule, const std::string& place) {
   std::string text;
   for (const ImportIssue& issue : issues)
@@ -67,7 +67,7 @@ std::string container(const std::vector<std::pair<std::string, std::string>>& ch
 const std::string kEmpty = R"({"asset":{"version":"2.0"}} )";
 const std::string kBin("BIN\0", 4);
 
-/// A rule that no .gltf file can break, what is said of it, and what an import says.
+/// A rule that no .gltf file can break, its expected report, and the import that breaks it.
 struct CaseInCode {
   std::string_view rule;
   std::string says;

@@ -40,7 +40,7 @@ TEST(clip_bounds_corpus, G54_holds_every_vertex_of_every_file) {
   std::size_t boxes = 0;
   for (const auto& file : files_for_tests("models", {".gltf", ".glb"})) {
     const auto imported = import_gltf(file, options);
-    if (!imported) continue;  // other tests tell
+    if (!imported) continue;  // other tests report it
     Needs needs;
     needs.bounds = true;
     needs.normals = needs.tangents = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which clip `sinew cost` looks at, what it refuses, and what becomes of reports that cannot be written.
+// Clip choice of `sinew cost`, refused inputs, and reports that cannot be written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

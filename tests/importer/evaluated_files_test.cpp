@@ -68,8 +68,8 @@ TEST(evaluated_file, N26_displacements_and_skin_weights_too_small_to_show_are_dr
 }
 
 TEST(evaluated_file, G18_neighbours_on_other_hemispheres_turn_the_short_way_after_decoding) {
-  // 80 and 100 degrees about z as 8-bit integers, the largest component made positive by the encoder: w leads in the
-  // first key, z in the second, and the second is stored as -q.
+  // 80 and 100 degrees about z as 8-bit integers, with the largest component positive. It is w in the first key and z
+  // in the second, so the second is stored as -q.
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});
   const auto byte = [](double v) { return static_cast<std::int8_t>(std::lround(127 * v)); };

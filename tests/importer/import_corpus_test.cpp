@@ -148,8 +148,8 @@ std::string entry_of(const std::string& place) {
   return place.substr(0, third);
 }
 
-/// An issue about the whole document answers faults of its own kind. The text in a container that cannot be read is not
-/// read, what is no container is read as text, and a number that is too big for the parser has no place yet.
+/// An issue about the whole document answers faults of its own kind. The JSON of an unreadable container is not parsed.
+/// Files that are not containers are parsed as text. A number that is too big for the parser has no location.
 bool answers_for_the_document(const ImportIssue& issue, const std::string& code) {
   if (issue.rule.starts_with("glb-")) return code.starts_with("GLB_") || code == "INVALID_JSON";
   if (issue.rule == "json-syntax" && code == "VALUE_NOT_IN_RANGE")

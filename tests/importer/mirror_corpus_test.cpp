@@ -71,8 +71,8 @@ TEST(mirror_corpus, names_that_tell_a_side_have_a_partner_or_are_listed) {
   }
 }
 
-/// Bodies that are symmetric at rest to 2 % of their size are, in every pose, mirror images to 6 %: feet and hands add
-/// up what the bones above them are off.
+/// Bodies that are symmetric at rest within 2 % of their size must mirror within 6 % in every pose: deviations of bones
+/// add up along a limb.
 TEST(mirror_corpus, joints_of_the_mirrored_clip_are_where_the_mirror_image_of_the_clip_has_them) {
   std::size_t clips = 0;
   each_scene([&](const Scene& scene, const std::string& file) {

@@ -7,8 +7,8 @@
 namespace sinew::test {
 namespace {
 
-/// Of each kind one entry that lies on buffer 0 (number 0) and one that lies on buffer 1 (number 1), and further ones
-/// that differ in the way to buffer 0.
+/// For each kind of entry: entry 0 depends on buffer 0, entry 1 on buffer 1. Further entries depend on buffer 0 in
+/// other ways.
 gltf::Document document() {
   gltf::Document d;
   d.buffers.resize(2);

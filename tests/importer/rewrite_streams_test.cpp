@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kSide = 24;
 
-/// A bumpy grid of squares, each corner stored once for every triangle that has it; skinned, coloured, with one target
-/// that moves a few vertices, one that moves none, and one stored dense that turns normals and tangents as well.
+/// A bumpy grid of squares with unshared corners, skinned and coloured. It has three morph targets. One moves a few
+/// vertices, one moves none, and one is stored dense and also changes normals and tangents.
 TinyGltf grid() {
   TinyGltf gltf;
   FixedRandom random(7);
@@ -213,7 +213,7 @@ TinyGltf bounded_grid() {
   return gltf;
 }
 
-/// What a stream became: its component type, whether it is normalised, whether it has bounds, and its filter.
+/// A rewritten stream: component type, normalised or not, bounds or not, and filter.
 std::string stored_as(const Json& json, const Json& accessor_index) {
   const Json& accessor = json["accessors"][accessor_index.get<std::size_t>()];
   const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];

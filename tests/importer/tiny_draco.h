@@ -13,9 +13,9 @@ namespace sinew::test {
 /// The values of one attribute: as many floats a vertex as the attribute has components.
 using TriangleValues = std::map<std::string, std::vector<float>>;
 
-/// Triangles as a Draco stream that is not quantised, in an order of vertices that the encoder chooses.
-/// in   corners  [3 * triangles] vertices of `values`, each used by some corner and unlike all others
-/// out  ids      the number of each attribute
+/// Encodes triangles as a Draco stream without quantization; the encoder chooses the vertex order.
+/// in   corners  [3 * triangles] vertices of `values`; all vertices are used and distinct
+/// out  ids      Draco id of each attribute
 std::vector<std::byte> draco_stream(const TriangleValues& values, const std::vector<std::uint32_t>& corners,
                                     std::map<std::string, int>& ids);
 

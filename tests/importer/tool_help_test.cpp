@@ -253,7 +253,7 @@ bool is_installed(const char* program) {
   return std::system((std::string("command -v ") + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// What a shell command prints, both streams together; its status must be 0.
+/// Output of a shell command, both streams together; its status must be 0.
 std::string printed(const ToolModelFile& folder, const std::string& command) {
   const std::string out = folder.beside("printed");
   EXPECT_EQ(std::system(("( " + command + " ) >" + out + " 2>&1").c_str()), 0) << command;
@@ -278,7 +278,7 @@ TEST(shell_files, roff_takes_the_manual_page_without_a_warning) {
     EXPECT_THAT(text, HasSubstr(words));
 }
 
-/// What bash offers for the last of some words.
+/// Bash's completions of the last word of a command line.
 std::vector<std::string> offered(const ToolModelFile& folder, const std::string& words) {
   std::string text = printed(folder, "bash -c 'source " + folder.beside("bash") + "; COMP_WORDS=(" + words +
                                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _sinew; printf \"%s\\n\" "
@@ -297,8 +297,8 @@ TEST(shell_files, bash_completes_commands_options_and_values) {
   EXPECT_THAT(offered(folder, "sinew sample x.glb -o ou"), ElementsAre(""));
 }
 
-/// What zsh lists when Tab is pressed behind some words, in an interactive shell on a terminal of its own. It is ready
-/// for keys once it edits a line: before, the terminal is not raw and takes them itself.
+/// Zsh's list after Tab, in an interactive shell on its own terminal. It is ready for keys once it edits a line:
+/// before, the terminal is not raw and takes them itself.
 std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words) {
   const std::string functions = folder.beside("functions"), script = folder.beside("tab.zsh");
   std::filesystem::create_directory(functions);

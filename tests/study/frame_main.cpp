@@ -39,7 +39,7 @@ bool study_file(Device& device, const std::string& file, const FrameEffort& effo
   Options options;
   options.file = file;
   options.environment = "none";  // the study brings its own
-  const auto say = [](const std::string& line) { std::fprintf(stderr, "sinew-frame-study: %s\n", line.c_str()); };
+  const auto log_line = [](const std::string& line) { std::fprintf(stderr, "sinew-frame-study: %s\n", line.c_str()); };
   const auto loaded_scenes = load_scenes(options, log_line, {});
   if (!loaded_scenes) {
     log_line(loaded_scenes.error().message);
