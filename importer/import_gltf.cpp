@@ -48,8 +48,8 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import, from bytes to scene. Each step relies on what the steps before it have proved. After an error the import
-/// goes on without what is broken, so that it can name further errors, and ends without a scene.
+/// One import, from bytes to scene. Each step relies on what the steps before it have proved. The first step with an
+/// error ends the import, unless all errors are collected: then it goes on without the broken entries, to no scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
@@ -96,7 +96,7 @@ class Import {
     if (json == nullptr || !check_major_version(json->root, log_)) return false;
     if (options_.carry_document) carried_->json = to_json(json->root);
     check_shape(json->root, gltf_shape(), "", log_);
-    if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
+    if (!log_.ok() && !(options_.collect_all_errors && quarantine_.isolate(*json, log_))) return false;
     check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
     if (options_.thorough) check_declarations(json->root, log_);
@@ -123,8 +123,10 @@ class Import {
     return taken <= allowed;
   }
 
-  /// After each step: true when there is no error, or when everything broken has been put aside.
-  bool go_on() { return log_.error_count() == 0 || quarantine_.isolate(document_, log_); }
+  /// After each step: true if there is no error, or if all errors are collected and the broken entries are emptied.
+  bool go_on() {
+    return log_.error_count() == 0 || (options_.collect_all_errors && quarantine_.isolate(document_, log_));
+  }
 
   bool load() {
     load_buffers(document_, files_, bin_, log_);

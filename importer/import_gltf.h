@@ -26,9 +26,11 @@ struct ImportOptions {
   std::filesystem::path centers_cache;    ///< folder that caches centers of rotation; empty = no cache
   bool thorough = false;                  ///< also check what the scene does not need: min and max, declarations, spare
                                           ///< and unused parts; the only reports of severity info
-  bool animate_default_weights = true;    ///< a channel that animates mesh.weights animates each node that shows the
-                                          ///< mesh and has no weights; false: such channels are ignored
-  bool carry_document = false;  ///< fill ImportedFile::carried, so that rewrite_gltf() can write the file again
+  bool collect_all_errors = false;      ///< go on after an error, to list those of later steps too; the file is refused
+                                        ///< either way
+  bool animate_default_weights = true;  ///< a channel that animates mesh.weights animates each node that shows the
+                                        ///< mesh and has no weights; false: such channels are ignored
+  bool carry_document = false;          ///< fill ImportedFile::carried, so that rewrite_gltf() can write the file again
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;  ///< the file with all buffers and images it names
   /// Limit of decompressed data, and again of vertices and keys in memory. Neither goes above 64 MiB + 64 x file.
   std::uint64_t max_unpacked_bytes = std::uint64_t{16} << 30;
