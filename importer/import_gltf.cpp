@@ -48,14 +48,14 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import, from bytes to scene. Each step relies on what the steps before it have proved. The first step with an
-/// error ends the import, unless all errors are collected: then it goes on without the broken entries, to no scene.
+/// One import, from bytes to scene. Each step relies on the checks of earlier steps. The first step with an error
+/// ends the import. If all errors are collected, it removes the broken parts and continues, but returns no scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
       : files_(files), options_(options), log_(log) {}
 
-  /// Takes the bytes of the file, which then live as long as what points into them.
+  /// Stores the bytes of the file next to the document that points into them.
   Bytes own(std::vector<std::byte> file) {
     carried_->file = std::move(file);
     return carried_->file;
@@ -112,7 +112,8 @@ class Import {
     return go_on();
   }
 
-  /// What entries take grows with the text, whatever its author may unpack. Entries of few characters take the most.
+  /// Limits the memory of parsed JSON entries relative to the file size: many short entries take far more memory than
+  /// their text.
   bool check_entry_bytes(const JsonNode& json) {
     const std::uint64_t taken = entry_bytes(json), read = files_.bytes_read();
     const std::uint64_t allowed = allowed_bytes(read, std::numeric_limits<std::uint64_t>::max());
@@ -123,7 +124,7 @@ class Import {
     return taken <= allowed;
   }
 
-  /// After each step: true if there is no error, or if all errors are collected and the broken entries are emptied.
+  /// Called after each step. True if there is no error, or if all errors are collected and the broken parts removed.
   bool go_on() {
     return log_.error_count() == 0 || (options_.collect_all_errors && quarantine_.isolate(document_, log_));
   }
@@ -205,7 +206,7 @@ class Import {
       if (const auto found = carried_->json.find(list); found != carried_->json.end())
         for (auto& entry : *found)
           if (const auto uri = entry.find("uri"); uri != entry.end() && is_data_uri(uri->get_ref<const std::string&>()))
-            *uri = "data:";  // as long as the data, which are decoded
+            *uri = "data:";  // drops the long text: its data are decoded already
     carried_->document = std::move(document_);
     return carried_;
   }
@@ -224,7 +225,7 @@ class Import {
   const std::shared_ptr<CarriedDocument> carried_ = std::make_shared<CarriedDocument>();
 };
 
-/// Runs an import and turns every exception of a library into an error, so that only a result leaves.
+/// Runs an import and converts every exception of a library to an error result.
 template <class Run>
 ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
   try {

@@ -54,7 +54,7 @@ TEST(sample_times, what_is_no_number_is_refused) {
     EXPECT_FALSE(parse_times(wrong)) << '"' << wrong << '"';
 }
 
-TEST(sample_times, telling_times_hold_the_ends_some_keys_and_middles) {
+TEST(sample_times, representative_times_hold_the_ends_some_keys_and_middles) {
   Animation animation;
   auto& bone = animation.bones.emplace_back();
   bone.translation.times_s = {0.5f, 1.0f, 2.0f};

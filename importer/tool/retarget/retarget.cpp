@@ -22,7 +22,7 @@
 #include "importer/tool/text_table.h"
 #include "importer/vrm.h"
 #include "runtime/library/clip_channels.h"
-#include "runtime/retarget/hold_feet_animation.h"
+#include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/retarget_weights.h"
