@@ -75,7 +75,7 @@ ExtensionSupport extension_support(std::string_view name) noexcept;
 /// relative to the file's folder and cannot leave it. A broken rule that makes data unusable is an error; one with a
 /// safe and common repair is a warning that names the repair. Never throws.
 /// out   the scene, validated by check(Scene)
-/// err   rule identifiers of importer/rules.inc
+/// err   rule identifiers (rules.inc of the importer)
 /// cost  O(file); memory: a small multiple of the file, bounded by the options
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options = {});
 

@@ -2,7 +2,10 @@
 #pragma once
 #include <string_view>
 
-#include <tl/expected.hpp>
+namespace tl {
+template <class T, class E>
+class expected;
+}
 
 namespace sinew {
 
@@ -28,6 +31,7 @@ enum class ErrorCode {
 /// One sentence per code, for logs.
 std::string_view describe(ErrorCode code) noexcept;
 
+/// A value or an ErrorCode. Headers whose functions answer one include <tl/expected.hpp>.
 template <class T>
 using Result = tl::expected<T, ErrorCode>;
 

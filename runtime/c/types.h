@@ -3,16 +3,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// What all of the C interface agrees on.
+// Rules of the whole C interface.
 //
 // Handles are opaque. The caller of sinew_X_create owns the handle and gives it back with sinew_X_destroy, which
-// accepts NULL too. Spans and strings are views: they belong to the handle that they were asked from, and live as long
-// as that handle, or as the function says. No function keeps a pointer that it was given, unless it says so.
+// accepts NULL too. Spans and strings are views into the handle that answered them. They live as long as that handle,
+// or as the function says. No function keeps a pointer that it was given, unless it says so.
 //
 // Structs that may grow begin with struct_size, which the caller sets to sizeof. The library reads and writes no more
-// than that, and steps through arrays of such structs by it; all elements of an array have the same. So an older
-// program runs with a newer library, where additions take their defaults, and a newer program runs with an older
-// library as long as it leaves the additions zero. Null pointers and numbers that make no sense answer codes, or
+// than that. It is also the step of arrays, so all elements of an array have the same. An older program runs with a
+// newer library, where new fields take their defaults. A newer program runs with an older library as long as it leaves
+// the new fields zero. Null pointers and numbers that make no sense answer codes, or
 // nothing.
 //
 // No exception leaves a function. Different handles may be used by different threads. Scenes and plans do not change

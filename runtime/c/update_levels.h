@@ -37,7 +37,7 @@ sinew_error sinew_choose_update_level(double screen_size, uint32_t before, doubl
 uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32_t phase);
 
 /// Holds a character's input over the frames that its level leaves out: running the same input again costs nothing.
-/// What is out of view or asleep is always of this frame.
+/// `out_of_view` and `asleep` are always those of this frame.
 typedef struct sinew_held_input sinew_held_input;
 
 /// in   plan  must outlive the held input

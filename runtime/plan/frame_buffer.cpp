@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <memory_resource>
+#include <new>
+#include <utility>
 
 #include "runtime/base/contract.h"
 #include "runtime/base/prefetch.h"
@@ -53,20 +56,47 @@ void write_rest_pose(const CompiledPlan& plan, FrameMemory memory) noexcept {
 
 }  // namespace
 
-void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
-  if (memory != nullptr) memory->deallocate(block, byte_count, kAlignment);
+using SharedPlan = std::shared_ptr<const CompiledPlan>;
+
+PlanShare::PlanShare(const Plan& plan) noexcept : plan_(plan.compiled().get()) {
+  static_assert(sizeof(SharedPlan) <= sizeof shared_ && alignof(SharedPlan) <= alignof(void*));
+  new (shared_) SharedPlan(plan.compiled());
 }
 
-FrameBuffer::FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory)
-    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(
-                            static_cast<std::byte*>(memory.allocate(plan.frame_bytes(), kAlignment)),
-                            GiveBack{&memory, plan.frame_bytes()})) {}
+PlanShare::PlanShare(PlanShare&& other) noexcept : plan_(std::exchange(other.plan_, nullptr)) {
+  new (shared_) SharedPlan(std::move(*std::launder(reinterpret_cast<SharedPlan*>(other.shared_))));
+}
+
+PlanShare& PlanShare::operator=(PlanShare&& other) noexcept {
+  plan_ = other.plan_;
+  *std::launder(reinterpret_cast<SharedPlan*>(shared_)) =
+      std::move(*std::launder(reinterpret_cast<SharedPlan*>(other.shared_)));
+  if (&other != this) other.plan_ = nullptr;
+  return *this;
+}
+
+PlanShare::~PlanShare() { std::destroy_at(std::launder(reinterpret_cast<SharedPlan*>(shared_))); }
+
+FrameBlock& FrameBlock::operator=(FrameBlock&& other) noexcept {
+  if (&other == this) return *this;
+  if (deallocate_ != nullptr) deallocate_(context_, start_, byte_count_);
+  start_ = std::exchange(other.start_, nullptr);
+  byte_count_ = std::exchange(other.byte_count_, 0);
+  context_ = other.context_;
+  deallocate_ = std::exchange(other.deallocate_, nullptr);
+  return *this;
+}
+
+FrameBuffer::FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
+
+FrameBuffer::FrameBuffer(const Plan& plan, const Source& memory)
+    : FrameBuffer(plan, FrameBlock(static_cast<std::byte*>(memory.allocate(memory.context, plan.frame_bytes())),
+                                   plan.frame_bytes(), memory.context, memory.deallocate)) {}
 
 FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
-    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(large_enough(block, plan.frame_bytes()), GiveBack{})) {}
+    : FrameBuffer(plan, FrameBlock(large_enough(block, plan.frame_bytes()))) {}
 
-FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block)
-    : plan_(plan.compiled()), block_(std::move(block)) {
+FrameBuffer::FrameBuffer(const Plan& plan, FrameBlock block) : plan_(plan), block_(std::move(block)) {
   CONTRACT(reinterpret_cast<std::uintptr_t>(block_.get()) % kAlignment == 0);
   const FrameMemory memory{block_.get()};
   std::memset(memory.block, 0, plan_->layout.frame_bytes);

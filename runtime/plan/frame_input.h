@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "runtime/animation/skeleton.h"
+#include "runtime/base/index.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/math/affine.h"
 #include "runtime/plan/vertex_source.h"
@@ -35,10 +35,14 @@ struct ClipLayer {
 /// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ. Pages are
 /// not compared: all that have the keys of a time give the same bits.
 inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer> b) noexcept {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ClipLayer& x, const ClipLayer& y) {
-    return x.clip == y.clip && same_bits(x.time_s, y.time_s) && same_bits(x.weight, y.weight) && x.mask == y.mask &&
-           x.kind == y.kind && x.mirrored == y.mirrored;
-  });
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const ClipLayer &x = a[i], &y = b[i];
+    if (x.clip != y.clip || !same_bits(x.time_s, y.time_s) || !same_bits(x.weight, y.weight) || x.mask != y.mask ||
+        x.kind != y.kind || x.mirrored != y.mirrored)
+      return false;
+  }
+  return true;
 }
 
 /// A mesh instance whose vertices come from a source in place of its pose.

@@ -5,7 +5,7 @@
 
 #include "runtime/math/affine.h"
 #include "runtime/math/joint_matrix.h"
-#include "runtime/model/mesh.h"
+#include "runtime/model/aabb.h"
 
 namespace sinew {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/model/mesh.h"
+#include "runtime/model/aabb.h"
 
 namespace sinew {
 

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include <tl/expected.hpp>
+
 #include "runtime/base/result.h"
 #include "runtime/plan/run_plan.h"
 

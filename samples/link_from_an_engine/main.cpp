@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How an engine uses sinew: read an asset file, compile a plan once, then submit frames to the job thread and read the
 // newest finished one without waiting. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
-#include <sinew/runtime/asset_file/read_assets.h>
-#include <sinew/runtime/threads/job_thread.h>
+#include <sinew/asset_file.h>
+#include <sinew/job_thread.h>
+#include <sinew/plan.h>
 
 #include <cstdio>
 #include <fstream>

@@ -4,6 +4,7 @@
 // containers and limits, which no .gltf can break, are broken in code.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

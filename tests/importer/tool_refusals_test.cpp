@@ -2,6 +2,7 @@
 // Why commands refuse what they are asked for: exit status, and the sentence word for word.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stages that are left out cost nothing: no work and no memory. No frame allocates.
+#include <algorithm>
 #include <new>
 
 #include <gtest/gtest.h>

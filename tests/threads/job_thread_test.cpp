@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An engine with a folder `runtime` of its own, first among its include folders. Exit status 0 when both scenes are
 // what they are.
-#include <sinew/runtime/plan/run_plan.h>
+#include <sinew/frame.h>
+#include <sinew/plan.h>
+#include <sinew/scene.h>
 
 #include "runtime/model/scene.h"
 
