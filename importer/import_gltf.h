@@ -27,6 +27,8 @@ struct ImportOptions {
   /// Also check data that the scene does not need: min and max, declarations, unused parts. Only this reports issues of
   /// severity info.
   bool thorough = false;
+  /// Continue after a step with an error, to report errors of later steps too. The file is refused in any case.
+  bool collect_all_errors = false;
   /// A channel of mesh.weights animates all nodes that show the mesh and have no weights of their own; false: ignored.
   bool animate_default_weights = true;
   bool carry_document = false;                            ///< fill ImportedFile::carried, which rewrite_gltf() needs

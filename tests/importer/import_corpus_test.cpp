@@ -182,7 +182,7 @@ std::vector<ImportIssue> all_issues(ImportResult<ImportedFile> result) {
 
 TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validator_finds_them_bad) {
   ImportOptions thorough;
-  thorough.thorough = true;
+  thorough.thorough = thorough.collect_all_errors = true;
   std::size_t answered = 0;
   for (const fs::path& file : files_for_tests("malformed", kExtensions)) {
     SCOPED_TRACE(file.string());

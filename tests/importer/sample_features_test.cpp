@@ -407,6 +407,7 @@ TEST(sample_features, one_run_finds_the_errors_after_a_broken_scene_or_too_deep_
   file.animate("translation", times, times);
   ImportOptions options;
   options.max_node_depth = 2;
+  options.collect_all_errors = true;
   const auto result = file.import(options);
   ASSERT_FALSE(result);
   std::vector<std::string> rules{result.error().issue.rule};

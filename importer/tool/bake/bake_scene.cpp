@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
@@ -63,7 +63,7 @@ class SceneBaker {
     return run_plan(plan_, input, frame_);
   }
 
-  /// What the last frame shows of a mesh of the take.
+  /// The vertices of one mesh of the take in the last evaluated frame.
   std::vector<glm::vec3> values(std::size_t source, GeometryKind kind) const {
     const auto [i, p] = sources_[source];
     const InstanceResult& instance = frame_.result().instances[i];

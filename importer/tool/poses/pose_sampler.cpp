@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "runtime/plan/frame_hash.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/wrapped_text.h"
 
 namespace sinew::tool {
 namespace {

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/help/program_text.h"
-
-#include <map>
-#include <memory>
-#include <string>
-
-#include <fmt/format.h>
-
-#include "importer/tool/help/completions.h"
-#include "importer/tool/help/help_formatter.h"
-#include "importer/tool/help/man_page.h"
+#include "importer/tool/commands.h"
 
 namespace sinew::tool {
 namespace {
@@ -33,28 +23,24 @@ constexpr const char* kEnding =
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something, "
     "4 `sinew verify` cannot read a file. Of several files the worst counts.";
 
-using Generator = std::string (*)(const CLI::App&);
-const std::map<std::string, Generator> kGenerators = {
-    {"man", man_page}, {"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
+using MakeCommand = Command (*)();
+
+constexpr MakeCommand kCommands[] = {
+    info_command,    sample_command,   verify_command,  check_command, plan_command,
+    convert_command, retarget_command, compile_command, bake_command,
+#ifdef SINEW_WITH_RAYS
+    bake_ao_command,
+#endif
+    cost_command,
+};
 
 }  // namespace
 
-void describe_program(CLI::App& program) {
-  program.description(kAbout);
-  program.footer(kEnding);
-  program.set_version_flag("--version", std::string("sinew ") + SINEW_VERSION, "Print the version and exit");
-  program.set_help_flag("-h,--help", "Print this help and exit");
-  program.formatter(std::make_shared<HelpFormatter>());
-}
-
-void add_generate(CLI::App& program) {
-  const auto print = [&program](const std::string& kind) {
-    const auto generator = kGenerators.find(kind);
-    if (generator == kGenerators.end()) throw CLI::ValidationError("--generate", "man, bash, zsh or fish");
-    fmt::print("{}", generator->second(program));
-    throw CLI::Success();
-  };
-  program.add_option_function<std::string>("--generate", print)->group("");
+Program make_program() {
+  Program program{Command("", kAbout), std::string("sinew ") + SINEW_VERSION, kEnding, {}};
+  program.self.option("--version", "", {}, "Print the version and exit");
+  for (const MakeCommand make : kCommands) program.commands.push_back(make());
+  return program;
 }
 
 }  // namespace sinew::tool
