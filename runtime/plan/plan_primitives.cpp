@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/math/determinant_sign.h"
-#include "runtime/plan/visibility.h"
+#include "runtime/plan/evaluate/visibility.h"
 #include "runtime/pose/hemisphere_pairs.h"
 
 namespace sinew {

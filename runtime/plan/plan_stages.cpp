@@ -100,7 +100,7 @@ PlanStage describe_correctives(const CompiledPlan& plan) {
   std::uint64_t samples = 0;
   for (const PoseCorrective& corrective : correctives) samples += corrective.samples.sample_count();
   return {"correctives", true, counted(correctives.size(), "corrective adds", "correctives add") + " to morph weights",
-          samples, plan.layout.corrective_scratch_count * sizeof(double)};
+          samples, plan.layout.corrective_scratch.count * sizeof(double)};
 }
 
 PlanStage describe_properties(const CompiledPlan& plan) {

@@ -158,8 +158,9 @@ TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_
   needs.skinning = Skinning::dual_quaternion;
   EXPECT_FALSE(stage(compile_plan(scene, needs), "combinations").runs);
   const auto palette_bytes = [](const Plan& of) {
-    const std::vector<std::size_t>& at = of.compiled()->layout.palette_at;
-    return at.back() - at.front();
+    std::size_t matrices = 0;
+    for (const Block<JointMatrix>& block : of.compiled()->layout.palettes) matrices += block.count;
+    return matrices * sizeof(JointMatrix);
   };
   EXPECT_LT(palette_bytes(compile_plan(scene, needs)), palette_bytes(plan))
       << "no memory for matrices that nobody shares";

@@ -64,8 +64,8 @@ TEST_F(MemoryOfPlans, tables_of_poses_and_primitives) {
   EXPECT_COUNTED(instance_scales);
   EXPECT_COUNTED(combined);
   EXPECT_COUNTED(hemisphere_edges);
-  EXPECT_COUNTED(layout.palette_at);
-  EXPECT_COUNTED(layout.split_at);
+  EXPECT_COUNTED(layout.palettes);
+  EXPECT_COUNTED(layout.splits);
   EXPECT_COUNTED(layout.primitives);
   EXPECT_COUNTED(assets.skins);
 }

@@ -237,8 +237,8 @@ TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
   EXPECT_GE(large.frame_bytes(), small.frame_bytes() + 3 * layer_bytes);
-  EXPECT_EQ(large.compiled()->layout.layer_poses_at + 3 * layer_bytes, large.compiled()->layout.layer_weights_at);
-  EXPECT_EQ(small.compiled()->layout.layer_poses_at, small.compiled()->layout.layer_weights_at);
+  EXPECT_EQ(large.compiled()->layout.layer_poses.count * sizeof(float), 3 * layer_bytes);
+  EXPECT_EQ(small.compiled()->layout.layer_poses.count, 0u);
 }
 
 TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_before_vertices) {
@@ -346,30 +346,31 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   const CompiledPlan& compiled = *plan.compiled();
   const FrameLayout& layout = compiled.layout;
   std::vector<std::pair<std::size_t, std::size_t>> places;
-  const auto take = [&](std::size_t at, std::size_t bytes) {
-    if (bytes > 0) places.emplace_back(at, at + bytes);
+  const auto take = [&]<class T>(const Block<T>& block, std::size_t count) {
+    EXPECT_EQ(block.count, count);
+    if (count > 0) places.emplace_back(block.offset, block.offset + count * sizeof(T));
   };
-  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
-  take(layout.rest_pose_at, pose_bytes);
-  take(layout.pose_at, pose_bytes);
-  take(layout.layer_poses_at, 3 * pose_bytes);
-  take(layout.weights_at, 4 * scene.weight_count());
-  take(layout.layer_weights_at, 3 * 4 * scene.weight_count());
-  take(layout.added_pose_at, pose_bytes);
-  take(layout.reference_pose_at, pose_bytes);
-  take(layout.added_weights_at, 4 * scene.weight_count());
-  take(layout.reference_weights_at, 4 * scene.weight_count());
-  take(layout.model_at, sizeof(Affine) * scene.skeleton.joint_count());
+  const std::size_t pose_floats = PoseSpan::floats_for(scene.skeleton.joint_count()), weights = scene.weight_count();
+  take(layout.rest_pose.planes, pose_floats);
+  take(layout.pose.pose.planes, pose_floats);
+  take(layout.layer_poses, 3 * pose_floats);
+  take(layout.pose.weights, weights);
+  take(layout.layer_weights, 3 * weights);
+  take(layout.added.pose.planes, pose_floats);
+  take(layout.reference.pose.planes, pose_floats);
+  take(layout.added.weights, weights);
+  take(layout.reference.weights, weights);
+  take(layout.model, scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    if (compiled.palette[s]) take(layout.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());
+    take(layout.palettes[s], compiled.palette[s] ? matrix_count(compiled, s) : 0);
   for (std::size_t i = 0; i < compiled.primitives.size(); ++i) {
     const PrimitivePlan& p = compiled.primitives[i];
-    const PrimitiveLayout& at = layout.primitives[i];
+    const VertexBlocks& blocks = layout.primitives[i];
     const std::size_t count = primitive_of(plan, p).vertex_count();
-    if (p.morph.positions || p.skin.positions) take(at.positions_at, 12 * count);
-    if (p.morph.normals || p.skin.normals || p.flat_normals) take(at.normals_at, 12 * count);
-    if (p.morph.tangents || p.skin.tangents) take(at.tangents_at, 16 * count);
-    if (p.morph_colors) take(at.colors_at, 16 * count);
+    take(blocks.positions, p.morph.positions || p.skin.positions ? count : 0);
+    take(blocks.normals, p.morph.normals || p.skin.normals || p.flat_normals ? count : 0);
+    take(blocks.tangents, p.morph.tangents || p.skin.tangents ? count : 0);
+    take(blocks.colors, p.morph_colors ? count : 0);
   }
   std::sort(places.begin(), places.end());
   for (std::size_t i = 0; i < places.size(); ++i) {

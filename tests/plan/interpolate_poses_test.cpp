@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/interpolate_poses.h"
+#include "runtime/plan/evaluate/interpolate_poses.h"
 
 #include <gtest/gtest.h>
 

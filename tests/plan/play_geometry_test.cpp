@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mesh instances whose vertices come from a source in place of their pose.
-#include "runtime/plan/play_geometry.h"
+#include "runtime/plan/evaluate/play_geometry.h"
 
 #include <gtest/gtest.h>
 
