@@ -6,9 +6,10 @@
 
 namespace sinew {
 
-/// What a call of the runtime answers. These codes are for bad *calls* and bad numbers: wrong sizes, indices or orders
-/// of buffers, NaN. The importer reports bad *files* with text and place (importer/import_error.h), and bugs of the
-/// calling program end in a contract (base/contract.h).
+/// Answer of a call of the runtime. These codes are for bad *calls* and bad numbers: wrong sizes, indices or orders of
+/// buffers, NaN. Each has one cause; why_refused (plan/run_plan.h) also names the field of a frame's input. The
+/// importer reports bad *files* with text and place (importer/import_error.h). Bugs of the calling program end in a
+/// contract (base/contract.h).
 enum class ErrorCode {
   ok,
   size_mismatch,         ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
@@ -23,6 +24,16 @@ enum class ErrorCode {
   rank_deficient,        ///< a system of equations has no unique solution within rounding
   busy,                  ///< the job thread has no free slot for another frame
   not_normalised,        ///< a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1
+  no_plan,               ///< the plan is a default one: compile_plan did not make it
+  wrong_plan,            ///< the frame buffer, or the one that it follows, was made for another plan
+  moved_from,            ///< the frame buffer was moved from and has no memory
+  too_many_layers,       ///< more layers than the plan's needs have room for
+  wrong_page,            ///< the page of a layer is cut from a clip with other joints, weights or properties
+  not_in_needs,          ///< the input uses a feature that the plan's needs do not declare
+  negative_weight,       ///< a weight is below 0
+  not_a_fraction,        ///< a number is outside [0, 1]
+  two_times,             ///< one vertex source is asked for two times in one frame
+  too_large,             ///< a finite number is so large that results could overflow
 };
 
 /// One sentence per code, for logs.

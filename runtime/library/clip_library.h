@@ -19,8 +19,9 @@ enum class IfUnbound : std::uint8_t { leave_out, refuse };
 ///     ClipLibrary library(body.skeleton);
 ///     library.add(walks);  // scenes of other files; what does not bind is listed
 ///     library.add(gestures);
-///     const BoundClips clips = clips_for(library, outfit);   // for a scene: the same keys, its own rest, weights,
-///     properties const Plan plan = compile_plan(outfit, clips.clips, needs);
+///     // The same keys for a scene, with its own rest pose, weights and properties:
+///     const BoundClips clips = clips_for(library, outfit);
+///     const Plan plan = compile_plan(lend(outfit), clips.clips, needs);
 ///
 /// Clips bind by the names of joints. Morph weights and properties keep their names, and bind to each scene on its own.
 /// Where the skeleton of a file rests otherwise than that of the library, joints that a clip does not move rest as the

@@ -41,7 +41,7 @@ std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& deta
 /// The joints of a map that poses have, rising.
 std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map);
 
-/// The scene must outlive what is answered, but for its clips.
+/// Points into the scene, but for its clips.
 /// in   clips  of the scene's joints, morph weights and properties
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
 PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,

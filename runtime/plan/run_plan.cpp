@@ -9,26 +9,45 @@
 
 namespace sinew {
 
+Refusal check_run(const Plan& plan, const FrameInput& input, const FrameBuffer& frame,
+                  const FrameBuffer* followed) noexcept {
+  const CompiledPlan* const compiled = plan.compiled().get();
+  if (compiled == nullptr) return {ErrorCode::no_plan, "plan"};
+  if (frame.plan_ == nullptr) return {ErrorCode::moved_from, "frame"};
+  if (frame.plan_.get() != compiled) return {ErrorCode::wrong_plan, "frame"};
+  if (followed != nullptr && followed->plan_ == nullptr) return {ErrorCode::moved_from, "the followed frame"};
+  if (followed != nullptr && followed->plan_.get() != compiled) return {ErrorCode::wrong_plan, "the followed frame"};
+  return check_input(*compiled, input);
+}
+
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
   // 1. Refuse bad input.
-  const CompiledPlan* const compiled = plan.compiled().get();
-  const FrameBuffer* const other = std::exchange(frame.before_, nullptr);
-  if (compiled == nullptr || frame.plan_.get() != compiled) return ErrorCode::size_mismatch;
-  if (other != nullptr && other->plan_.get() != compiled) return ErrorCode::size_mismatch;
-  if (const ErrorCode error = check(*compiled, input); error != ErrorCode::ok) return error;
+  const FrameBuffer* const followed = std::exchange(frame.before_, nullptr);
+  if (const Refusal refusal = check_run(plan, input, frame, followed); refusal.error != ErrorCode::ok)
+    return refusal.error;
 
   // 2. Find what stands.
-  const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
+  const CompiledPlan& compiled = *plan.compiled();
+  const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
   const FrameMemory memory{frame.block_.get()};
-  const Reuse reuse(*compiled, input, {memory, frame.last_}, {{before.block_.get()}, before.last_},
+  const Reuse reuse(compiled, input, {memory, frame.last_}, {{before.block_.get()}, before.last_},
                     frame.result_.frame + 1);
 
   // 3. Evaluate the rest.
   frame.result_.since_frame = reuse.stands().all_since_before ? before.result_.since_frame : reuse.number();
   frame.result_.frame = reuse.number();
-  evaluate_frame(*compiled, input, memory, reuse, frame.past_caches_, frame.result_);
+  evaluate_frame(compiled, input, memory, reuse, frame.past_caches_, frame.result_);
   if (!reuse.stands().all) remember(input, reuse.tables(), frame.last_);
   return ErrorCode::ok;
+}
+
+std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame) {
+  const Refusal refusal = check_run(plan, input, frame, frame.before_);
+  if (refusal.error == ErrorCode::ok) return {};
+  std::string where = refusal.list != nullptr ? refusal.list : "";
+  if (refusal.index != kNone) where += "[" + std::to_string(refusal.index) + "]";
+  if (refusal.field != nullptr) where += (where.empty() ? "" : ".") + std::string(refusal.field);
+  return where + ": " + (refusal.rule != nullptr ? refusal.rule : std::string(describe(refusal.error)));
 }
 
 bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept {

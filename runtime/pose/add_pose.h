@@ -13,7 +13,7 @@ namespace sinew {
 /// in   layer, reference  of the same joints as `pose`;   weight  finite, >= 0: 1 adds the whole difference
 ///      joint_weights[J]  multiply `weight` per joint; empty = all ones
 /// out  pose  in place. Joints of weight 0 keep their bits; so does every joint where layer and reference are equal.
-/// err  size_mismatch, not_finite     cost O(J), no allocation
+/// err  size_mismatch, not_finite, negative_weight     cost O(J), no allocation
 struct AddPoseJob {
   PoseSpan layer, reference;
   float weight = 1.0f;

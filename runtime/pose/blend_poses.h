@@ -24,7 +24,7 @@ struct BlendLayer {
 /// degrees.
 /// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
 /// out  pose  may be one of the inputs
-/// err  size_mismatch, not_finite;   cost O(J * L), no allocation
+/// err  size_mismatch, not_finite, negative_weight;   cost O(J * L), no allocation
 struct BlendPosesJob {
   std::span<const BlendLayer> layers;
   PoseSpan rest;

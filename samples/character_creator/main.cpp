@@ -77,21 +77,20 @@ Scene make_outfit(const std::string& name, float size, std::initializer_list<std
 }
 
 struct Outfit {
-  Scene scene;
+  std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;  ///< of the library, for this scene
   Plan plan;
 };
 
-/// The scenes stay where they are, since plans point at them.
 std::vector<Outfit> dress(const ClipLibrary& library) {
   std::vector<Outfit> outfits;
   for (const float size : {1.0f, 1.3f}) {
-    outfits.push_back({make_outfit("coat", size, {kHips, kSpine, kArm}), {}, {}});
-    outfits.push_back({make_outfit("armour", size, {kHips, kSpine, kLeg, kArm}), {}, {}});
-    outfits.push_back({make_outfit("shorts", size, {kHips, kLeg}), {}, {}});
+    outfits.push_back({share(make_outfit("coat", size, {kHips, kSpine, kArm})), {}, {}});
+    outfits.push_back({share(make_outfit("armour", size, {kHips, kSpine, kLeg, kArm})), {}, {}});
+    outfits.push_back({share(make_outfit("shorts", size, {kHips, kLeg})), {}, {}});
   }
   for (Outfit& outfit : outfits) {
-    outfit.clips = clips_for(library, outfit.scene).clips;
+    outfit.clips = clips_for(library, *outfit.scene).clips;
     outfit.plan = compile_plan(outfit.scene, outfit.clips, Needs{});
   }
   return outfits;

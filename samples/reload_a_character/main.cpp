@@ -47,12 +47,12 @@ Scene read_file(int saves) {
 /// What one read of the file gave, and what plays it. A job thread may have all characters of these assets.
 class Version {
  public:
-  Version(Scene read, const std::string& clip) : scene_(std::move(read)), plan_(compile_plan(scene_, Needs{})) {
-    while (clip_ + 1 < scene_.animations.size() && scene_.animations[clip_].name != clip) ++clip_;
+  Version(Scene read, const std::string& clip) : plan_(compile_plan(std::move(read), Needs{})) {
+    clip_ = find_clip(plan_.scene(), clip).value_or(0);
     character_ = jobs_.add_character(plan_);
   }
 
-  double duration_s() const { return scene_.animations[clip_].duration_s; }
+  double duration_s() const { return plan_.scene().animations[clip_].duration_s; }
 
   /// Asks for the frame of a time. While the worker is busy, nothing: the next frame of the loop asks again.
   void ask(double time_s) {
@@ -74,7 +74,6 @@ class Version {
   }
 
  private:
-  Scene scene_;  // stays where it is, since the plan points at it
   Plan plan_;
   JobThread jobs_;  // ends first, since it runs the plan
   JobThread::Character character_ = 0;

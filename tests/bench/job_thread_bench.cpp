@@ -26,7 +26,7 @@ class Crowd {
  public:
   Crowd(const Character& character, std::size_t count, std::size_t part_bytes)
       : scene_(skeleton_alone(character)),
-        plan_(compile_plan(scene_, {})),
+        plan_(compile_plan(lend(scene_), {})),
         jobs_({.executor = executor(), .inline_below_bytes = 0, .part_bytes = part_bytes}),
         layers_(count),
         inputs_(count) {

@@ -92,7 +92,7 @@ class HeadlessRunTest : public DeviceTest {
   std::string drawn(Options options, const Exhibit& exhibit, const View& view, double time_s, std::uint32_t clip = 0) {
     options.headless = "a.png";
     const Settings settings = settings_from(options, exhibit.scene);
-    const Plan plan = compile_plan(exhibit.scene, needs_of(exhibit, {settings.skinning, Updates::every}));
+    const Plan plan = compile_plan(lend(exhibit.scene), needs_of(exhibit, {settings.skinning, Updates::every}));
     FrameBuffer frame(plan);
     const ClipLayer layer{clip, time_s};
     FrameInput input;

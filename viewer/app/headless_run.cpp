@@ -36,7 +36,7 @@ class PoseEvaluator {
   PoseEvaluator(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip, float cache_weight)
       : clip_(clip),
         cache_weight_(cache_weight),
-        plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))),
+        plan_(compile_plan(lend(exhibit.scene), needs_of(exhibit, evaluation))),
         stages_(plan_.stages()),
         frame_(plan_),
         levels_(plan_, evaluation.updates) {

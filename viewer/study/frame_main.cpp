@@ -47,7 +47,7 @@ bool study_file(Device& device, const std::string& file, const FrameEffort& effo
   }
   const Scene& scene = exhibits->front().scene;
   const std::uint32_t clip = scene.animations.empty() ? kNone : 0;
-  const Plan plan = compile_plan(scene, needs_of(exhibits->front(), {}));
+  const Plan plan = compile_plan(lend(scene), needs_of(exhibits->front(), {}));
   FrameBuffer buffer(plan);
   const ClipLayer layer{.clip = clip, .time_s = clip == kNone ? 0.0 : 0.5 * scene.animations[clip].duration_s};
   FrameInput input;

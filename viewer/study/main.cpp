@@ -36,7 +36,7 @@ View view_of(const Exhibit& exhibit, const ClipExtent& bounds, double aspect) {
 }
 
 OcclusionStudy study_of(Device& device, const Exhibit& exhibit, std::uint32_t clip, const OcclusionEffort& effort) {
-  const Plan plan = compile_plan(exhibit.scene, needs_of(exhibit, {}));
+  const Plan plan = compile_plan(lend(exhibit.scene), needs_of(exhibit, {}));
   FrameBuffer frame(plan);
   const ClipLayer layer{clip, clip == kNone ? 0.0 : kMoment * exhibit.scene.animations[clip].duration_s, 1.0f};
   FrameInput input;
