@@ -48,8 +48,8 @@ struct ClipTracks {
 /// share one plan.
 ///
 /// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan does
-/// not change, except a lent one: clips and animations may be added to it, moved and removed, since the plan shares the
-/// clips themselves. Frames know the clips that the plan was compiled for, by the index that they had.
+/// not change. One exception: clips and animations may be added to a lent scene, moved and removed, since the plan
+/// shares the clips themselves. Frames know the clips that the plan was compiled for, by the index that they had.
 class Plan {
  public:
   /// No plan: run_plan answers no_plan, and all other calls but is_compiled() break a contract.
@@ -92,7 +92,8 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
   return scene.meshes[scene.instances[planned.instance].mesh].primitives[planned.primitive];
 }
 
-/// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the one it hangs on.
+/// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the nearest joint above
+/// it that poses have.
 /// in   model  FrameResult::model of a frame of the plan
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
 

@@ -27,10 +27,9 @@ struct LastInput {
   Affine root;
 };
 
-/// Memory that one frame runs into: one block of Plan::frame_bytes() bytes, made once and reused every frame, with the
-/// result and the input of its last run. Nothing else is ever allocated for a character. The buffer shares what the
-/// plan holds, so the plan's own handle may go or be assigned anew; run_plan then answers wrong_plan for the new
-/// plan.
+/// The memory of a frame: one block of Plan::frame_bytes() bytes, made once and reused every frame. It holds the result
+/// and the input of its last run. Nothing else is ever allocated for a character. The buffer keeps its plan and the
+/// scene alive, also when the plan's handle goes or is assigned anew.
 class FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
@@ -51,8 +50,8 @@ class FrameBuffer {
   /// Size of the block that the buffer took; 0 for the caller's own.
   std::size_t owned_bytes() const noexcept { return block_ != nullptr ? block_.get_deleter().byte_count : 0; }
 
-  /// Asks the processor for what the next run touches first, without waiting for it. For a crowd: call it for the next
-  /// character while this one runs. Worth it where all buffers together exceed the caches.
+  /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the
+  /// next character while this one runs. It pays where all buffers together exceed the caches.
   void prefetch() const noexcept;
 
   /// Makes runs write vertices past the caches (SkinLinearJob::past_caches). Worth it for results that no code reads
@@ -62,9 +61,9 @@ class FrameBuffer {
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
-  /// For a character with several buffers: the next run into this one follows the run into `before`, and is compared
-  /// with it to find the parts that stand. `before` must be of the same plan, and stay unchanged until that run has
-  /// ended.
+  /// For a character with several buffers: the next run into this buffer follows the run into `before`. Parts that did
+  /// not change are found by comparison with it. `before` must be of the same plan, and stay unchanged until that run
+  /// has ended.
   void follow(const FrameBuffer& before) noexcept { before_ = &before; }
 
  private:

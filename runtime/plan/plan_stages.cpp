@@ -114,7 +114,7 @@ PlanStage describe_properties(const CompiledPlan& plan) {
           table.rest.size(), table.rest.size() * sizeof(float)};
 }
 
-/// What kinds of scale reach joints.
+/// The largest kind of scale that reaches joints.
 std::string describe_scale(const CompiledPlan& plan) {
   const auto of_kind = [&](ScaleKind kind) {
     return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(),

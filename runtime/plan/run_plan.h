@@ -10,9 +10,9 @@
 
 namespace sinew {
 
-/// Runs the stages of the plan for one character. Afterwards `frame.result()` holds the outcome. Nothing is done twice:
-/// the same input runs no stage, an unchanged palette and unchanged weights deform nothing, hidden meshes are not
-/// deformed, and a character that sleeps does no work at all.
+/// Runs the stages of the plan for one character. Afterwards `frame.result()` holds the outcome. Parts that stand since
+/// the frame before are not made again: the same input runs no stage, unchanged palettes and weights deform nothing.
+/// Hidden meshes are not deformed, and a character that sleeps does no work.
 /// in   frame  made for this plan: a plan that was compiled anew needs a new buffer
 /// err  no_plan             a default plan
 ///      wrong_plan          the buffer, or the one that it follows, was made for another plan

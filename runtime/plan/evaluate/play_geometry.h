@@ -22,8 +22,8 @@ PlayedGeometry place_geometry(const CompiledPlan& plan, std::size_t instance, co
                               const ShownVertices& shown, const Affine& world_from_joint, const Affine& root,
                               int root_sign, InstanceResult& placed) noexcept;
 
-/// Stage geometry_cache for one primitive of an instance that plays, with what it calls for of morph, skin and flat
-/// normals: all of its pose where the weight is below 1, else nothing.
+/// Stages geometry_cache and flat normals for one primitive of an instance that plays. Where the weight is below 1 the
+/// pose is evaluated too, with morph and skin.
 /// in   p   index into CompiledPlan::primitives;   pose  of the instance, winding as in the result
 /// out  views of the frame's memory
 /// cost O(V), and the pose; no allocation. Internal to plan/

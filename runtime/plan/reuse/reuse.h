@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// What of earlier frames a frame need not make again. The inputs are compared first; then evaluate/ reports what it
-/// made and is told which of the following parts stand. Every part that is new gets the number of this frame, every
-/// other keeps the number of the frame that made it. Internal to plan/.
+/// Knows which parts of earlier frames stand in this one. The constructor compares the inputs. Then evaluate/ reports
+/// each part that it made, and asks which of the parts that follow from it stand. A new part gets the number of this
+/// frame, a part that stands keeps the number of the frame that made it. Internal to plan/.
 class Reuse {
  public:
   /// The last run into some memory.
