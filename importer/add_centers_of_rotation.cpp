@@ -14,8 +14,8 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// All skinned primitives of a mesh as one primitive, with just the data that centers of rotation depend on. Vertices
-/// are in the order of the primitives.
+/// Joins all skinned primitives of a mesh into one, with only the data that centers of rotation depend on. Vertices
+/// follow each other in primitive order.
 Primitive joined_surface(const Mesh& mesh) {
   Primitive all;
   for (const Primitive& p : mesh.primitives) {
@@ -41,7 +41,7 @@ bool lacks_centers(const Mesh& mesh) {
                      [](const Primitive& p) { return is_skinned(p) && p.centers_of_rotation.empty(); });
 }
 
-/// Hands the centers of the joined surface back to the primitives that have none.
+/// Copies the centers of the joined surface to the primitives that have none.
 void share_out(std::span<const glm::vec3> centers, Mesh& mesh) {
   for (Primitive& p : mesh.primitives) {
     if (!is_skinned(p)) continue;

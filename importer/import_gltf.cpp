@@ -48,14 +48,14 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import, from bytes to scene. Each step relies on what the steps before it have proved. After an error the import
-/// goes on without what is broken, so that it can name further errors, and ends without a scene.
+/// One import, from bytes to scene. Each step relies on the checks of earlier steps. After an error, the import removes
+/// the broken parts and continues, only to report further errors; it returns no scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
       : files_(files), options_(options), log_(log) {}
 
-  /// Takes the bytes of the file, which then live as long as what points into them.
+  /// Stores the bytes of the file next to the document that points into them.
   Bytes own(std::vector<std::byte> file) {
     carried_->file = std::move(file);
     return carried_->file;
@@ -112,7 +112,8 @@ class Import {
     return go_on();
   }
 
-  /// What entries take grows with the text, whatever its author may unpack. Entries of few characters take the most.
+  /// Limits the memory of parsed JSON entries relative to the file size: many short entries take far more memory than
+  /// their text.
   bool check_entry_bytes(const JsonNode& json) {
     const std::uint64_t taken = entry_bytes(json), read = files_.bytes_read();
     const std::uint64_t allowed = allowed_bytes(read, std::numeric_limits<std::uint64_t>::max());
@@ -123,7 +124,7 @@ class Import {
     return taken <= allowed;
   }
 
-  /// After each step: true when there is no error, or when everything broken has been put aside.
+  /// Called after each step. True if there is no error, or if all broken parts could be removed.
   bool go_on() { return log_.error_count() == 0 || quarantine_.isolate(document_, log_); }
 
   bool load() {
@@ -203,7 +204,7 @@ class Import {
       if (const auto found = carried_->json.find(list); found != carried_->json.end())
         for (auto& entry : *found)
           if (const auto uri = entry.find("uri"); uri != entry.end() && is_data_uri(uri->get_ref<const std::string&>()))
-            *uri = "data:";  // as long as the data, which are decoded
+            *uri = "data:";  // drops the long text: its data are decoded already
     carried_->document = std::move(document_);
     return carried_;
   }
@@ -222,7 +223,7 @@ class Import {
   const std::shared_ptr<CarriedDocument> carried_ = std::make_shared<CarriedDocument>();
 };
 
-/// Runs an import and turns every exception of a library into an error, so that only a result leaves.
+/// Runs an import and converts every exception of a library to an error result.
 template <class Run>
 ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
   try {

@@ -14,55 +14,55 @@
 
 namespace sinew {
 
-/// Text from the file, for a message: in double quotes, cut after 80 bytes.
+/// Quotes text from the file for a message; cut after 80 bytes.
 std::string in_quotes(std::string_view text);
 
-/// The broken rules that one import has found so far. A step of the import reports here and goes on while that is safe.
-/// Between steps the import calls settle(), puts aside what is broken, and goes on or ends.
+/// Collects the issues of one import. A step reports issues and continues while that is safe. Between steps, the import
+/// calls settle(), removes broken parts, and continues or ends.
 class IssueLog {
  public:
-  /// in    listed   of each rule and severity, the reports that are kept; further ones are counted
+  /// in    listed   number of issues kept for each rule and severity; further ones are only counted
   explicit IssueLog(std::size_t listed = kMaxPerRule) : listed_(listed) {}
 
-  /// in    json_pointer   the place, such as "/accessors/3/count"; empty for the whole file
-  ///       detail         what is wrong here, with its numbers
+  /// in    json_pointer   location, such as "/accessors/3/count"; empty for the whole file
+  ///       detail         the violation, with its numbers
   void report(Rule rule, std::string json_pointer, std::string detail);
 
-  /// The same as a warning, where a rule is broken by something that the scene can do without.
+  /// Reports an error rule as a warning, because the scene does not need the broken part.
   void report_as_warning(Rule rule, std::string json_pointer, std::string detail);
 
-  /// True while there is no error since the last settle().
+  /// True if there was no error since the last settle().
   bool ok() const noexcept { return error_count_ == settled_; }
 
-  /// All errors so far, muted ones included. A step compares two values to see whether a part of it failed.
+  /// Number of errors so far, including muted ones. Comparing two values tells if an operation failed.
   std::size_t error_count() const noexcept { return error_count_; }
 
-  /// Returns the places of the errors since the last call, for code that goes on without what is broken there.
-  /// out   nothing when there were more than kMaxPlaces errors
+  /// Returns the locations of all errors since the last call, for code that removes the broken parts.
+  /// out   empty if there were more than kMaxPlaces errors
   std::optional<std::vector<std::string>> settle();
 
-  /// From now on, drops the text of reports at this place and below it, because they only follow from an error that is
-  /// already known. Errors there still count.
+  /// From now on, does not list issues at or below this location, because they follow from a known error. Errors there
+  /// still count.
   void mute(std::string json_pointer) { muted_.insert(std::move(json_pointer)); }
 
-  /// Moves the reports out, as import_gltf() returns them.
+  /// Moves the issues out, in the form that import_gltf() returns.
   std::vector<ImportIssue> take_warnings();
   ImportError take_error(std::string file);
 
   static constexpr std::size_t kMaxPerRule = 64;
-  static constexpr std::size_t kMaxPlaces = 4096;  ///< between two settle() calls
+  static constexpr std::size_t kMaxPlaces = 4096;  ///< error locations kept between two settle() calls
 
  private:
-  /// The reports of one rule and severity.
+  /// Counters of one rule and severity.
   struct Tally {
     std::size_t listed = 0;
-    std::size_t last = 0;  ///< place in issues_ of the last that is listed
+    std::size_t last = 0;  ///< index in issues_ of the last listed one
   };
   void name_unlisted();
 
   std::size_t listed_;
   std::vector<ImportIssue> issues_;
-  std::vector<std::array<Tally, 3>> tallies_;  ///< by rule, by severity
+  std::vector<std::array<Tally, 3>> tallies_;  ///< [rules][severities]
   void add(Severity severity, Rule rule, std::string json_pointer, std::string detail);
   bool is_muted(std::string_view json_pointer) const;
 

@@ -28,14 +28,14 @@ using rewrite::Draft;
 using rewrite::Json;
 using rewrite::Loss;
 
-/// Parts of the file that are no part of its document.
+/// Losses outside the JSON document, such as extra data in a GLB.
 void find_losses_outside(const ImportedFile& file, Draft& draft) {
   for (const ImportIssue& warning : file.warnings)
     if (warning.rule == "glb-extra-data" || warning.rule == "json-duplicate")
       draft.losses.push_back({warning.rule, warning.json_pointer, warning.detail});
 }
 
-/// Extensions that name bytes of a buffer, which is about to be packed.
+/// Finds unknown extensions that refer to a buffer; their offsets would be wrong after the buffer is packed.
 void find_unknown_offsets(Draft& draft) {
   rewrite::for_each_extension(draft.json, [&](const std::string& name, const std::string& place, Json& extension) {
     if (extension.is_object() && extension.contains("buffer"))
@@ -47,7 +47,7 @@ ImportIssue issue_of(const Loss& loss) {
   return {Severity::error, "not-carried", loss.json_pointer, loss.name + ": " + loss.detail};
 }
 
-/// Splits the losses into those that are allowed and an error of the others.
+/// Splits losses into permitted ones and an error for the others.
 std::optional<ImportError> settle(const std::vector<Loss>& losses, const std::set<std::string>& drop,
                                   std::vector<ImportIssue>& drops) {
   std::vector<ImportIssue> refused;
@@ -65,14 +65,14 @@ ImportError failure(const char* rule, const char* place, std::string detail) {
   return {"", {Severity::error, rule, place, std::move(detail)}, {}, {}};
 }
 
-/// Stores vertices, indices and keys in another form.
+/// Quantizes and compresses vertices, indices and keys.
 void recode(const gltf::Document& document, const RewriteOptions& options, Draft& draft) {
   if (!options.quantize && !options.meshopt) return;
   rewrite::Streams streams = rewrite::take_streams(document, draft, options.meshopt);
   if (options.meshopt) rewrite::reorder_vertices(streams, draft);
   rewrite::narrow_indices(streams, draft);
   if (options.quantize) rewrite::quantize_streams({}, options.meshopt, streams, draft);
-  if (!options.meshopt) rewrite::join_vertices(streams, draft);  // those that rounding made equal too
+  if (!options.meshopt) rewrite::join_vertices(streams, draft);  // also merges vertices that became equal by rounding
   rewrite::put_streams(streams, options.meshopt, draft);
 }
 

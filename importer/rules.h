@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Every rule that the importer checks. The table in rules.inc gives each rule a stable identifier, a severity and one
-/// sentence that says what holds in a correct file; for a warning the sentence also says which repair is made.
+/// All rules that the importer checks. rules.inc gives each a stable identifier, a severity, and a sentence that is
+/// true for correct files. For a warning, the sentence also names the repair.
 enum class Rule : std::uint8_t {
 #define SINEW_RULE(name, id, severity, sentence) name,
 #include "importer/rules.inc"

@@ -9,11 +9,11 @@ namespace {
 
 struct Character {
   std::uint32_t code = 0;
-  std::size_t size = 0;  ///< bytes; 0 = no UTF-8
+  std::size_t size = 0;  ///< bytes; 0 = not UTF-8
 };
 
-/// The first character of a text that is not empty.
-/// eq   1 to 4 bytes, shortest form, no halves of surrogate pairs   (RFC 3629)
+/// Decodes the first character of a non-empty text.
+/// eq   1 to 4 bytes, shortest form, no surrogates   (RFC 3629)
 Character first_of(std::string_view text) noexcept {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned head = at(0);
@@ -30,7 +30,7 @@ Character first_of(std::string_view text) noexcept {
   return {code, size};
 }
 
-/// Controls of C0 and C1, and what turns the direction of the text around it.
+/// True for C0 and C1 control characters and for characters that change the direction of surrounding text.
 bool is_control(std::uint32_t code) noexcept {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x200e || code == 0x200f ||
          (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);

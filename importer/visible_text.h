@@ -5,11 +5,12 @@
 
 namespace sinew {
 
-/// Text from a file as a terminal may show it: terminals obey control characters. They are written as escapes ("\x1b",
-/// "\u009b"), as are those that turn the direction of text and bytes that are no UTF-8.
+/// Makes text from a file safe to print on a terminal. Escapes control characters ("\x1b", "\u009b"), characters that
+/// change the text direction, and bytes that are not UTF-8.
 std::string visible_text(std::string_view text);
 
-/// The same for JSON text, whose writers escape only the characters below 32: "\u009b" inside its strings.
+/// Likewise for JSON text, whose writers escape only characters below 32. Escapes are valid inside JSON strings, such
+/// as "\u009b".
 /// in   JSON in UTF-8
 std::string visible_json(std::string_view json);
 

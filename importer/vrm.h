@@ -4,43 +4,42 @@
 #include <string>
 #include <vector>
 
-#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"  // kNone
 #include "runtime/math/conventions.h"
 
 namespace sinew {
 
-/// A morph weight that an expression sets. Weights of the expressions that are on add up.
+/// A morph weight that an expression sets. Weights of active expressions add up.
 struct VrmMorphBind {
   std::uint32_t instance = kNone;  ///< into Scene::instances
   std::uint32_t target = 0;
   float weight = 1.0f;  ///< 0 to 1
 };
 
-/// A face, or a part of one: a preset such as "happy", "blink" and "aa", or one of the file's own.
+/// A facial expression: a preset such as "happy", "blink" or "aa", or a custom one of the file.
 struct VrmExpression {
   std::string name;
   bool is_preset = false;
-  bool is_binary = false;  ///< on or off, nothing between
+  bool is_binary = false;  ///< fully on or off, without intermediate weights
   std::vector<VrmMorphBind> morphs;
 };
 
-/// What turns the eyes to a point: the eye bones, or the expressions lookLeft, lookRight, lookUp and lookDown.
+/// How the eyes look at a point: with eye bones, or with the expressions lookLeft, lookRight, lookUp and lookDown.
 struct VrmLookAt {
   enum class Kind : std::uint8_t { none, bones, expressions };
   Kind kind = Kind::none;
-  glm::vec3 offset_from_head_m{0.0f};  ///< where the eyes are, in the space of the bone "head"
+  glm::vec3 offset_from_head_m{0.0f};  ///< position of the eyes in the space of the bone "head"
 };
 
-/// A body that hair and cloth do not enter: a sphere, a capsule from `offset` to `tail`, or the space below a plane.
+/// A collider for hair and cloth: a sphere, a capsule from `offset` to `tail`, or the half-space below a plane.
 struct VrmCollider {
   enum class Kind : std::uint8_t { sphere, capsule, plane };
   Kind kind = Kind::sphere;
   std::uint32_t joint = kNone;
   glm::vec3 offset_m{0.0f}, tail_m{0.0f};  ///< in the joint's space
-  glm::vec3 normal{0.0f, 1.0f, 0.0f};      ///< of a plane
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};      ///< plane only
   float radius_m = 0.0f;
-  bool inside = false;  ///< of a sphere or capsule: the tails stay in it
+  bool inside = false;  ///< sphere or capsule: keeps the tails inside instead of outside
 };
 
 struct VrmSpringJoint {
@@ -49,10 +48,10 @@ struct VrmSpringJoint {
   glm::vec3 gravity_direction{0.0f, -1.0f, 0.0f};
 };
 
-/// A chain of joints that swings, from its root to its tail. In VRM 0 it has one joint, and all below swing with it.
+/// A swinging chain of joints, from root to tail. In VRM 0 it has one joint, and all joints below it swing, too.
 struct VrmSpring {
   std::string name;
-  std::uint32_t center = kNone;  ///< joint whose movement causes no swing; kNone = the world
+  std::uint32_t center = kNone;  ///< reference joint: moving with it causes no swing; kNone = world space
   std::vector<VrmSpringJoint> joints;
   std::vector<std::uint32_t> colliders;  ///< into VrmCharacter::colliders
 };
@@ -62,16 +61,16 @@ struct VrmConstraint {
   enum class Kind : std::uint8_t { roll, aim, rotation };
   Kind kind = Kind::rotation;
   std::uint32_t joint = kNone, source = kNone;
-  glm::vec3 axis{0.0f};  ///< of a roll or an aim, in the joint's space
+  glm::vec3 axis{0.0f};  ///< roll or aim axis, in the joint's space
   float weight = 1.0f;
 };
 
-/// What a file says in VRM 0.x or 1.0 about the character that its scene shows (VRM, VRMC_vrm, VRMC_springBone,
-/// VRMC_node_constraint), or about the character that its clips move (VRMC_vrm_animation). Nothing here is played yet.
+/// VRM 0.x or 1.0 data of the scene's character (VRM, VRMC_vrm, VRMC_springBone, VRMC_node_constraint). For
+/// VRMC_vrm_animation, of the character that the clips animate. The runtime does not use this data yet.
 struct VrmCharacter {
-  std::string version;  ///< of the specification: "0.0", "1.0"
+  std::string version;  ///< version of the specification: "0.0" or "1.0"
   std::string name, authors;
-  bool is_animation = false;  ///< VRMC_vrm_animation: bones name what the clips move
+  bool is_animation = false;  ///< VRMC_vrm_animation: `bones` are the targets of the clips
   std::vector<NamedBone> bones;
   std::vector<VrmExpression> expressions;
   VrmLookAt look_at;

@@ -24,15 +24,15 @@ std::uint32_t file_vertex(const Primitive& primitive, std::size_t vertex) {
   return primitive.source_vertex.empty() ? static_cast<std::uint32_t>(vertex) : primitive.source_vertex[vertex];
 }
 
-/// Values of the file's vertices from those of the scene's.
-std::vector<float> in_order_of_file(const Primitive& primitive, const std::vector<float>& access) {
+/// Converts values from scene vertex order to file order; a vertex that was split gets the mean of its copies.
+std::vector<float> in_order_of_file(const Primitive& primitive, const std::vector<float>& visibility) {
   std::vector<double> sums;
   std::vector<std::uint32_t> copies;
-  for (std::size_t v = 0; v < access.size(); ++v) {
+  for (std::size_t v = 0; v < visibility.size(); ++v) {
     const std::uint32_t source = file_vertex(primitive, v);
     if (source >= sums.size()) sums.resize(source + std::size_t{1});
     copies.resize(sums.size());
-    sums[source] += static_cast<double>(access[v]);
+    sums[source] += static_cast<double>(visibility[v]);
     ++copies[source];
   }
   std::vector<float> values(sums.size());
@@ -40,20 +40,20 @@ std::vector<float> in_order_of_file(const Primitive& primitive, const std::vecto
   return values;
 }
 
-/// What is wrong with an attribute; nothing when its values can be used.
+/// Checks an attribute: returns a warning if its values cannot be used.
 std::optional<ImportIssue> fault_of(const gltf::Accessor& accessor, const std::vector<float>& values,
                                     std::size_t vertices, const std::string& place) {
   const auto warning = [&](const char* rule, const std::string& detail) {
     return ImportIssue{Severity::warning, rule, place, detail + "; ignored"};
   };
   if (accessor.type != gltf::ElementType::scalar)
-    return warning("mesh-attribute-format", "ambient access is one number a vertex");
+    return warning("mesh-attribute-format", "ambient visibility is one number a vertex");
   if (values.size() < vertices)
     return warning("mesh-attribute-count",
                    std::to_string(values.size()) + " entries for " + std::to_string(vertices) + " vertices");
   const auto fraction = [](float value) { return value >= 0.0f && value <= 1.0f; };
   if (!std::all_of(values.begin(), values.end(), fraction))
-    return warning("mesh-attribute-format", "ambient access lies between 0 and 1");
+    return warning("mesh-attribute-format", "ambient visibility lies between 0 and 1");
   return std::nullopt;
 }
 
@@ -65,9 +65,9 @@ void for_each_attribute(const gltf::Document& document, const Visit& visit) {
       for (const auto& [name, accessor] : document.meshes[m].primitives[p].attributes) visit(m, p, name);
 }
 
-/// The first clip that has key poses, and how many; their values are still to be read.
-VertexAccess key_poses_in(const ImportedFile& file, std::vector<ImportIssue>& issues) {
-  VertexAccess access;
+/// Finds the first clip with key poses and their number; does not read values yet.
+VertexVisibility key_poses_in(const ImportedFile& file, std::vector<ImportIssue>& issues) {
+  VertexVisibility visibility;
   std::uint32_t count = 1;
   std::set<std::uint32_t> unknown;
   const std::vector<Animation>& clips = file.scene.animations;
@@ -78,32 +78,32 @@ VertexAccess key_poses_in(const ImportedFile& file, std::vector<ImportIssue>& is
       if (unknown.insert(key->clip).second)
         issues.push_back({Severity::warning, "mesh-attribute-format",
                           pointer("meshes", m, "primitives", p, "attributes", name),
-                          "ambient access of animation " + std::to_string(key->clip) + ", and there are " +
+                          "ambient visibility of animation " + std::to_string(key->clip) + ", and there are " +
                               std::to_string(clips.size()) + "; ignored"});
       return;
     }
-    if (key->clip > access.clip) return;
-    count = key->clip < access.clip ? key->pose + 1 : std::max(count, key->pose + 1);
-    access.clip = key->clip;
+    if (key->clip > visibility.clip) return;
+    count = key->clip < visibility.clip ? key->pose + 1 : std::max(count, key->pose + 1);
+    visibility.clip = key->clip;
   });
-  if (access.clip != kNone) access.times_s = key_pose_times(clips[access.clip].duration_s, count);
-  return access;
+  if (visibility.clip != kNone) visibility.times_s = key_pose_times(clips[visibility.clip].duration_s, count);
+  return visibility;
 }
 
-/// The attributes that hold the key poses of a primitive, one a pose.
-std::vector<std::string> names_of_poses(const Attributes& attributes, const VertexAccess& access) {
+/// The attributes with the key poses of a primitive, one for each pose.
+std::vector<std::string> names_of_poses(const Attributes& attributes, const VertexVisibility& visibility) {
   std::vector<std::string> keyed, one;
   bool any = false;
-  for (std::uint32_t k = 0; k < access.times_s.size(); ++k) {
-    one.emplace_back(kAmbientAccessAttribute);
-    keyed.push_back(name_of_key_pose({access.clip, k}));
+  for (std::uint32_t k = 0; k < visibility.times_s.size(); ++k) {
+    one.emplace_back(kAmbientVisibilityAttribute);
+    keyed.push_back(name_of_key_pose({visibility.clip, k}));
     any |= attributes.count(keyed.back()) > 0;
   }
   return any ? keyed : one;
 }
 
-/// Reads one attribute in the scene's order of vertices.
-/// out   nothing where it cannot be used, and why in `issues`
+/// Reads one attribute, in scene vertex order.
+/// out   empty if it cannot be used; the reason is added to `issues`
 std::vector<float> read_attribute(const gltf::Document& document, const Primitive& primitive, int accessor,
                                   const std::string& place, std::vector<ImportIssue>& issues) {
   const std::vector<float> values = read_floats(document, accessor);
@@ -113,25 +113,25 @@ std::vector<float> read_attribute(const gltf::Document& document, const Primitiv
     issues.push_back(*std::move(fault));
     return {};
   }
-  std::vector<float> access;
-  for (std::size_t v = 0; v < primitive.vertex_count(); ++v) access.push_back(values[file_vertex(primitive, v)]);
-  return access;
+  std::vector<float> visibility;
+  for (std::size_t v = 0; v < primitive.vertex_count(); ++v) visibility.push_back(values[file_vertex(primitive, v)]);
+  return visibility;
 }
 
-/// Reads all key poses of a primitive, one after another; nothing where one is missing or cannot be used.
-std::vector<float> read_poses(const ImportedFile& file, std::size_t m, std::size_t p, const VertexAccess& access,
-                              std::vector<ImportIssue>& issues) {
+/// Reads all key poses of a primitive, concatenated; empty if any is missing or unusable.
+std::vector<float> read_poses(const ImportedFile& file, std::size_t m, std::size_t p,
+                              const VertexVisibility& visibility, std::vector<ImportIssue>& issues) {
   const gltf::Document& document = file.carried->document;
   const Primitive& primitive = file.scene.meshes[m].primitives[p];
   const Attributes& attributes = document.meshes[m].primitives[p].attributes;
   std::vector<float> all;
-  for (const std::string& name : names_of_poses(attributes, access)) {
+  for (const std::string& name : names_of_poses(attributes, visibility)) {
     const auto found = attributes.find(name);
     if (found == attributes.end() || primitive.positions.empty()) {
-      if (name != kAmbientAccessAttribute)
+      if (name != kAmbientVisibilityAttribute)
         issues.push_back({Severity::warning, "mesh-attribute-count",
                           pointer("meshes", m, "primitives", p, "attributes"),
-                          "key poses of ambient access without " + name + "; ignored"});
+                          "key poses of ambient visibility without " + name + "; ignored"});
       return {};
     }
     const std::vector<float> pose = read_attribute(document, primitive, found->second,
@@ -142,7 +142,7 @@ std::vector<float> read_poses(const ImportedFile& file, std::size_t m, std::size
   return all;
 }
 
-/// The values of one key pose.
+/// Extracts the values of one key pose.
 std::vector<float> pose_of(const std::vector<float>& values, std::size_t poses, std::size_t index) {
   const auto vertices = static_cast<std::ptrdiff_t>(values.size() / poses);
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(index) * vertices;
@@ -151,14 +151,15 @@ std::vector<float> pose_of(const std::vector<float>& values, std::size_t poses, 
 
 }  // namespace
 
-std::vector<AddedAttribute> ambient_attributes(const Scene& scene, const VertexAccess& access) {
+std::vector<AddedAttribute> ambient_attributes(const Scene& scene, const VertexVisibility& visibility) {
   std::vector<AddedAttribute> attributes;
-  const std::size_t poses = access.times_s.size();
-  for (std::uint32_t m = 0; m < access.values.size(); ++m)
-    for (std::uint32_t p = 0; p < access.values[m].size(); ++p)
-      for (std::uint32_t k = 0; k < poses && !access.values[m][p].empty(); ++k)
-        attributes.push_back({m, p, poses == 1 ? kAmbientAccessAttribute : name_of_key_pose({access.clip, k}),
-                              in_order_of_file(scene.meshes[m].primitives[p], pose_of(access.values[m][p], poses, k))});
+  const std::size_t poses = visibility.times_s.size();
+  for (std::uint32_t m = 0; m < visibility.values.size(); ++m)
+    for (std::uint32_t p = 0; p < visibility.values[m].size(); ++p)
+      for (std::uint32_t k = 0; k < poses && !visibility.values[m][p].empty(); ++k)
+        attributes.push_back(
+            {m, p, poses == 1 ? kAmbientVisibilityAttribute : name_of_key_pose({visibility.clip, k}),
+             in_order_of_file(scene.meshes[m].primitives[p], pose_of(visibility.values[m][p], poses, k))});
   return attributes;
 }
 
@@ -166,20 +167,20 @@ std::vector<std::string> ambient_attribute_names(const ImportedFile& file) {
   CONTRACT(file.carried != nullptr);
   std::set<std::string> names;
   for_each_attribute(file.carried->document, [&](std::size_t, std::size_t, const std::string& name) {
-    if (name == kAmbientAccessAttribute || key_pose_named(name)) names.insert(name);
+    if (name == kAmbientVisibilityAttribute || key_pose_named(name)) names.insert(name);
   });
   return {names.begin(), names.end()};
 }
 
-VertexAccess read_ambient_access(const ImportedFile& file, std::vector<ImportIssue>& issues) {
+VertexVisibility read_ambient_visibility(const ImportedFile& file, std::vector<ImportIssue>& issues) {
   CONTRACT(file.carried != nullptr);
-  VertexAccess access = key_poses_in(file, issues);
+  VertexVisibility visibility = key_poses_in(file, issues);
   for (std::size_t m = 0; m < file.scene.meshes.size(); ++m) {
-    auto& values = access.values.emplace_back();
+    auto& values = visibility.values.emplace_back();
     for (std::size_t p = 0; p < file.scene.meshes[m].primitives.size(); ++p)
-      values.push_back(read_poses(file, m, p, access, issues));
+      values.push_back(read_poses(file, m, p, visibility, issues));
   }
-  return access;
+  return visibility;
 }
 
 }  // namespace sinew

@@ -10,24 +10,24 @@ std::vector<double> key_pose_times(double duration_s, std::uint32_t count) {
   return times;
 }
 
-KeyPoseBaker::KeyPoseBaker(const Scene& scene, const AccessOptions& options, std::optional<double> distance_m,
-                           VertexAccess& access)
-    : scene_(scene), options_(options), distance_m_(distance_m), access_(access) {
+KeyPoseBaker::KeyPoseBaker(const Scene& scene, const VisibilityOptions& options, std::optional<double> distance_m,
+                           VertexVisibility& visibility)
+    : scene_(scene), options_(options), distance_m_(distance_m), visibility_(visibility) {
   if (!options.progress) return;
   options_.progress = [this, tell = options.progress](double part) {
-    tell((static_cast<double>(baked_) + part) / static_cast<double>(access_.times_s.size()));
+    tell((static_cast<double>(baked_) + part) / static_cast<double>(visibility_.times_s.size()));
   };
 }
 
 void KeyPoseBaker::add(const FrameResult& pose) {
-  if (!distance_m_) distance_m_ = default_access_distance_m(scene_, pose);
+  if (!distance_m_) distance_m_ = default_visibility_distance_m(scene_, pose);
   options_.distance_m = *distance_m_;
-  const MeshAccess baked = bake_mesh_access(scene_, pose, options_);
-  access_.values.resize(scene_.meshes.size());
+  const MeshVisibility baked = bake_mesh_visibility(scene_, pose, options_);
+  visibility_.values.resize(scene_.meshes.size());
   for (std::size_t m = 0; m < scene_.meshes.size(); ++m) {
-    access_.values[m].resize(scene_.meshes[m].primitives.size());
-    for (std::size_t p = 0; p < access_.values[m].size(); ++p) {
-      std::vector<float>& all = access_.values[m][p];
+    visibility_.values[m].resize(scene_.meshes[m].primitives.size());
+    for (std::size_t p = 0; p < visibility_.values[m].size(); ++p) {
+      std::vector<float>& all = visibility_.values[m][p];
       const std::vector<float>& more = baked[m][p];
       if (all.empty() && more.empty()) continue;
       const std::size_t vertices = scene_.meshes[m].primitives[p].vertex_count();

@@ -5,35 +5,36 @@
 #include <optional>
 #include <vector>
 
-#include "importer/ambient/access_surfaces.h"
-#include "runtime/model/vertex_access.h"
+#include "importer/ambient/visibility_surfaces.h"
+#include "runtime/model/vertex_visibility.h"
 
 namespace sinew {
 
-/// The times of key poses spread evenly over a clip, the first and the last included.
+/// Times of key poses spread evenly over a clip, including both ends.
 /// eq   duration * i / (count - 1)
-/// out  the time 0 alone for one pose, and for a clip that lasts no time
+/// out  only the time 0 if count < 2 or the duration is 0
 std::vector<double> key_pose_times(double duration_s, std::uint32_t count);
 
-/// Bakes the poses of a VertexAccess, one after another.
+/// Bakes the key poses of a VertexVisibility one after another.
 class KeyPoseBaker {
  public:
-  /// in   scene, access  must outlive this object;   access  with its times, and without values
-  ///      options        of each pose;   progress  receives the finished part of all poses
-  ///      distance_m     in place of that of the options; nothing = what default_access_distance_m() says of the first
-  KeyPoseBaker(const Scene& scene, const AccessOptions& options, std::optional<double> distance_m,
-               VertexAccess& access);
+  /// in   scene, visibility  must outlive this object;   visibility  has its times set and no values yet
+  ///      options        for each pose;   progress  receives the finished fraction of all poses
+  ///      distance_m     replaces options.distance_m; empty = default_visibility_distance_m() of the first
+  KeyPoseBaker(const Scene& scene, const VisibilityOptions& options, std::optional<double> distance_m,
+               VertexVisibility& visibility);
 
-  /// Bakes the next pose. A primitive that a pose does not show is open in it, and one that none shows has no values.
+  /// Bakes the next pose. A primitive that is hidden in a pose gets visibility 1 there; one that is always hidden gets
+  /// no values.
   /// in   pose  with positions
-  /// err, cost  those of bake_ambient_access()
+  /// err, cost  as bake_ambient_visibility()
   void add(const FrameResult& pose);
 
  private:
   const Scene& scene_;
-  AccessOptions options_;
+  VisibilityOptions options_;
   std::optional<double> distance_m_;
-  VertexAccess& access_;
+  VertexVisibility& visibility_;
   std::size_t baked_ = 0;
 };
 

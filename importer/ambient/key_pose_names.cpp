@@ -3,16 +3,16 @@
 
 #include <charconv>
 
-#include "runtime/model/vertex_access.h"
+#include "runtime/model/vertex_visibility.h"
 
 namespace sinew {
 
 std::string name_of_key_pose(const KeyPoseName& key) {
-  return std::string(kAmbientAccessAttribute) + '_' + std::to_string(key.clip) + '_' + std::to_string(key.pose);
+  return std::string(kAmbientVisibilityAttribute) + '_' + std::to_string(key.clip) + '_' + std::to_string(key.pose);
 }
 
 std::optional<KeyPoseName> key_pose_named(const std::string& name) {
-  const std::string start = std::string(kAmbientAccessAttribute) + '_';
+  const std::string start = std::string(kAmbientVisibilityAttribute) + '_';
   if (name.compare(0, start.size(), start) != 0) return std::nullopt;
   KeyPoseName key;
   const char* const end = name.data() + name.size();

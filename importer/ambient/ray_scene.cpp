@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::size_t kPacket = 8;
 
-/// A handle of Embree that is released when it goes, also when what follows throws.
+/// An owning Embree handle.
 template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, void (*)(Handle)>;
 
-/// Filter callback of Embree: rejects hits on the backs of triangles that have one side only.
+/// Embree filter callback: rejects hits on the backs of single-sided triangles.
 void leave_out_backs(const RTCFilterFunctionNArguments* asked) {
   const auto* triangles = static_cast<const RayTriangle*>(asked->geometryUserPtr);
   for (unsigned i = 0; i < asked->N; ++i) {
@@ -51,7 +51,7 @@ void cast_rays(RTCScene scene, const int* valid, RTCRay8& rays) {
 }
 #endif
 
-/// Eight rays from one point; those without a direction are switched off.
+/// A packet of eight rays from one point; lanes without a direction are disabled.
 RTCRay8 packet_of(const glm::vec3& from, std::span<const glm::dvec3> directions, float limit, int* valid) {
   RTCRay8 rays{};
   for (std::size_t i = 0; i < kPacket; ++i) {

@@ -22,9 +22,9 @@ Vec3Track vec3_track(SamplerData data) {
   return track;
 }
 
-/// Linear and step keys become unit quaternions (G18, G52). Cubic keys stay as stored: together with their tangents
-/// they shape the curve, and the sampled result is normalised (G04, G05). Only values whose square float cannot hold,
-/// or that are zero, become unit too.
+/// Builds a rotation track. Linear and step keys are normalised. Cubic keys stay as stored, because they shape the
+/// curve together with their tangents; sampling normalises the result. Only cubic values that are zero, or whose square
+/// overflows or underflows float, are normalised, too.
 QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) {
   QuatTrack track{data.interpolation, std::move(data.times_s), {}};
   track.values.reserve(data.values.size() / 4);
@@ -87,7 +87,7 @@ class ClipBuilder {
       case AnimatedProperty::scale: return add_bone(*target, channel);
       case AnimatedProperty::weights: return add_weights(*target, instances_.of_node[target->node], channel);
       case AnimatedProperty::pointed: return add_property(*target, channel, place);
-      case AnimatedProperty::mesh_weights: return;  // later: weights of nodes take precedence over those of their mesh
+      case AnimatedProperty::mesh_weights: return;  // handled later: node weights take precedence over mesh weights
     }
   }
 
@@ -95,7 +95,7 @@ class ClipBuilder {
     return pointer("animations", index_, "channels", channel, "target");
   }
 
-  /// The earlier channel that animates this target, a part of it, or the whole that it is a part of.
+  /// An earlier channel whose target overlaps this one: the same target, a part of it, or the whole that contains it.
   std::optional<std::uint32_t> taken_by(ChannelTarget target) const {
     const auto channel_of = [&](const ChannelTarget& t) -> std::optional<std::uint32_t> {
       const auto found = targets_.find(t);
@@ -117,7 +117,7 @@ class ClipBuilder {
     return read_sampler(document_, index_, sampler, target, components, log_);
   }
 
-  /// Channels that are ignored do not lengthen the clip.
+  /// Extends the clip's duration. Not called for ignored channels.
   void lengthen(const SamplerData& data) {
     out_.duration_s = std::max(out_.duration_s, static_cast<double>(data.times_s.back()));
   }
@@ -156,7 +156,7 @@ class ClipBuilder {
     weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
   }
 
-  /// Default weights of a mesh apply to all nodes that show the mesh and neither have nor animate weights of their own.
+  /// Applies a channel of mesh.weights to all nodes that show the mesh and neither have nor animate their own weights.
   void add_mesh_weights(const ChannelTarget& target, std::uint32_t channel) {
     for (std::uint32_t n = 0; n < document_.nodes.size(); ++n) {
       const gltf::Node& node = document_.nodes[n];
@@ -187,9 +187,9 @@ class ClipBuilder {
   std::uint32_t index_ = 0;
   Animation out_;
   std::map<std::uint32_t, BoneAnimation> bones_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, WeightTrack> weights_;  ///< by instance and first target
+  std::map<std::pair<std::uint32_t, std::uint32_t>, WeightTrack> weights_;  ///< key: instance, first target
   std::map<PropertyTarget, WeightTrack> properties_;
-  std::map<ChannelTarget, std::uint32_t> targets_;  ///< and the channel that animates it
+  std::map<ChannelTarget, std::uint32_t> targets_;  ///< target -> the channel that animates it
 };
 
 }  // namespace

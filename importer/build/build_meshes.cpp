@@ -17,8 +17,7 @@
 namespace sinew {
 namespace {
 
-/// For each mesh the number of joints of the smallest skin that a node uses with it. All joint indices of the mesh must
-/// be below (G36).
+/// For each mesh, the joint count of the smallest skin used with it. All joint indices of the mesh must be below this.
 std::vector<std::uint32_t> joint_limits(const gltf::Document& document) {
   std::vector<std::uint32_t> limits(document.meshes.size(), 65536);
   for (const auto& node : document.nodes)
@@ -40,7 +39,7 @@ std::size_t target_count(const gltf::Document& document, std::uint32_t mesh, Iss
   return most;
 }
 
-/// The texture coordinate set of a material's normal map; kNone without a normal map.
+/// The texture coordinate set of a material's normal map; kNone if it has none.
 std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t material) {
   if (material == kNone) return kNone;
   const gltf::TextureInfo info = texture_info(document.materials[material], TextureSlot::normal);
@@ -49,8 +48,8 @@ std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t 
   return own != nullptr && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
 }
 
-/// The set that the tangents of a primitive are for: of its own material's normal map, else of the first variant with
-/// one.
+/// The texture coordinate set for a primitive's tangents: that of its own material's normal map, else of the first
+/// variant with a normal map.
 std::uint32_t normal_map_texcoord(const gltf::Document& document, const Primitive& primitive) {
   std::uint32_t set = normal_map_texcoord(document, primitive.material);
   for (const VariantMaterial& other : primitive.variant_materials)
@@ -95,7 +94,7 @@ std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, 
   return weights;
 }
 
-/// The highest set that the textures of a material need, plus one; 0 without textures.
+/// Number of texture coordinate sets that a material needs: its highest set plus one; 0 without textures.
 std::size_t needed_sets(const Material& material) {
   std::size_t needed = 0;
   for (const TextureUse* use : texture_uses(material))
@@ -103,7 +102,7 @@ std::size_t needed_sets(const Material& material) {
   return needed;
 }
 
-/// The same of a primitive: with its own material, and with that of each variant.
+/// Number of texture coordinate sets that a primitive needs, for its own material and those of all variants.
 std::size_t needed_sets(const Scene& scene, const Primitive& primitive) {
   std::size_t needed = primitive.material == kNone ? 0 : needed_sets(scene.materials[primitive.material]);
   for (const VariantMaterial& other : primitive.variant_materials)

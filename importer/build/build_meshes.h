@@ -11,14 +11,14 @@
 
 namespace sinew {
 
-/// Builds every mesh of the document, primitive by primitive: vertices are grouped by number of influences, morph
-/// targets are sparse, and missing normals and tangents are made where the options ask for them.
-/// err      those of read_primitive, read_morph_target and merge_influences
+/// Builds all meshes of the document. Groups vertices by number of influences, stores morph targets sparsely, and makes
+/// missing normals and tangents if the options ask for it.
+/// err      as read_primitive, read_morph_target and merge_influences
 /// warning  mesh-target-count, mesh-weights-count (short lists are filled with zeros, long ones cut)
 std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptions& options, IssueLog& log);
 
-/// Warns where a material, also that of a variant, uses texture coordinates that the mesh does not have.
-/// in       scene   with its materials, textures and meshes
+/// Warns if a material, including those of variants, uses texture coordinates that the mesh lacks.
+/// in       scene   has its materials, textures and meshes
 /// warning  mesh-texcoord-missing
 /// cost     O(primitives)
 void check_texcoords(const Scene& scene, IssueLog& log);

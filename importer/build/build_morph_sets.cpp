@@ -13,10 +13,10 @@
 namespace sinew {
 namespace {
 
-/// Maps between the file's vertices and those of a primitive that has been reordered; empty = same order.
+/// Maps between file vertices and the vertices of a reordered primitive; empty = same order.
 struct VertexOrder {
-  std::span<const std::uint32_t> source;  ///< the file's vertex of each vertex
-  std::vector<std::uint32_t> position;    ///< the inverse: where each of the file's vertices is
+  std::span<const std::uint32_t> source;  ///< file vertex of each vertex
+  std::vector<std::uint32_t> position;    ///< inverse: vertex of each file vertex
 
   explicit VertexOrder(std::span<const std::uint32_t> source_vertex)
       : source(source_vertex), position(source_vertex.size()) {
@@ -24,7 +24,7 @@ struct VertexOrder {
   }
 };
 
-/// For one value per vertex. Non-zero values are counted first, so that the lists take no more memory than they need.
+/// Sparse deltas from dense values. Counts non-zero values first, to allocate exactly.
 template <class V>
 SparseDeltas<V> sparse_of_all(const std::vector<V>& values, std::span<const std::uint32_t> source) {
   const auto moves = [](const V& delta) { return flushed(delta) != V(0.0f); };
@@ -41,7 +41,7 @@ SparseDeltas<V> sparse_of_all(const std::vector<V>& values, std::span<const std:
   return out;
 }
 
-/// For values with the numbers of their vertices.
+/// Sparse deltas from values with vertex indices.
 template <class V>
 SparseDeltas<V> sparse_of_named(Displacements<V> named, const VertexOrder& order) {
   if (!order.position.empty())

@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// Stores the morph targets of a primitive as sparse deltas: a vertex that a target does not move has no entry (P10).
-/// in    primitive      its vertices are in their final order
-///       target_count   of the mesh; targets that the primitive lacks become empty
+/// Stores the morph targets of a primitive as sparse deltas: vertices that a target does not move have no entry.
+/// in    primitive      with its vertices in final order
+///       target_count   of the mesh; missing targets of the primitive become empty
 /// out   primitive.morphs
 /// cost  O(values in the file); holds one target at a time
 void build_morph_set(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t target_count,

@@ -77,7 +77,7 @@ void build_cameras(const gltf::Document& document, const JointOrder& order, Scen
     const std::uint32_t camera = document.nodes[n].camera;
     if (camera == kNone) continue;
     std::uint32_t placed = camera;
-    if (scene.cameras[camera].joint != kNone) {  // one camera on several nodes
+    if (scene.cameras[camera].joint != kNone) {  // the camera is used by several nodes: copy it
       placed = static_cast<std::uint32_t>(scene.cameras.size());
       placements.of_camera[camera].push_back(placed);
       scene.cameras.push_back(scene.cameras[camera]);

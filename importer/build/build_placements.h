@@ -9,20 +9,20 @@
 
 namespace sinew {
 
-/// Which cameras and lights of the scene come from each camera and light of the file. A camera or light that several
-/// nodes use is in the scene once for each node.
+/// Maps cameras and lights of the file to those of the scene. A camera or light used by several nodes is copied for
+/// each node.
 struct Placements {
   std::vector<std::vector<std::uint32_t>> of_camera, of_light;
 
-  /// Where an animated property of the file is in the scene.
-  /// in    target   `target.index` counts in the file
-  /// out   indices in the scene; empty when nothing shows the property
+  /// Finds the scene counterparts of an animated property of the file.
+  /// in    target   `target.index` is an index in the file
+  /// out   indices in the scene; empty if the property is not used
   std::vector<std::uint32_t> indices_in_scene(const PropertyTarget& target, const JointOrder& order) const;
 };
 
-/// Fills what hangs on nodes besides meshes: cameras, lights (KHR_lights_punctual), hidden_joints
-/// (KHR_node_visibility), and the roots that each scene shows. default_scene is the file's, else the first one (G56).
-/// warning  camera-values, light-values (senseless values take the default), extension-value
+/// Fills in what is attached to nodes besides meshes: cameras, lights (KHR_lights_punctual), hidden_joints
+/// (KHR_node_visibility), and the roots of each scene. default_scene is the file's, else the first one.
+/// warning  camera-values, light-values (invalid values become the default), extension-value
 Placements build_placements(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log);
 
 }  // namespace sinew

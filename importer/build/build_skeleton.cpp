@@ -37,10 +37,10 @@ Skeleton build_skeleton(const gltf::Document& document, const JointOrder& order,
 
 std::vector<bool> find_animated_nodes(const gltf::Document& document) {
   std::vector<bool> animated(document.nodes.size(), false);
-  IssueLog unheard;  // build_clips reports what is odd about these channels
+  IssueLog discarded_log;  // build_clips reports the issues of these channels
   for (std::uint32_t a = 0; a < document.animations.size(); ++a)
     for (std::uint32_t c = 0; c < document.animations[a].channels.size(); ++c) {
-      const auto target = read_channel_target(document, a, c, unheard);
+      const auto target = read_channel_target(document, a, c, discarded_log);
       if (target && target->moves_joint()) animated[target->node] = true;
     }
   return animated;

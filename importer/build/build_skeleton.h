@@ -8,14 +8,14 @@
 
 namespace sinew {
 
-/// Builds one skeleton of all nodes. A node that the file gives as a matrix keeps the matrix bit for bit. An animation
-/// needs translation, rotation and scale, so the matrix of an animated node is decomposed (G50).
-/// in       animated[N]   true for nodes whose translation, rotation or scale some channel animates
-/// warning  those of read_node_transform, node-matrix-animated
+/// Builds one skeleton of all nodes. A node given as a matrix keeps it bit for bit. If the node is animated, its matrix
+/// is decomposed, because clips animate translation, rotation and scale.
+/// in       animated[N]   true if a channel animates the node's translation, rotation or scale
+/// warning  as read_node_transform; node-matrix-animated
 Skeleton build_skeleton(const gltf::Document& document, const JointOrder& order, const std::vector<bool>& animated,
                         IssueLog& log);
 
-/// out   [N]   true for nodes whose translation, rotation or scale some channel animates
+/// out   [N]   true if a channel animates the node's translation, rotation or scale
 std::vector<bool> find_animated_nodes(const gltf::Document& document);
 
 }  // namespace sinew

@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// Builds the skins: joints as joints of the skeleton in the skin's own order, inverse bind matrices, and the skeleton
-/// root as a hint (G30 to G34).
-/// err      those of read_inverse_bind_matrices
+/// Builds the skins: skeleton joints in the skin's own order, inverse bind matrices, and the skeleton root, which is
+/// only a hint.
+/// err      as read_inverse_bind_matrices
 /// warning  skin-common-root
 std::vector<Skin> build_skins(const gltf::Document& document, const JointOrder& order, IssueLog& log);
 

@@ -70,7 +70,7 @@ class VrmReader {
   }
 
  private:
-  /// "X", or "NegativeX" and the like; 0 for other words.
+  /// Parses an axis such as "X", "PositiveX" or "NegativeX"; 0 for other words.
   static glm::vec3 axis_of(std::string word) {
     const bool positive = word.starts_with("Positive"), negative = word.starts_with("Negative");
     if (positive || negative) word.erase(0, 8);
@@ -101,7 +101,7 @@ class VrmReader {
     out_.expressions.push_back(std::move(expression));
   }
 
-  /// A collider without a usable node keeps its place in the list.
+  /// Adds a collider; one without a usable node is added too, because colliders are referred to by index.
   void add_collider(const ExtensionFields& fields) {
     VrmCollider& out = out_.colliders.emplace_back();
     out.joint = joint_in(fields, "node");
@@ -154,11 +154,11 @@ class VrmReader {
   const std::vector<std::uint32_t>& instance_of_node_;
   IssueLog& log_;
   VrmCharacter& out_;
-  std::vector<std::vector<std::uint32_t>> groups_;  ///< colliders of each group
+  std::vector<std::vector<std::uint32_t>> groups_;  ///< [groups] indices of its colliders
   std::size_t entries_ = 0;
 };
 
-/// The names of the authors, with commas between them.
+/// The names of the authors, separated by commas.
 std::string authors_of(const gltf::Json& extensions) {
   const gltf::Json::json_pointer place("/VRMC_vrm/meta/authors");
   std::string out;

@@ -11,9 +11,9 @@
 
 namespace sinew {
 
-/// Reads what VRM 0.x and 1.0 say about the character of a file. Where a file has both, 1.0 counts.
-/// in       instance_of_node[N]   of a mesh, kNone for nodes without one
-/// out      null where the file has none of these extensions
+/// Reads the VRM 0.x or 1.0 data of a file. If it has both, 1.0 is used.
+/// in       instance_of_node[N]   mesh instance of each node; kNone = none
+/// out      null if the file has none of these extensions
 /// err      memory-budget
 /// warning  extension-value
 std::shared_ptr<const VrmCharacter> build_vrm(const gltf::Document& document, const JointOrder& order,

@@ -14,7 +14,7 @@ struct Renamed {
   std::string_view before, now;
 };
 
-/// Names that VRM 1.0 gave another meaning or spelling; the others stay.
+/// Bone names that VRM 1.0 renamed; all others are unchanged.
 constexpr Renamed kBones[] = {{"leftThumbProximal", "leftThumbMetacarpal"},
                               {"leftThumbIntermediate", "leftThumbProximal"},
                               {"rightThumbProximal", "rightThumbMetacarpal"},
@@ -42,7 +42,7 @@ std::string_view renamed(std::string_view name, std::span<const Renamed> table) 
   return found == table.end() ? std::string_view() : found->now;
 }
 
-/// An object {x, y, z}.
+/// Reads an object {x, y, z}.
 glm::vec3 vector_in(const ExtensionFields& owner, const char* field, glm::vec3 fallback = glm::vec3(0.0f)) {
   const ExtensionFields v = owner.object(field);
   return {static_cast<float>(v.number("x", static_cast<double>(fallback.x))),
@@ -71,7 +71,7 @@ class Vrm0Reader {
   }
 
  private:
-  /// The joint of a node; kNone also for the -1 that stands for none.
+  /// The joint of a node field; kNone if absent or -1.
   std::uint32_t joint_in(const ExtensionFields& owner, const char* field) const {
     if (owner.number(field, -1.0) < 0.0) return kNone;
     const std::uint32_t node = owner.index(field, document_.nodes.size());
@@ -144,7 +144,8 @@ class Vrm0Reader {
     }
     VrmSpringJoint joint;
     joint.hit_radius_m = static_cast<float>(group.number("hitRadius", 0.0, 0.0));
-    joint.stiffness = static_cast<float>(group.number("stiffiness", 1.0, 0.0));  // spelt like this in files
+    // This misspelling is part of the file format.
+    joint.stiffness = static_cast<float>(group.number("stiffiness", 1.0, 0.0));
     joint.gravity_power = static_cast<float>(group.number("gravityPower", 0.0));
     joint.drag_force = static_cast<float>(group.number("dragForce", 0.5, 0.0));
     joint.gravity_direction = vector_in(group, "gravityDir", joint.gravity_direction);
@@ -161,7 +162,7 @@ class Vrm0Reader {
   const std::vector<std::uint32_t>& instance_of_node_;
   IssueLog& log_;
   VrmCharacter& out_;
-  std::vector<std::vector<std::uint32_t>> groups_;  ///< colliders of each group
+  std::vector<std::vector<std::uint32_t>> groups_;  ///< [groups] indices of its colliders
   std::size_t entries_ = 0;
 };
 

@@ -10,11 +10,11 @@
 
 namespace sinew {
 
-/// Limit of what lists in extensions of VRM multiply to: binds times nodes, springs times colliders.
+/// Limit of expanded VRM lists: binds times nodes, springs times colliders.
 inline constexpr std::size_t kMostVrmEntries = std::size_t{1} << 18;
 
-/// Reads the extension VRM of version 0.x. Names of bones and presets become those of VRM 1.0, weights fractions; where
-/// 0.x counts z the other way, it is turned.
+/// Reads the extension VRM, version 0.x, and converts it to VRM 1.0: bone and preset names, weights as fractions, z
+/// axes with the opposite sign.
 /// in       vrm   the extension
 /// err      memory-budget
 /// warning  extension-value

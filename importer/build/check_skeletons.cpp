@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// The joints of every subtree as a range of numbers, so that "lies below" is one comparison.
+/// Numbers joints so that every subtree is a range; "lies below" is then one comparison.
 class Subtrees {
  public:
   explicit Subtrees(const JointOrder& order)
@@ -27,7 +27,8 @@ class Subtrees {
   }
 
   bool lies_below(std::uint32_t joint, std::uint32_t root) const noexcept {
-    return begin_[joint] - begin_[root] < size_[root];  // unsigned: also false where it lies before
+    // Unsigned arithmetic: also false if the joint lies before the range.
+    return begin_[joint] - begin_[root] < size_[root];
   }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Warns where the skeleton root that a skin names is not above all of its joints. Poses do not depend on it (G30).
+/// Warns if a skin's skeleton root is not an ancestor of all its joints. Poses do not depend on it.
 /// warning  skin-skeleton
 /// cost     O(N + joints of all skins)
 void check_skeletons(const gltf::Document& document, const JointOrder& order, IssueLog& log);

@@ -24,7 +24,8 @@ void add_group(VertexInfluences& out, std::uint32_t count, std::uint32_t positio
   ++out.groups.back().vertex_count;
 }
 
-/// Moves the lists when the vertices are in order already, else copies them vertex by vertex.
+/// Fills the influences in the new vertex order. Moves the lists if the order is unchanged, else copies them vertex by
+/// vertex.
 void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::vector<std::uint32_t>& source,
                      bool in_order) {
   std::uint32_t entry = 0;
@@ -58,7 +59,7 @@ struct InfluencesOf {
       : joints(std::span(merged.joints).subspan(merged.first[vertex], count_of(merged, vertex))),
         weights(std::span(merged.weights).subspan(merged.first[vertex], count_of(merged, vertex))) {}
 
-  /// The same joints alone.
+  /// A key with the joints only.
   InfluencesOf without_weights() const { return InfluencesOf(joints); }
 
   std::uint64_t hash() const {
@@ -74,11 +75,12 @@ struct InfluencesOf {
   explicit InfluencesOf(std::span<const std::uint16_t> only) : joints(only) {}
 };
 
-/// Numbers what vertices have, `of(vertex)`, in the order in which it comes: the same has the same number.
+/// Numbers the distinct values of `of(vertex)` in order of first occurrence, and returns the number of each vertex.
 template <class Of>
 std::vector<std::uint32_t> number_equal(std::span<const std::uint32_t> vertices, const Of& of, std::size_t& count) {
-  std::vector<std::uint32_t> slots(std::bit_ceil(2 * vertices.size() + 1), kNone);  // an open hash table of numbers
-  std::vector<std::uint32_t> first_vertex, numbers;                                 // of each number; of each vertex
+  // Hash table with open addressing, holds numbers.
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * vertices.size() + 1), kNone);
+  std::vector<std::uint32_t> first_vertex, numbers;  // first vertex of each number; number of each vertex
   numbers.reserve(vertices.size());
   for (const std::uint32_t vertex : vertices) {
     const InfluencesOf own = of(vertex);
@@ -99,18 +101,18 @@ std::vector<std::uint32_t> number_equal(std::span<const std::uint32_t> vertices,
   return numbers;
 }
 
-/// Vertices of which something is the same.
+/// A range of consecutive vertices with equal influences (or equal joints).
 struct Run {
   std::uint32_t begin, end;
 
-  /// The largest of the multiples that it has whole.
+  /// The largest of kMultiples that is not larger than the run.
   std::uint32_t level() const {
     return *std::find_if(std::begin(kMultiples), std::end(kMultiples), [&](auto m) { return m <= end - begin; });
   }
   static constexpr std::uint32_t kMultiples[] = {16, 8, 4, 1};
 };
 
-/// Brings vertices of which `of` is the same together, at the place of the first of them, by a stable counting sort.
+/// Moves vertices with equal `of` next to the first of them, by a stable counting sort. Returns the runs.
 template <class Of>
 std::vector<Run> gather_equal(std::span<std::uint32_t> vertices, const Of& of) {
   std::size_t count = 0;
@@ -129,9 +131,8 @@ std::vector<Run> gather_equal(std::span<std::uint32_t> vertices, const Of& of) {
   return runs;
 }
 
-/// Brings the whole multiples of 16 vertices of every run to the front, then those of 8 and of 4 of what is left, so
-/// that each begins at such a multiple. Long runs come before short ones, or vertices that are in this order already
-/// would get another one.
+/// Splits runs so that vector-sized blocks are aligned. Whole multiples of 16 vertices of every run come first, then
+/// multiples of 8 and 4 of the remainders, then the rest. Sorting long runs first makes the operation idempotent.
 void align_runs(std::vector<Run> runs, std::span<std::uint32_t> vertices) {
   const std::vector<std::uint32_t> before(vertices.begin(), vertices.end());
   std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.level() > b.level(); });
@@ -144,7 +145,7 @@ void align_runs(std::vector<Run> runs, std::span<std::uint32_t> vertices) {
     }
 }
 
-/// Orders the vertices of a group.
+/// Orders the vertices within a group of equal influence count.
 void order_group(const MergedInfluences& merged, std::span<std::uint32_t> vertices) {
   gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v); });
   align_runs(gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v).without_weights(); }),
@@ -153,7 +154,7 @@ void order_group(const MergedInfluences& merged, std::span<std::uint32_t> vertic
 
 /// Sorts vertices by their number of influences with a stable counting sort.
 std::vector<std::uint32_t> sorted_by_count(const MergedInfluences& merged, std::size_t vertex_count) {
-  std::vector<std::uint32_t> end;  // per number of influences: where its next vertex goes
+  std::vector<std::uint32_t> end;  // for each influence count: position of its next vertex
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const std::uint32_t count = count_of(merged, v);
     if (end.size() < count + 2) end.resize(count + 2, 0);

@@ -14,20 +14,20 @@ struct Influence {
   double weight = 0.0;
 };
 
-/// Deviation per weight that the rounding to floats explains. Sums within it stay as they are: dividing again would
-/// change the last bits of weights that have been normalised before.
+/// Deviation per weight caused by rounding to float. Sums within it are not normalised again, because that would change
+/// the last bits of normalised weights.
 constexpr double kRounding = 0x1p-24;
 
-/// What was odd, counted over all vertices, so that each kind is reported once.
-struct Oddities {
+/// Issues counted over all vertices, so that each kind is reported once.
+struct IssueCounts {
   std::size_t negative = 0, zero_sum = 0, repeated = 0, unused_out_of_range = 0, off_sum = 0;
   double worst_deviation = 0.0, sum_of_deviations = 0.0;
 };
 
 constexpr std::size_t kFew = 32;
 
-/// Lists have four entries as a rule and are mostly in order. Insertion sort is then faster than std::stable_sort,
-/// which allocates.
+/// Sorts a list. Short lists, usually of four almost sorted entries, use insertion sort; std::stable_sort would
+/// allocate.
 template <class Less>
 void sort_influences(std::vector<Influence>& list, Less less) {
   if (list.size() > kFew) return std::stable_sort(list.begin(), list.end(), less);
@@ -64,7 +64,7 @@ class Merger {
   }
 
  private:
-  /// Collects the non-zero influences of vertex v; false after an error.
+  /// Collects the non-zero influences of vertex v. False on error.
   bool gather(std::size_t v) {
     vertex_.clear();
     sum_ = 0.0;
@@ -72,9 +72,9 @@ class Merger {
       for (std::size_t k = 4 * v; k < 4 * v + 4; ++k) {
         const std::uint32_t joint = set.joints[k];
         const float weight = set.weights[k];
-        if (weight < 0.0f) ++odd_.negative;
+        if (weight < 0.0f) ++counts_.negative;
         const bool counts = weight > 1e-20f;
-        if (joint >= limit_ && !counts) ++odd_.unused_out_of_range;
+        if (joint >= limit_ && !counts) ++counts_.unused_out_of_range;
         if (!counts) continue;
         if (joint >= limit_) {
           log_.report(Rule::joint_index, pointer(place_, "JOINTS_" + std::to_string(set.number)),
@@ -90,15 +90,15 @@ class Merger {
 
   void clean() {
     if (vertex_.empty()) {
-      ++odd_.zero_sum;
+      ++counts_.zero_sum;
       vertex_.push_back({0, 1.0});
       return;
     }
     const double deviation = std::abs(sum_ - 1.0);
-    odd_.worst_deviation = std::max(odd_.worst_deviation, deviation);
+    counts_.worst_deviation = std::max(counts_.worst_deviation, deviation);
     if (deviation > 2e-7 * static_cast<double>(vertex_.size())) {
-      ++odd_.off_sum;
-      odd_.sum_of_deviations += deviation;
+      ++counts_.off_sum;
+      counts_.sum_of_deviations += deviation;
     }
     if (vertex_.size() > kFew || repeats_a_joint()) add_up_joints();
     sort_influences(vertex_, [](const Influence& a, const Influence& b) {
@@ -121,7 +121,7 @@ class Merger {
     for (std::size_t i = 1; i < vertex_.size(); ++i) {
       if (vertex_[i].joint == vertex_[kept].joint) {
         vertex_[kept].weight += vertex_[i].weight;
-        ++odd_.repeated;
+        ++counts_.repeated;
       } else {
         vertex_[++kept] = vertex_[i];
       }
@@ -130,18 +130,20 @@ class Merger {
   }
 
   void report() {
-    const auto say = [&](std::size_t count, Rule rule, const std::string& what) {
+    const auto report_count = [&](std::size_t count, Rule rule, const std::string& what) {
       if (count > 0) log_.report(rule, place_, std::to_string(count) + " " + what);
     };
-    say(odd_.off_sum, Rule::weights_sum,
-        "vertices have weights that do not add up to 1, the worst is off by " + std::to_string(odd_.worst_deviation) +
-            ", on average they are by " +
-            std::to_string(odd_.sum_of_deviations / static_cast<double>(std::max<std::size_t>(odd_.off_sum, 1))) +
+    report_count(
+        counts_.off_sum, Rule::weights_sum,
+        "vertices have weights that do not add up to 1, the worst is off by " +
+            std::to_string(counts_.worst_deviation) + ", on average they are by " +
+            std::to_string(counts_.sum_of_deviations / static_cast<double>(std::max<std::size_t>(counts_.off_sum, 1))) +
             "; divided by their sum");
-    say(odd_.zero_sum, Rule::weights_zero, "vertices have no weight at all; joint slot 0 moves them");
-    say(odd_.negative, Rule::weights_negative, "weights are negative; taken as zero");
-    say(odd_.repeated, Rule::joint_repeated, "weights repeat a joint of their vertex; added up");
-    say(odd_.unused_out_of_range, Rule::joint_index_unused, "joint indices without weight are out of range; ignored");
+    report_count(counts_.zero_sum, Rule::weights_zero, "vertices have no weight at all; joint slot 0 moves them");
+    report_count(counts_.negative, Rule::weights_negative, "weights are negative; taken as zero");
+    report_count(counts_.repeated, Rule::joint_repeated, "weights repeat a joint of their vertex; added up");
+    report_count(counts_.unused_out_of_range, Rule::joint_index_unused,
+                 "joint indices without weight are out of range; ignored");
   }
 
   std::span<const InfluenceSet> sets_;
@@ -150,7 +152,7 @@ class Merger {
   IssueLog& log_;
   std::vector<Influence> vertex_;
   double sum_ = 0.0;
-  Oddities odd_;
+  IssueCounts counts_;
 };
 
 }  // namespace

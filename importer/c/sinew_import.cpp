@@ -39,7 +39,7 @@ std::unique_ptr<sinew_messages> messages_of(const ImportResult<ImportedFile>& fi
   return messages;
 }
 
-/// in   read(options)  imports
+/// in   read(options)  runs the import
 template <class Read>
 sinew_error import(const std::string& name, const sinew_import_options* options, sinew_scene** scene,
                    sinew_messages** messages, Read&& read) {

@@ -14,25 +14,25 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-constexpr std::size_t kGroup = 16;           ///< differences that are packed together
-constexpr std::size_t kMostElements = 256;   ///< of a block
-constexpr std::size_t kBlockBytes = 8192;    ///< of a block, decoded
+constexpr std::size_t kGroup = 16;           ///< differences per packed group
+constexpr std::size_t kMostElements = 256;   ///< elements per block
+constexpr std::size_t kBlockBytes = 8192;    ///< decoded bytes per block
 constexpr std::size_t kSmallestTail = 24;    ///< bytes
-constexpr std::size_t kChannel = 4;          ///< bytes of an element that have one mode
+constexpr std::size_t kChannel = 4;          ///< bytes of an element that share a mode
 constexpr std::size_t kLargestStride = 256;  ///< bytes
 constexpr std::uint8_t kVersion = 0xa1;
 
-/// What a byte position of a block is stored as.
+/// Storage of one byte position in a block.
 enum Control : unsigned { narrow, wide, all_zero, verbatim };
 
-/// Bits of a packed difference, by the control of the byte position and the two header bits of the group.
+/// Bits of a packed difference, [control of the byte position][two header bits of the group].
 constexpr std::array<std::array<unsigned, 4>, 2> kBits{{{0, 1, 2, 4}, {1, 2, 4, 8}}};
 
-using Plane = std::array<std::uint8_t, kMostElements>;  ///< one byte of each element of a block
+using Plane = std::array<std::uint8_t, kMostElements>;  ///< one byte position of all elements in a block
 
 unsigned number(std::byte b) noexcept { return std::to_integer<unsigned>(b); }
 
-/// Reads forward and never past the end.
+/// A forward reader with bounds checks.
 class Reader {
  public:
   explicit Reader(Bytes bytes) : rest_(bytes) {}
@@ -49,15 +49,15 @@ class Reader {
   Bytes rest_;
 };
 
-/// The packed difference `i` of a group. One bit each: the first lies lowest; two and four bits: the first lies
-/// highest.
+/// Extracts packed difference `i` of a group. With one bit each, the first is in the lowest bit; with two or four bits,
+/// in the highest.
 unsigned packed(Bytes bytes, unsigned bits, std::size_t i) noexcept {
   const std::size_t per_byte = 8 / bits, place = i % per_byte;
   const std::size_t shift = bits == 1 ? place : 8 - bits - place * bits;
   return number(bytes[i / per_byte]) >> shift & ((1u << bits) - 1);
 }
 
-/// A difference with all bits set stands for a whole byte behind the group.
+/// Reads one group. A difference with all bits set is an escape: the real value is a byte after the group.
 bool read_group(Reader& in, unsigned bits, std::uint8_t* out) noexcept {
   if (bits == 0) {
     std::fill_n(out, kGroup, std::uint8_t{0});
@@ -82,7 +82,7 @@ bool read_group(Reader& in, unsigned bits, std::uint8_t* out) noexcept {
   return true;
 }
 
-/// The differences of one byte position of a block of `count` elements.
+/// Reads the differences of one byte position of a block with `count` elements.
 bool read_plane(Reader& in, unsigned control, std::size_t count, Plane& out) noexcept {
   if (control == all_zero) {
     out.fill(0);
@@ -103,13 +103,13 @@ bool read_plane(Reader& in, unsigned control, std::size_t count, Plane& out) noe
   return true;
 }
 
-/// Signed differences are stored with the sign in the lowest bit.
+/// Decodes a zigzag-coded difference (sign in the lowest bit).
 template <class T>
 T unzigzag(T v) noexcept {
   return static_cast<T>((v & 1) != 0 ? ~(v >> 1) : v >> 1);
 }
 
-/// Adds up differences of whole numbers of T that lie at byte `first` of the channel.
+/// Decodes integer differences of type T at byte `first` of the channel, by prefix sums.
 template <class T>
 void add_differences(const std::array<Plane, kChannel>& planes, std::size_t first, std::size_t count,
                      std::size_t stride, std::uint8_t* last, std::byte* out) noexcept {
@@ -126,7 +126,7 @@ void add_differences(const std::array<Plane, kChannel>& planes, std::size_t firs
   for (std::size_t b = 0; b < sizeof(T); ++b) last[first + b] = static_cast<std::uint8_t>(value >> (8 * b));
 }
 
-/// Exclusive or of neighbouring 32-bit numbers, which the encoder rotated left by `rotation` bits.
+/// Decodes XOR differences of 32-bit numbers, which the encoder rotated left by `rotation` bits.
 void flip_differences(const std::array<Plane, kChannel>& planes, int rotation, std::size_t count, std::size_t stride,
                       std::uint8_t* last, std::byte* out) noexcept {
   std::uint32_t value = 0;
@@ -140,7 +140,8 @@ void flip_differences(const std::array<Plane, kChannel>& planes, int rotation, s
   for (std::size_t b = 0; b < kChannel; ++b) last[b] = static_cast<std::uint8_t>(value >> (8 * b));
 }
 
-/// The kind of difference is in the low half of a mode; only the third kind has a number in the high half.
+/// True for valid channel modes: the low 4 bits are the kind of difference; only kind 2 (XOR) uses the high 4 bits
+/// (rotation).
 bool is_known_mode(std::byte mode) noexcept {
   const unsigned kind = number(mode) & 15, rotation = number(mode) >> 4;
   return kind == 2 || (kind < 2 && rotation == 0);
@@ -159,7 +160,7 @@ void restore(const std::array<Plane, kChannel>& planes, std::byte mode, std::siz
   }
 }
 
-/// One block.   in,out   last   the element before, then the last one of the block
+/// Decodes one block.   in/out   last   the element before the block, then the last one of the block
 bool read_block(Reader& in, Bytes modes, std::size_t stride, std::size_t count, std::uint8_t* last,
                 std::byte* out) noexcept {
   const auto controls = in.take(stride / kChannel);
@@ -175,7 +176,7 @@ bool read_block(Reader& in, Bytes modes, std::size_t stride, std::size_t count, 
   return true;
 }
 
-/// A component of an element as an unsigned number of 8 or 16 bits, the least significant byte first.
+/// Loads a component as an unsigned little-endian number of 8 or 16 bits.
 unsigned load(const std::byte* at, std::size_t bytes) noexcept {
   return bytes == 1 ? number(at[0]) : number(at[0]) | number(at[1]) << 8;
 }
@@ -215,8 +216,8 @@ void decode_color_filter(std::span<std::byte> values, std::size_t component_byte
     const int co = load_signed(element + component_bytes, component_bytes);
     const int cg = load_signed(element + 2 * component_bytes, component_bytes);
     const unsigned alpha = load(element + 3 * component_bytes, component_bytes);
-    const auto one = static_cast<int>((1u << std::bit_width(alpha)) - 1);  // of K bits
-    const int opacity = static_cast<int>(alpha) & one >> 1;                // without the bit that says what K is
+    const auto one = static_cast<int>((1u << std::bit_width(alpha)) - 1);  // largest value of K bits
+    const int opacity = static_cast<int>(alpha) & one >> 1;                // without the marker bit that encodes K
     const float scale = one > 0 ? largest / static_cast<float>(one) : 0.0f;
     const int rgba[4] = {y + co - cg, y + cg, y - co - cg, opacity << 1 | (opacity & 1)};
     for (std::size_t c = 0; c < 4; ++c) {

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// How many bytes decompression may produce in all. Bytes are taken before anything is allocated, so that a small file
-/// cannot ask for gigabytes (G68).
+/// Limit of the total bytes that decompression may produce. Bytes are reserved before allocation, so that a small file
+/// cannot cause huge allocations.
 class DecodeBudget {
  public:
   explicit DecodeBudget(std::uint64_t file_bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max())

@@ -76,7 +76,7 @@ class DracoDecoder {
     const auto mesh = mesh_of(view);
     if (mesh == nullptr) return;
 
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;  // the decoder's result, even for strips
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;  // the decoder returns triangle lists, even for strips
     if (claim(primitive.indices, view, kNone)) fill_indices(*mesh, document_.accessors[primitive.indices], strip);
     for (const auto& [semantic, id] : extension["attributes"].items()) {
       if (log_.error_count() != errors) return;
@@ -89,7 +89,7 @@ class DracoDecoder {
   }
 
  private:
-  /// Decodes a stream once, even when several primitives share it.
+  /// Decodes a stream only once, even if several primitives share it.
   std::shared_ptr<const draco::Mesh> mesh_of(std::uint32_t view) {
     if (view >= document_.buffer_views.size()) {
       log_.report(
@@ -117,10 +117,10 @@ class DracoDecoder {
     return known = *mesh;
   }
 
-  /// Finds the accessor for an attribute of a stream, or for its faces. Several primitives may name one accessor
-  /// although each has a stream of its own: the first stream fills it, each other one gets a copy.
-  /// in,out  named  the accessor that the primitive names, then the one to fill
-  /// out     false where it holds these elements already
+  /// Finds the accessor to fill for an attribute (or the faces) of a stream. If primitives with different streams share
+  /// an accessor, the first stream fills it and each other stream gets a copy.
+  /// in,out  named  accessor of the primitive; replaced by the one to fill
+  /// out     false if the accessor already holds these elements
   bool claim(int& named, std::uint32_t view, std::uint32_t attribute) {
     const auto accessor = static_cast<std::uint32_t>(named);
     const auto [known, is_new] = filled_.try_emplace({accessor, view, attribute}, accessor);
@@ -132,8 +132,8 @@ class DracoDecoder {
     return is_new;
   }
 
-  /// The stream knows how many elements there are. Encoders drop degenerate faces and merge vertices, and some write
-  /// the counts of before into the accessors.
+  /// Takes the element count from the stream. Encoders drop degenerate faces and merge vertices, and some write the old
+  /// counts into accessors.
   void take_count(std::uint64_t count, const char* what, gltf::Accessor& accessor) {
     if (accessor.count == count) return;
     log_.report(Rule::draco_count, place_,
@@ -167,7 +167,7 @@ class DracoDecoder {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id);
     if (attribute == nullptr)
       return fail("the Draco stream has no attribute " + std::to_string(id) + " for " + semantic);
-    if (attribute->data_type() == draco::DT_BOOL)  // any byte may stand where a truth value should
+    if (attribute->data_type() == draco::DT_BOOL)  // bool data may hold arbitrary bytes
       return fail(semantic + " holds truth values in the Draco stream");
     const ElementLayout layout = element_layout(accessor);
     if (layout.columns != 1 || attribute->num_components() != layout.rows)
@@ -210,11 +210,11 @@ class DracoDecoder {
   std::string place_;
   std::map<std::uint32_t, std::shared_ptr<const draco::Mesh>> meshes_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t>
-      filled_;                     ///< {accessor named, view, attribute} -> accessor filled
-  std::set<std::uint32_t> taken_;  ///< accessors named so far
+      filled_;                     ///< {named accessor, view, attribute} -> filled accessor
+  std::set<std::uint32_t> taken_;  ///< accessors used so far
 };
 
-/// Elements that could not be decoded have no bounds to compare with.
+/// Removes min and max of accessors that could not be decoded, so that they are not checked.
 void forget_bounds(gltf::Document& document, const gltf::Primitive& primitive) {
   const auto forget = [&](std::uint32_t accessor) {
     if (accessor == kNone || document.accessors[accessor].buffer_view != kNone) return;

@@ -6,11 +6,11 @@
 
 namespace sinew {
 
-/// Decodes the primitives that KHR_draco_mesh_compression describes. Each accessor that Draco supplies gets a new view
-/// with the decoded values in the accessor's own type (G62). Vertices stay in the decoder's order and number;
-/// compressed strips become triangle lists. It must run before accessors are checked.
-/// in       views with their bytes, references in range
-/// out      accessors[].buffer_view and new buffer_views, whose bytes document.storage owns
+/// Decodes primitives with KHR_draco_mesh_compression. Each accessor that Draco supplies gets a new buffer view with
+/// decoded values in the accessor's own type. Vertices keep the decoder's order and count; compressed strips become
+/// triangle lists. Must run before accessors are checked.
+/// in       views have their bytes; references are in range
+/// out      accessors[].buffer_view and new buffer_views; document.storage owns their bytes
 /// err      json-type, json-missing, reference, decode-failed, memory-budget, at the extension of the primitive
 /// warning  draco-count
 /// cost     O(decoded bytes)

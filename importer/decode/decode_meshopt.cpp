@@ -33,8 +33,8 @@ constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
 constexpr JsonObjectShape kObject{kProperties};
 constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
 
-/// Upper bound of decoded bytes per encoded byte: version 1 of the attribute codec spends 2 bits on 256 equal bytes;
-/// the others are far from that.
+/// Upper bound of decoded bytes per encoded byte. The extreme is version 1 of the attribute codec, which stores 256
+/// equal bytes in 2 bits.
 constexpr std::uint64_t kMaxRatio = 1024;
 
 struct Stream {
@@ -56,7 +56,7 @@ Stream read_stream(const Json& json) {
           json.value("filter", "NONE")};
 }
 
-/// The rule of the extension that the description breaks; empty = none.
+/// The first rule of the extension that is broken; empty = none.
 std::string fault(const Stream& s, const gltf::BufferView& view) {
   const bool attributes = s.mode == "ATTRIBUTES";
   if (s.decoded_bytes() != view.byte_length)
@@ -75,7 +75,7 @@ std::string fault(const Stream& s, const gltf::BufferView& view) {
   return {};
 }
 
-/// The version of the attribute codec, which is the low half of the first byte; 0 for other streams.
+/// The version of the attribute codec (low 4 bits of the first byte); 0 for other streams.
 unsigned attribute_version(const Stream& s, gltf::Bytes encoded) {
   if (s.mode != "ATTRIBUTES" || encoded.empty()) return 0;
   const auto first = std::to_integer<unsigned>(encoded.front());

@@ -6,10 +6,9 @@
 
 namespace sinew {
 
-/// Fills the views that EXT_meshopt_compression or KHR_meshopt_compression describes: attribute streams of versions 0
-/// and 1, triangle and index streams, and all filters. What the fallback buffer holds is ignored, unless a later
-/// version made the stream (G61).
-/// in       buffers with their bytes
+/// Decodes views with EXT_meshopt_compression or KHR_meshopt_compression: attribute streams of versions 0 and 1,
+/// triangle and index streams, and all filters. The fallback buffer is used only if the stream has a later version.
+/// in       buffers have their bytes
 /// out      document.buffer_views[].bytes, owned by document.storage
 /// err      json-type, json-missing, reference, buffer-view-range, decode-failed, meshopt-version, memory-budget, at
 ///          the extension of the view

@@ -17,7 +17,8 @@ namespace sinew {
 namespace {
 
 constexpr std::uint16_t kMetadataFlag = 0x8000;
-/// Far more than meshes compress to, yet small enough that a short stream cannot ask for gigabytes.
+/// Plausibility limit: far above real compression ratios, yet small enough that a short stream cannot cause huge
+/// allocations.
 constexpr std::uint64_t kMaxElementsPerByte = 256;
 constexpr std::uint64_t kAlwaysPlausible = 65536;
 

@@ -39,7 +39,7 @@ class DecodedFloats {
   std::size_t components_ = 1;
 };
 
-/// out   number of values that left [0, 1]
+/// out   number of values outside [0, 1]
 std::size_t clamp(DecodedFloats& values) {
   std::size_t odd = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -51,9 +51,9 @@ std::size_t clamp(DecodedFloats& values) {
   return odd;
 }
 
-/// out   number of vertices whose weights did not add up to 1
+/// out   number of vertices whose weights did not sum to 1
 std::size_t normalise(std::vector<DecodedFloats>& sets) {
-  constexpr double kRounding = 0x1p-24;  // of one weight
+  constexpr double kRounding = 0x1p-24;  // rounding error of one weight
   std::size_t odd = 0, vertices = sets.empty() ? 0 : sets.front().size() / 4;
   for (const DecodedFloats& set : sets) vertices = std::min(vertices, set.size() / 4);
   for (std::size_t v = 0; v < vertices; ++v) {

@@ -5,12 +5,12 @@
 
 namespace sinew {
 
-/// Where programs keep what takes long to compute and never changes: the folder that the environment variable
-/// SINEW_CACHE names, else XDG_CACHE_HOME/sinew, else .cache/sinew in the home folder.
-/// out  empty = nothing is kept: SINEW_CACHE is "none", or there is no home folder
+/// Folder for caches of expensive results: the value of the environment variable SINEW_CACHE, else
+/// XDG_CACHE_HOME/sinew, else .cache/sinew in the home folder.
+/// out  empty = no caching: SINEW_CACHE is "none", or there is no home folder
 std::filesystem::path default_cache_folder();
 
-/// The folder that an option names.   in   name  "none" = nothing is kept, "" = the default
+/// The folder for the value of a command-line option.   in   name  "none" = no caching, "" = the default
 std::filesystem::path cache_folder_called(std::string_view name);
 
 }  // namespace sinew

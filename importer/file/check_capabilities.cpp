@@ -42,8 +42,8 @@ constexpr std::string_view kRead[] = {
     "VRMC_springBone_extended_collider",
 };
 
-/// These only refine how a surface reflects light, give a texture another image, or describe the file and what an
-/// application does with its nodes. No pose needs them.
+/// Ignored extensions. They refine reflection, offer alternative images, or hold metadata and application behaviour;
+/// poses do not depend on them.
 constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",
     "KHR_materials_dispersion",
@@ -60,7 +60,7 @@ constexpr std::string_view kReadPast[] = {
     "KHR_virtual_joints",
 };
 
-/// Families of extensions that describe characters: what they play lies beside the nodes, meshes and clips.
+/// Prefixes of ignored extensions that describe characters in addition to nodes, meshes and clips.
 constexpr std::string_view kReadPastFamilies[] = {"KHR_character", "KHR_avatar", "VRMC_"};
 
 struct Version {

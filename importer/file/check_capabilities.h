@@ -7,14 +7,14 @@
 
 namespace sinew {
 
-/// False for a file of another major version of glTF: none of the other rules apply to it.
-/// in    json   of any shape; a version that is missing or of the wrong type is left to the check of the shape
+/// Returns false for another major version of glTF, to which no other rule applies.
+/// in    json   unchecked JSON; a missing or mistyped version is left to check_shape()
 /// err   asset-version
 bool check_major_version(const JsonNode& json, IssueLog& log);
 
-/// Checks what must hold before the rest of a document is worth reading.
-/// in       json   with the right shape, of version 2.x
-/// err      asset-version, extension-required by name (G57), too-many (G68)
+/// Checks version, required extensions and list sizes, before the rest of the document is read.
+/// in       json   passed check_shape(); version 2.x
+/// err      asset-version, extension-required (with its name), too-many
 /// warning  asset-minor-version
 void check_capabilities(const JsonNode& json, std::uint32_t max_nodes, IssueLog& log);
 

@@ -13,13 +13,13 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-/// The entries of a list at the root; nothing where there is none.
+/// A list at the root; null if it does not exist.
 const JsonNode* list_of(const JsonNode& json, std::string_view name) {
   const JsonNode* list = find_member(json, name);
   return list != nullptr && list->IsArray() ? list : nullptr;
 }
 
-/// The names in a list of extensions. One that stands there twice is reported.
+/// Reads a list of extension names; reports duplicates.
 Names read_names(const JsonNode& json, std::string_view list_name, IssueLog& log) {
   Names names;
   const JsonNode* list = list_of(json, list_name);
@@ -30,7 +30,7 @@ Names read_names(const JsonNode& json, std::string_view list_name, IssueLog& log
   return names;
 }
 
-/// Finds extensions that are used without being declared, and reports the first use of each.
+/// Finds undeclared extensions and reports the first use of each.
 class UseSearch {
  public:
   UseSearch(Names& known, IssueLog& log) : known_(known), log_(log) {}

@@ -5,9 +5,9 @@
 
 namespace sinew {
 
-/// Finds what is wrong in parts of a document that the rest of the import never misses: names of extensions, offsets
-/// without a view, strides on views that take none, data URIs. Run by a thorough import only.
-/// in       json   with the right shape
+/// Checks declarations that the import does not depend on: extension names, offsets without a view, strides of views
+/// that must not have one, data URIs. Only a thorough import runs it.
+/// in       json   passed check_shape()
 /// warning  extension-duplicate, extension-undeclared, accessor-offset, buffer-view-stride, data-uri
 /// cost     O(values)
 void check_declarations(const JsonNode& json, IssueLog& log);

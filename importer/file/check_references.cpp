@@ -27,8 +27,7 @@ class ReferenceCheck {
   }
 
  private:
-  /// kNone means "absent" and is allowed here; the check of the JSON's shape has proved that required indices are
-  /// there.
+  /// kNone (absent) is allowed here, because check_shape() has verified that required indices exist.
   template <class List, class... Part>
   void index(std::uint32_t value, const List& list, const Part&... place) {
     if (referenced_ != nullptr && value < list.size()) referenced_->mark(&list, value);
@@ -94,8 +93,8 @@ class ReferenceCheck {
     for (std::size_t n = 0; n < parent.size(); ++n) is_child_[n] = parent[n] != kNone;
   }
 
-  /// Every node has at most one parent here. So a walk upwards ends at a root, at a node that an earlier walk has seen,
-  /// or at a node of its own, which closes a cycle. Every node of a cycle is reported.
+  /// Finds cycles. Each node has at most one parent here. A walk upwards ends at a root, at a node of an earlier walk,
+  /// or (in a cycle) at a node of this walk. Every node of a cycle is reported.
   void check_cycles(const std::vector<std::uint32_t>& parent) {
     std::vector<std::uint32_t> seen_by(parent.size(), kNone);
     for (std::uint32_t start = 0; start < parent.size(); ++start) {

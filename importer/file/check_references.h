@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// The entries of the lists of a document that something refers to. A list is known by its address.
+/// The set of referenced list entries of a document. Lists are identified by address.
 class ReferencedEntries {
  public:
   void mark(const void* list, std::size_t index) {
@@ -26,11 +26,11 @@ class ReferencedEntries {
   std::map<const void*, std::vector<bool>> marks_;
 };
 
-/// Proves that every index of the document names an existing entry and that the nodes form a forest, so that later code
-/// can index without checks (T1, G55). It does not recurse, so deep trees are no problem.
+/// Verifies that every index refers to an existing entry and that the nodes form a forest, so that later code can index
+/// without checks. Not recursive, so deep trees cannot overflow the stack.
 /// err      reference, node-parents, node-cycle
 /// warning  scene-root, accessor-empty
-/// out      referenced   where not null: what glTF's own members refer to, those of extensions not
+/// out      referenced   if not null: the entries referenced by core glTF members, not by extensions
 /// cost     O(document)
 void check_references(const gltf::Document& document, IssueLog& log, ReferencedEntries* referenced = nullptr);
 

@@ -16,7 +16,7 @@ namespace {
 
 using gltf::Document;
 
-/// Extensions that refer to entries only by members with telling names.
+/// Prefixes of extensions whose member names identify the lists that they refer to.
 constexpr std::string_view kTellingPrefixes[] = {"KHR_materials_",
                                                  "EXT_materials_",
                                                  "KHR_texture_",
@@ -37,10 +37,10 @@ bool has_telling_names(std::string_view extension) {
                      [&](std::string_view prefix) { return extension.starts_with(prefix); });
 }
 
-/// Lights have no list in the document; this stands for it.
+/// Stand-in address for the list of lights, which the document does not have.
 const void* lights_of(const Document& document) { return &document.extensions; }
 
-/// Marks what extensions refer to.
+/// Marks entries that extensions refer to.
 class ExtensionReferences {
  public:
   ExtensionReferences(const Document& d, ReferencedEntries& referenced) : referenced_(referenced) {
@@ -53,7 +53,7 @@ class ExtensionReferences {
               {"index", &d.textures},     {"attributes", &d.accessors}};
   }
 
-  /// Searches everything for extensions. What applications store is skipped.
+  /// Searches the whole document for extensions; skips extras.
   void search(const JsonNode& value) {
     if (value.IsArray())
       for (const JsonNode& entry : value.GetArray()) search(entry);
@@ -68,7 +68,7 @@ class ExtensionReferences {
   }
 
  private:
-  /// in   name   of the member that holds the value, or of the nearest one above it that tells a list
+  /// in   name   name of the member, or of the nearest ancestor that identifies a list
   void mark(const JsonNode& value, std::string_view name, bool telling) {
     if (value.IsUint()) return mark_index(value.GetUint(), name, telling);
     if (value.IsArray())
@@ -87,13 +87,13 @@ class ExtensionReferences {
     for (const auto& [any, every_list] : lists_) referenced_.mark(every_list, std::min(index, kMost));
   }
 
-  static constexpr unsigned kMost = 1u << 20;  // no list is longer; the number may be anything
+  static constexpr unsigned kMost = 1u << 20;  // larger numbers cannot be indices: no list is that long
 
   ReferencedEntries& referenced_;
   std::map<std::string_view, const void*> lists_;
 };
 
-/// Reports the roots of trees that no scene shows.
+/// Reports the roots of node trees that no scene contains.
 void report_nodes(const Document& document, IssueLog& log) {
   if (document.scenes.empty()) return;
   std::vector<bool> shown(document.nodes.size(), false), has_parent(document.nodes.size(), false);

@@ -5,9 +5,9 @@
 
 namespace sinew {
 
-/// Finds entries of lists that nothing refers to, and nodes that no scene shows. Members of extensions count as
-/// references by their names; of an extension that is not known well, every number counts as one to every list, so that
-/// nothing that is used is reported.
+/// Finds list entries that nothing refers to, and nodes outside all scenes. Members of known extensions count as
+/// references by their names. In unknown extensions, every number counts as a reference to every list, so that no used
+/// entry is reported.
 /// in    json         the document's tree
 ///       referenced   as check_references() filled it
 /// info  unused-object, node-outside-scenes

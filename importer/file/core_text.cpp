@@ -24,7 +24,7 @@ void write_name(std::string_view name, Writer& out) {
 
 void write(const JsonNode& value, const JsonValueShape& shape, Writer& out);
 
-/// `indices` is left out wherever it stands: only primitives have it among the lists that are written.
+/// Omits members named `indices`: among the written lists, only primitives have them.
 void write_object(const JsonNode& value, const JsonObjectShape& shape, Writer& out) {
   out.StartObject();
   for (const JsonProperty& property : shape.properties) {
@@ -73,7 +73,7 @@ const JsonValueShape& shape_of(const JsonObjectShape& object, std::string_view p
   return known->value;
 }
 
-/// A camera may lack the object of its lens. Numbers of 0 mean the same: that there are none.
+/// Writes a camera. A missing lens object is replaced by one with zeros, which also means "no values".
 void write_camera(const JsonNode& camera, const JsonValueShape& shape, Writer& out) {
   const std::string_view type = text_of(*find_member(camera, "type"));
   if (find_member(camera, type) != nullptr) return write(camera, shape, out);

@@ -7,16 +7,16 @@
 
 namespace sinew {
 
-/// JSON text of a document's core properties, for a reader that need not be careful. Each property that gltf_shape()
-/// names is in it once: the last of those with equal names, integers without a fraction, a camera with its lens. Left
-/// out are extensions, extras, names of attributes that hold a zero byte, and `indices` of primitives.
+/// Writes normalised JSON text of a document's core properties, for tinygltf. Each property of gltf_shape() occurs once
+/// (of duplicates, the last), integers have no fraction, and cameras have a lens object. Omits extensions, extras,
+/// attribute names with a zero byte, and `indices` of primitives.
 /// in   root   passed check_shape(root, gltf_shape())
 
-/// Everything outside the lists: asset, names of extensions, default scene.
+/// Text of everything outside the lists: asset, extension names, default scene.
 std::string head_text(const JsonNode& root);
 
-/// Some entries of a list, {"nodes":[...]}: as many as make two kilobytes.
-/// in,out   next   entry to begin with; then the first one that is not in the text
+/// Text of some entries of a list, such as {"nodes":[...]}: about two kilobytes.
+/// in,out   next   first entry to write; then the first one not written
 std::string slice_text(const char* name, const JsonNode& list, std::size_t& next);
 
 }  // namespace sinew

@@ -15,9 +15,8 @@ struct DataUri {
 
 bool is_data_uri(std::string_view uri) noexcept;
 
-/// Decodes "data:TYPE;base64,..." with any media type (G65); base64 padding is optional. Nothing where the text is not
-/// base64.
-/// cost  O(text); allocates 3/4 of it
+/// Decodes "data:TYPE;base64,..." with any media type; base64 padding is optional. Empty if the text is not base64.
+/// cost  O(text); allocates 3/4 of the text's size
 std::optional<DataUri> decode_data_uri(std::string_view uri);
 
 }  // namespace sinew

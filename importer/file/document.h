@@ -11,18 +11,17 @@
 #include "importer/file/document_materials.h"
 #include "importer/file/tinygltf.h"
 
-/// A parsed glTF 2.0 document as plain data: what the file says, with defaults filled in and nothing interpreted. The
-/// rest of the importer reads this instead of the JSON. Scenes, nodes, meshes, skins, cameras and materials are as
-/// tinygltf reads them, with what it leaves out beside them. What says where bytes lie (buffers, views, accessors,
-/// images) and animations are our own: tinygltf would load the bytes, holds some of their sizes as int, drops channels
-/// that name no node, and takes five times the memory for a channel.
-/// Indices are the file's own, kNone where absent. After check_references() (importer/file/check_references.h) every
-/// index is in range. `extensions` members hold the JSON object of that name, null where there is none.
+/// A parsed glTF 2.0 document as plain data: the content of the file with defaults filled in, not interpreted. The rest
+/// of the importer reads this instead of JSON. Scenes, nodes, meshes, skins, cameras and materials extend tinygltf's
+/// types. Buffers, views, accessors, images and animations have their own types. The reason: tinygltf would load the
+/// bytes, stores some sizes as int, drops channels without a node, and takes five times the memory for a channel.
+/// Indices are those of the file; kNone = absent. After check_references() (importer/file/check_references.h) every
+/// index is in range. `extensions` members hold the JSON object of that name; null if absent.
 namespace sinew::gltf {
 
 enum class ComponentType : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 enum class ElementType : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
-/// In the order of tinygltf's numbers.
+/// Values equal those of glTF and tinygltf.
 enum class PrimitiveMode : std::uint8_t {
   points,
   lines,
@@ -36,7 +35,7 @@ enum class PrimitiveMode : std::uint8_t {
 struct Buffer {
   std::string uri;  ///< empty for the BIN chunk of a .glb and for placeholders; cleared once the bytes are read
   std::uint64_t byte_length = 0;
-  bool placeholder = false;  ///< has no bytes: the fallback of EXT_meshopt_compression (T6), or missing
+  bool placeholder = false;  ///< has no bytes: it is missing, or a fallback of EXT_meshopt_compression
   Json extensions;
   Bytes bytes;  ///< filled by load_buffers(): byte_length bytes
 };
@@ -44,7 +43,7 @@ struct Buffer {
 struct BufferView {
   std::uint32_t buffer = kNone;
   std::uint64_t byte_offset = 0, byte_length = 0;
-  std::uint32_t byte_stride = 0;  ///< 0 = tight
+  std::uint32_t byte_stride = 0;  ///< 0 = tightly packed
   Json extensions;
   Bytes bytes;  ///< filled by load_buffers(), or by the decoder of a compression extension
 };
@@ -57,7 +56,7 @@ struct SparseAccessor {
 };
 
 struct Accessor {
-  std::uint32_t buffer_view = kNone;  ///< kNone = zeros, which sparse entries then replace
+  std::uint32_t buffer_view = kNone;  ///< kNone = zeros, then replaced by sparse entries
   std::uint64_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::f32;
   ElementType type = ElementType::scalar;
@@ -66,7 +65,7 @@ struct Accessor {
   std::vector<double> min, max;
 };
 
-/// Stands in tinygltf's entries where an index is absent; kNone as an unsigned number.
+/// Absent index in tinygltf's types; equals kNone when converted to unsigned.
 inline constexpr int kAbsent = -1;
 
 struct Primitive : tinygltf::Primitive {
@@ -74,22 +73,23 @@ struct Primitive : tinygltf::Primitive {
   Primitive(tinygltf::Primitive&& read, Json own_extensions)
       : tinygltf::Primitive(std::move(read)), extensions(std::move(own_extensions)) {}
 
-  Json extensions;  ///< hides tinygltf's, which stays empty
+  Json extensions;  ///< hides tinygltf's member, which stays empty
 };
 
 inline PrimitiveMode mode_of(const Primitive& primitive) noexcept { return static_cast<PrimitiveMode>(primitive.mode); }
 
 struct Mesh : tinygltf::Mesh {
-  std::vector<Primitive> primitives;      ///< hides tinygltf's, which stays empty
+  std::vector<Primitive> primitives;      ///< hides tinygltf's member, which stays empty
   std::vector<std::string> target_names;  ///< extras.targetNames
 };
 
 struct Node : tinygltf::Node {
-  bool has_trs = false;  ///< also where there is a matrix, beside which tinygltf reads no translation, rotation, scale
-  Json extensions;       ///< hides tinygltf's, which stays empty
+  /// Has translation, rotation or scale in the file; tinygltf drops these if there is also a matrix.
+  bool has_trs = false;
+  Json extensions;  ///< hides tinygltf's member, which stays empty
 };
 
-/// Where a camera begins and ceases to see; 0 = absent.
+/// Near and far distance of a camera; 0 = absent.
 struct DepthRange {
   double near = 0.0, far = 0.0;
 };
@@ -116,10 +116,10 @@ struct Document {
   std::vector<tinygltf::Camera> cameras;
   std::vector<tinygltf::Scene> scenes;
   std::uint32_t scene = kNone;
-  Json extensions;  ///< of the root object, for example KHR_lights_punctual
+  Json extensions;  ///< of the root object, such as KHR_lights_punctual
 
   /// Owns the memory that `Bytes` members point into, except the file itself: external files, data URIs, decoded views.
-  /// A deque, because its entries stay where they are when it grows.
+  /// A deque, because its entries do not move when it grows.
   std::deque<std::vector<std::byte>> storage;
 };
 

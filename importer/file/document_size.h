@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// How many bytes the entries of gltf::Document take that tinygltf reads, without what their texts and numbers add. A
-/// material of two characters ("{}") takes two thousand bytes there, so this is known before any is made.
+/// Memory in bytes of the gltf::Document entries that tinygltf reads, without their strings and arrays. It is computed
+/// before reading, because a material of two characters ("{}") takes two thousand bytes.
 /// in    root   passed check_shape(root, gltf_shape())
 /// cost  O(meshes)
 std::uint64_t entry_bytes(const JsonNode& root) noexcept;

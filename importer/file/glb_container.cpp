@@ -19,7 +19,7 @@ std::uint32_t read_u32(Bytes bytes, std::size_t at) {
   return value;
 }
 
-/// Checks the header and returns the part of the file that it claims.
+/// Checks the header and returns the bytes within its declared length.
 std::optional<Bytes> check_header(Bytes file, IssueLog& log) {
   const auto fail = [&](std::string detail) {
     log.report(Rule::glb_header, "", std::move(detail));

@@ -14,13 +14,12 @@ struct Container {
   std::optional<std::span<const std::byte>> bin;
 };
 
-/// True where the bytes start with "glTF", whatever the name of the file.
+/// True if the bytes start with "glTF".
 bool looks_like_glb(std::span<const std::byte> file) noexcept;
 
-/// Splits a .glb into its chunks. Every length is checked against the real size before it is used. Unknown chunks are
-/// skipped.
+/// Splits a .glb into its chunks. Checks every length against the real size before use. Skips unknown chunks.
 /// eq       12 bytes header (magic, version, length), then chunks of 8 bytes header (length, type) and data: JSON
-///          first, then at most one BIN   (glTF 2.0, "Binary glTF Layout"; G67)
+///          first, then at most one BIN   (glTF 2.0, "Binary glTF Layout")
 /// err      glb-header, glb-chunk
 /// warning  glb-extra-data
 std::optional<Container> open_glb(std::span<const std::byte> file, IssueLog& log);

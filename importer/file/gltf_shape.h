@@ -4,9 +4,8 @@
 
 namespace sinew {
 
-/// The JSON shape of a glTF 2.0 document, as far as the importer reads it: types, ranges, allowed words, required
-/// properties. It is checked before read_document(), which relies on it and would otherwise misread values of a wrong
-/// type (T1, T2).
+/// Schema of a glTF 2.0 document, as far as the importer reads it: types, ranges, allowed words, required properties.
+/// read_document() relies on it and would misread values of a wrong type.
 const JsonValueShape& gltf_shape();
 
 }  // namespace sinew

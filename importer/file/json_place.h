@@ -8,11 +8,11 @@
 
 namespace sinew {
 
-/// A place in a document as a chain of frames on the stack, so that its text is made only for reports: names may be as
+/// A location in a document as a linked list on the stack. Its text is built only for reports, because names may be as
 /// long as the file.
 struct JsonPlace {
   const JsonPlace* parent = nullptr;
-  std::string_view name;  ///< of a property; for an array entry empty. Of the first frame: a whole JSON pointer
+  std::string_view name;  ///< property name; empty for an array entry. In the first frame: a whole JSON pointer
   std::size_t index = 0;
 
   std::string text() const {

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// One reference token of RFC 6901: "~" and "/" inside a name are escaped.
+/// Escapes a name as a reference token of RFC 6901 ("~" and "/").
 inline std::string pointer_token(std::string_view name) {
   std::string token;
   for (const char c : name) {
@@ -21,8 +21,8 @@ inline std::string pointer_token(std::string_view name) {
   return token;
 }
 
-/// Joins parts to a JSON pointer: pointer("accessors", 3, "count") is "/accessors/3/count". Names are not escaped. A
-/// first part that is a pointer already is continued.
+/// Joins parts to a JSON pointer: pointer("accessors", 3, "count") is "/accessors/3/count". Names are not escaped.
+/// Parts that start with "/" are appended as they are.
 template <class... Part>
 std::string pointer(const Part&... part) {
   std::string text;

@@ -97,7 +97,7 @@ class Checker {
     for (const auto& [name, entry] : value.GetObject()) check(entry, *shape.element, {&place, text_of(name)});
   }
 
-  /// What is inside an extension is checked where it is read.
+  /// Checks only that entries are objects; the content of an extension is checked where it is read.
   void check_extensions(const JsonNode& value, const JsonPlace& place) {
     check_names(value, place);
     for (const auto& [name, entry] : value.GetObject())
@@ -105,7 +105,7 @@ class Checker {
         log_.report(Rule::extension_value, JsonPlace{&place, text_of(name)}.text(), "is no object; ignored");
   }
 
-  /// Most objects have a few members and are compared pair by pair; large ones are sorted.
+  /// Finds duplicate names. Small objects are compared pairwise; large ones are sorted.
   void check_names(const JsonNode& value, const JsonPlace& place) {
     constexpr rapidjson::SizeType kMany = 24;
     const auto report = [&](std::string_view name) {

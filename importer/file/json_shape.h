@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// What a JSON property must look like. Tables of JsonProperty describe a document (gltf_shape.cpp).
+/// Schema of a JSON value. Tables of JsonProperty describe a document (gltf_shape.cpp).
 enum class JsonKind : std::uint8_t { boolean, number, integer, string, object, array, index_map, extensions };
 
 struct JsonObjectShape;
@@ -20,11 +20,11 @@ struct JsonObjectShape;
 struct JsonValueShape {
   JsonKind kind;
   double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();  ///< numbers
-  std::span<const std::string_view> words{};  ///< strings: the allowed ones, empty = any
-  std::span<const std::int64_t> numbers{};    ///< integers: the allowed ones, empty = any
-  const JsonObjectShape* object = nullptr;    ///< of objects, null = any content
-  const JsonValueShape* element = nullptr;    ///< of arrays
-  std::size_t length = 0;                     ///< of arrays, 0 = any
+  std::span<const std::string_view> words{};  ///< strings: allowed values; empty = any
+  std::span<const std::int64_t> numbers{};    ///< integers: allowed values; empty = any
+  const JsonObjectShape* object = nullptr;    ///< objects: schema; null = any content
+  const JsonValueShape* element = nullptr;    ///< arrays: schema of the elements
+  std::size_t length = 0;                     ///< arrays: required length; 0 = any
 };
 
 struct JsonProperty {
@@ -33,14 +33,14 @@ struct JsonProperty {
   bool required = false;
 };
 
-/// An object. Properties that the table does not name may hold anything.
+/// Schema of an object. Properties not in the table are not checked.
 struct JsonObjectShape {
   std::span<const JsonProperty> properties;
 };
 
-/// Compares a value with its description and reports every difference with its place.
+/// Checks a value against its schema and reports every violation with its location.
 /// err      json-type, json-missing
-/// warning  empty-array, json-duplicate, extension-value (an entry of `extensions` that is no object)
+/// warning  empty-array, json-duplicate, extension-value (an entry of `extensions` that is not an object)
 /// cost     O(value)
 void check_shape(const JsonNode& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);

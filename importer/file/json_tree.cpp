@@ -15,7 +15,7 @@ rapidjson::SizeType size_of(const std::string& text) { return static_cast<rapidj
 JsonNode* find_member(JsonNode& object, std::string_view name) noexcept {
   const auto first = object.MemberBegin();
   for (auto left = static_cast<std::ptrdiff_t>(object.MemberCount()); left > 0;
-       --left)  // of equal names the last counts
+       --left)  // of duplicate names, the last one counts
     if (const auto member = first + (left - 1); text_of(member->name) == name) return &member->value;
   return nullptr;
 }

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-/// Allocator of JSON trees. It uses operator new, so that running out of memory is an exception as elsewhere.
+/// Allocator of JSON trees. Uses operator new, so that running out of memory throws std::bad_alloc.
 struct JsonMemory {
   static const bool kNeedFree = true;
   void* Malloc(std::size_t size) { return size == 0 ? nullptr : ::operator new(size); }
@@ -23,7 +23,7 @@ struct JsonMemory {
   static void Free(void* memory) noexcept { ::operator delete(memory); }
 };
 
-/// JSON as it comes from the file. A glTF file has many small objects, so a tree lies in a few large blocks and is
+/// The JSON tree of a file. A glTF file has many small objects, so the tree is allocated in a few large blocks and
 /// freed as a whole.
 using JsonPool = rapidjson::MemoryPoolAllocator<JsonMemory>;
 using JsonBuilder = rapidjson::GenericDocument<rapidjson::UTF8<>, JsonPool, JsonMemory>;
@@ -39,7 +39,7 @@ struct JsonTree {
   JsonNode root;
 };
 
-/// The value of a name, null where there is none. Of several values with one name the last counts.
+/// The member with a name; null if there is none. Of duplicate names, the last one counts.
 JsonNode* find_member(JsonNode& object, std::string_view name) noexcept;
 inline const JsonNode* find_member(const JsonNode& object, std::string_view name) noexcept {
   return find_member(const_cast<JsonNode&>(object), name);
@@ -49,7 +49,7 @@ inline std::string_view text_of(const JsonNode& string) noexcept {
   return {string.GetString(), string.GetStringLength()};
 }
 
-/// Converts the parts of a document that outlive the tree, and back.
+/// Converts between tree nodes and nlohmann::json, for parts of a document that outlive the tree.
 nlohmann::json to_json(const JsonNode& node);
 JsonNode from_json(const nlohmann::json& value, JsonPool& pool);
 

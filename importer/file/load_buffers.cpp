@@ -20,7 +20,7 @@ Bytes keep(Document& document, std::vector<std::byte> bytes) {
   return document.storage.back();
 }
 
-/// The bytes behind a URI, owned by the document.
+/// Fetches the bytes of a URI; the document owns them.
 tl::expected<Bytes, FileFault> fetch(Document& document, const std::string& uri, SandboxedFiles& files,
                                      std::string* mime_type) {
   using Kind = FileFault::Kind;
@@ -33,7 +33,7 @@ tl::expected<Bytes, FileFault> fetch(Document& document, const std::string& uri,
 
 /// How views and accessors use a buffer.
 struct BufferUse {
-  bool in_accessor = false;  ///< some accessor reads it directly, not after decompression
+  bool in_accessor = false;  ///< an accessor reads it directly, without decompression
   bool compressed_view = false, plain_view = false;
 };
 
@@ -56,7 +56,7 @@ std::vector<BufferUse> find_uses(const Document& document) {
   return uses;
 }
 
-/// A missing buffer is an error only where an accessor reads it (G66).
+/// Reports a missing buffer: an error only if an accessor reads it.
 void report_missing(gltf::Buffer& buffer, const BufferUse& use, std::string place, std::string detail, IssueLog& log) {
   buffer.placeholder = true;
   log.report(use.in_accessor ? Rule::buffer_missing : Rule::buffer_unread, std::move(place), std::move(detail));
@@ -83,7 +83,7 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
       return log.report(large ? Rule::file_too_large : Rule::uri_forbidden, pointer(place, "uri"), read.error().detail);
     }
     bytes = *read;
-    std::string().swap(buffer.uri);  // as long as the data, if these are in it
+    std::string().swap(buffer.uri);  // frees the text of a data URI, which is as long as the data
   } else if (in_chunk) {
     bytes = *bin;
   } else if (says_so || unread) {

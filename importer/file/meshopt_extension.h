@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// The meshopt compression of a buffer or buffer view, under its vendor name or the name under which it was ratified.
+/// The meshopt compression extension of a buffer or buffer view, under its EXT name or its ratified KHR name.
 struct MeshoptExtension {
   const char* name = nullptr;
   const gltf::Json* value = nullptr;

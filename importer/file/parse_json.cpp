@@ -17,14 +17,14 @@ namespace {
 constexpr unsigned kFlags =
     rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
 
-/// Converts the whole text to a number; false where T cannot hold it.
+/// Converts the whole text to a number; false if T cannot represent it.
 template <class T>
 bool converts(std::string_view text, T& out) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Passes what the reader finds to the tree. Numbers arrive as text, because the reader's own conversion is not exact.
+/// Forwards the reader's events to the tree. Numbers arrive as text, because the reader's own conversion is not exact.
 class TreeEvents {
  public:
   TreeEvents(JsonBuilder& tree, std::string_view source, const rapidjson::MemoryStream& stream)
@@ -55,12 +55,12 @@ class TreeEvents {
     if (std::uint64_t integer = 0; converts({text, size}, integer)) return tree_.Uint64(integer);
     double number = 0.0;
     if (!converts({text, size}, number))
-      number = std::strtod(std::string(text, size).c_str(), nullptr);  // too small or too large
+      number = std::strtod(std::string(text, size).c_str(), nullptr);  // underflow or overflow
     if (!std::isfinite(number)) return fail("number overflow");
     return tree_.Double(number);
   }
 
-  // The reader gives numbers as text only.
+  // Never called: the reader passes numbers as text.
   bool Int(int) { return false; }
   bool Uint(unsigned) { return false; }
   bool Int64(std::int64_t) { return false; }
@@ -77,7 +77,7 @@ class TreeEvents {
     return false;
   }
 
-  /// The reader checks bytes but accepts an escaped half of a surrogate pair, which encodes as ED A0..BF.
+  /// Rejects lone surrogates, which encode as ED A0..BF: the reader accepts them in escapes.
   bool is_utf8(std::string_view text) {
     for (std::size_t at = text.find('\xed'); at != text.npos; at = text.find('\xed', at + 1))
       if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0xa0)
@@ -85,8 +85,8 @@ class TreeEvents {
     return true;
   }
 
-  /// The last bytes of the source before the closing quote. They equal the string unless something in it was escaped;
-  /// the tree then needs no copy. Data URIs can be as long as the file.
+  /// The last `size` bytes of the source before the closing quote. If they equal the string (nothing was escaped), the
+  /// tree refers to them without a copy: data URIs can be as long as the file.
   std::string_view just_read(std::size_t size) const noexcept {
     const std::size_t end = stream_.Tell() - 1;
     return size < end ? source_.substr(end - size, size) : std::string_view();
@@ -102,7 +102,7 @@ class TreeEvents {
 std::string describe_place(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t start = before.rfind('\n') + 1;  // 0 without one
+  const std::size_t start = before.rfind('\n') + 1;  // npos + 1 = 0 on the first line
   return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1) + ": ";
 }
 

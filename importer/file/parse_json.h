@@ -11,8 +11,8 @@ namespace sinew {
 
 inline constexpr std::size_t kMaxJsonDepth = 256;
 
-/// Parses JSON text into a tree. Nesting is bounded, because later code recurses over values. Numbers become the
-/// nearest doubles.
+/// Parses JSON text into a tree. Nesting is limited, because later code is recursive. Numbers become the nearest
+/// doubles.
 /// out      null after an error. Strings of the tree point into `text`, which must outlive the tree
 /// err      json-syntax with line and column, json-depth
 /// warning  json-bom

@@ -17,7 +17,7 @@ using gltf::Json;
 
 struct ListTraits {
   std::string_view name;
-  const char* smallest;  ///< entry that is valid JSON of this list
+  const char* smallest;  ///< smallest valid entry of this list
 };
 constexpr ListTraits kTraits[Quarantine::kLists] = {
     {"accessors", R"({"componentType":5126,"count":0,"type":"SCALAR"})"},
@@ -35,7 +35,7 @@ constexpr ListTraits kTraits[Quarantine::kLists] = {
     {"textures", "{}"},
 };
 
-/// A parsed place such as "/meshes/3/primitives/1/indices": list, entry, and primitive where one is named.
+/// A parsed location such as "/meshes/3/primitives/1/indices": list, entry, and the primitive if there is one.
 struct BrokenPlace {
   std::size_t list = 0;
   std::uint32_t index = 0;
@@ -68,7 +68,7 @@ std::optional<BrokenPlace> parse_place(std::string_view place) {
   return out;
 }
 
-/// Marks everything that uses a broken entry, then empties all marked entries. Each list is walked once.
+/// Marks all entries that use a broken entry, then empties all marked entries. Visits each list once.
 class Emptying {
  public:
   Emptying(Document& document, std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken,
@@ -98,7 +98,7 @@ class Emptying {
  private:
   bool is(Quarantine::List list, std::uint32_t index) const { return broken_[list].contains(index); }
 
-  /// The broken entries of a list. Later reports about them are muted.
+  /// The broken entries of a list; mutes later reports about them.
   template <class T>
   std::vector<T*> marked(std::vector<T>& list, Quarantine::List kind) {
     std::vector<T*> out;
@@ -148,7 +148,7 @@ class Emptying {
                        [&](const auto& t) { return uses_broken_accessor(t); });
   }
 
-  /// An emptied primitive keeps its number of targets, because the other primitives of the mesh are compared with it.
+  /// An emptied primitive keeps its target count, because all primitives of a mesh must agree on it.
   void empty_meshes() {
     for (std::uint32_t m = 0; m < d_.meshes.size(); ++m)
       for (std::uint32_t p = 0; p < d_.meshes[m].primitives.size(); ++p) {
@@ -169,7 +169,8 @@ class Emptying {
         log_.mute(pointer("skins", s, "inverseBindMatrices"));
         d_.skins[s].inverseBindMatrices = gltf::kAbsent;
       }
-      if (!broken_[Quarantine::nodes].empty()) log_.mute(pointer("skins", s, "joints"));  // trees are cut
+      // Emptied nodes cut trees apart.
+      if (!broken_[Quarantine::nodes].empty()) log_.mute(pointer("skins", s, "joints"));
     }
     for (auto& skin : marked(d_.skins, Quarantine::skins)) *skin = {};
   }
@@ -210,7 +211,7 @@ class Emptying {
     return is(Quarantine::nodes, node) || (node < d_.nodes.size() && has_broken_mesh(d_.nodes[node]));
   }
 
-  /// A channel animates its node, or what its pointer names.
+  /// True if the channel's node, or the target of its pointer, is broken.
   bool has_broken_target(const gltf::AnimationChannel& channel) const {
     const auto place = parse_place(channel.pointer);
     if (!place) return is_broken_node(channel.node);

@@ -15,17 +15,16 @@
 
 namespace sinew {
 
-/// Lets an import go on after errors, so that one run finds all of them. Broken entries are emptied, so that later
-/// steps can rely on what is left. Reports about these entries, and about entries that only suffer from them, are
-/// muted.
+/// Lets an import continue after errors, to report as many as possible in one run. Empties broken entries, so that
+/// later steps can rely on the rest. Mutes reports about these entries and about entries that depend on them.
 class Quarantine {
  public:
-  /// After check_shape(): replaces each list entry of the wrong shape by the smallest valid one.
-  /// out   false when the document as a whole is broken (root, asset, a list that is no array) or there were too many
-  ///       errors to remember; the import then ends
+  /// Call after check_shape(): replaces each malformed list entry by the smallest valid one.
+  /// out   false if the document as a whole is broken (root, asset, a list that is not an array) or there were too many
+  ///       errors; the import must end
   bool isolate(JsonTree& document, IssueLog& log);
 
-  /// The same after any later step, on the document that was read.
+  /// Call after any later step: empties broken entries of the document that was read.
   bool isolate(gltf::Document& document, IssueLog& log);
 
   enum List : std::size_t {
@@ -50,7 +49,7 @@ class Quarantine {
 
   std::array<std::set<std::uint32_t>, kLists> broken_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> broken_primitives_;  ///< mesh, primitive
-  bool broken_scene_ = false;                                            ///< the document's own `scene` index is broken
+  bool broken_scene_ = false;                                            ///< the document's `scene` index is broken
 };
 
 }  // namespace sinew

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// The properties of one object whose types and ranges have been checked. Absent properties take glTF's defaults.
+/// Typed access to the properties of one checked object. Absent properties have glTF's defaults.
 class Fields {
  public:
   explicit Fields(const JsonNode& object) : object_(object) {}
@@ -24,7 +24,7 @@ class Fields {
     return value == nullptr ? fallback : value->GetDouble();
   }
 
-  /// Whole numbers below 2^53; also accepts "3.0".
+  /// An integer below 2^53; also accepts "3.0".
   std::uint64_t size(const char* name) const { return static_cast<std::uint64_t>(number(name, 0.0)); }
 
   std::uint32_t index(const char* name, std::uint32_t fallback = kNone) const {
@@ -42,13 +42,13 @@ class Fields {
     return value != nullptr && value->IsString() ? std::string(text_of(*value)) : fallback;
   }
 
-  /// A part of the document that later code reads as JSON.
+  /// A member as JSON, for later code; null if absent.
   gltf::Json part(const char* name) const {
     const JsonNode* value = find(name);
     return value == nullptr ? gltf::Json() : to_json(*value);
   }
 
-  /// A list whose entries are converted by `read(entry)`.
+  /// A list of entries converted by `read(entry)`.
   template <class Read>
   auto list(const char* name, Read read) const {
     std::vector<decltype(read(object_))> out;
@@ -93,7 +93,7 @@ gltf::BufferView read_view(const JsonNode& json) {
           .byte_offset = in.size("byteOffset"),
           .byte_length = in.size("byteLength"),
           .byte_stride = static_cast<std::uint32_t>(
-              std::min(in.number("byteStride", 0.0), 4294967295.0)),  // any stride is read here and checked later (T5)
+              std::min(in.number("byteStride", 0.0), 4294967295.0)),  // the range of strides is checked later
           .extensions = in.part("extensions")};
 }
 
@@ -121,7 +121,7 @@ gltf::Accessor read_accessor(const JsonNode& json) {
           .max = in.numbers("max")};
 }
 
-/// Attributes whose names hold a zero byte: tinygltf would cut the names short there.
+/// Adds attributes whose names contain a zero byte, where tinygltf would truncate the name.
 void add_names_with_zeros(const JsonNode& json, std::map<std::string, int>& attributes) {
   for (const auto& [name, index] : json.GetObject())
     if (text_of(name).find('\0') != std::string_view::npos)
@@ -161,7 +161,7 @@ gltf::Node read_node(tinygltf::Node&& read, const JsonNode& json) {
   return {std::move(read), has_trs, in.part("extensions")};
 }
 
-/// Channels without a node stay: they animate nothing, or name their target by a pointer (T2).
+/// Reads a channel. Channels without a node are kept: their target may be a pointer.
 gltf::AnimationChannel read_channel(const JsonNode& json) {
   const Fields in(json), target(*in.find("target"));
   gltf::AnimationChannel out{.sampler = in.index("sampler"), .node = target.index("node"), .path = target.text("path")};

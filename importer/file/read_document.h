@@ -5,9 +5,9 @@
 
 namespace sinew {
 
-/// Turns the JSON of a document, whose shape has been checked (gltf_shape.h), into plain data. Most entries are read by
-/// tinygltf from their core properties (read_lists.h), and the rest is taken from the tree. Only the JSON is read:
-/// buffers and images keep their URIs (load_buffers.h).
+/// Converts checked JSON (gltf_shape.h) to a Document. tinygltf reads the core properties of most entries
+/// (read_lists.h); the rest is read from the tree. Buffers and images are not loaded, only their URIs are stored
+/// (load_buffers.h).
 /// cost  O(values)
 gltf::Document read_document(const JsonNode& json);
 

@@ -8,22 +8,22 @@
 #include "importer/file/json_tree.h"
 #include "importer/file/tinygltf.h"
 
-/// tinygltf reads a document from the text of its core properties (core_text.h), a slice of a list at a time: neither
-/// the text nor tinygltf's own tree of it grows with the file. The text names no buffer and no image, so tinygltf loads
-/// nothing, and has no `indices` of primitives, which tinygltf compares with accessors.
-/// err   std::runtime_error where tinygltf refuses the text or leaves out entries: what it may refuse is checked before
+/// tinygltf reads normalised text of a document's core properties (core_text.h). Lists are read in slices, so that
+/// memory for text and tree does not grow with the file. The text contains no buffers or images, so tinygltf loads
+/// nothing. It omits `indices` of primitives, which tinygltf would compare with accessors.
+/// err   std::runtime_error if tinygltf refuses the text or drops entries; earlier checks prevent both
 namespace sinew {
 
-/// What tinygltf says of everything outside the lists: asset, names of extensions, default scene.
+/// Reads everything outside the lists with tinygltf: asset, extension names, default scene.
 tinygltf::Model read_head(const JsonNode& root);
 
-/// What tinygltf says of the next entries of a list.
+/// Reads the next entries of a list with tinygltf.
 tinygltf::Model read_slice(const char* name, const JsonNode& list, std::size_t& next);
 
-/// Throws where tinygltf left out entries.
+/// Throws if tinygltf dropped entries.
 void expect_all(const char* name, std::size_t expected, std::size_t read);
 
-/// What `make(entry as tinygltf reads it, entry as JSON)` returns of each entry of a list of the document.
+/// Reads a list and converts each entry with `make(entry read by tinygltf, entry as JSON)`.
 template <class Entry, class Make>
 auto read_list(const JsonNode& root, const char* name, std::vector<Entry> tinygltf::Model::*entries, Make make) {
   std::vector<std::invoke_result_t<Make, Entry&&, const JsonNode&>> out;
@@ -39,7 +39,7 @@ auto read_list(const JsonNode& root, const char* name, std::vector<Entry> tinygl
   return out;
 }
 
-/// The entries as tinygltf reads them.
+/// Reads a list without conversion.
 template <class Entry>
 std::vector<Entry> read_list(const JsonNode& root, const char* name, std::vector<Entry> tinygltf::Model::*entries) {
   return read_list(root, name, entries, [](Entry&& entry, const JsonNode&) { return std::move(entry); });

@@ -5,33 +5,36 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <utility>
+
+#include "importer/platform/files.h"
 
 namespace sinew {
 
-/// A file that is opened before its type is asked for, so that it cannot be swapped for another one in between. Opening
-/// does not wait for the other end of a pipe and does not take over a terminal.
+/// A file that is opened first and then checked for its type, so that it cannot be swapped in between. Opening never
+/// blocks on a pipe and never acquires a controlling terminal.
 class RegularFile {
  public:
-  /// Names the file on the disk, whatever its path: device and number of its entry.
-  using Identity = std::pair<std::uint64_t, std::uint64_t>;
+  /// Identifies a file independent of its path: device and inode number.
+  using Identity = platform::FileIdentity;
 
-  explicit RegularFile(const std::filesystem::path& path) noexcept;
-  ~RegularFile();
+  explicit RegularFile(const std::filesystem::path& path) noexcept : descriptor_(platform::open_to_read(path)) {}
+  ~RegularFile() {
+    if (opened()) platform::close(descriptor_);
+  }
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
-  /// False: errno says why.
+  /// False if opening failed; errno has the reason.
   bool opened() const noexcept { return descriptor_ >= 0; }
 
-  /// Nothing for folders, pipes and devices, which must not be read.
-  std::optional<std::uint64_t> size() const noexcept;
-  Identity identity() const noexcept;
+  /// Size in bytes; empty for folders, pipes and devices, which must not be read.
+  std::optional<std::uint64_t> size() const noexcept { return platform::regular_size(descriptor_); }
+  Identity identity() const noexcept { return platform::identity_of(descriptor_); }
 
-  /// Fills `out` from where the last call ended; false where the file ends early.
-  bool read(std::span<std::byte> out) const noexcept;
+  /// Reads the next bytes into `out`; false if the file ends before it is full.
+  bool read(std::span<std::byte> out) const noexcept { return platform::read_all(descriptor_, out); }
 
-  /// For libraries that read from a descriptor. It belongs to this object.
+  /// The file descriptor, for libraries that need one. This object closes it.
   int descriptor() const noexcept { return descriptor_; }
 
  private:

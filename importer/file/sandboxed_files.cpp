@@ -22,7 +22,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// RFC 3986: a letter, then letters, digits, "+", "-" or ".", then ":".
+/// True if the URI starts with a scheme (RFC 3986): a letter, then letters, digits, "+", "-" or ".", then ":".
 bool has_scheme(std::string_view uri) {
   const auto colon = uri.find(':');
   if (colon == uri.npos || colon == 0 || !std::isalpha(static_cast<unsigned char>(uri.front()))) return false;
@@ -70,7 +70,7 @@ tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) 
   std::error_code error;
   const fs::path root = fs::canonical(folder_->empty() ? fs::path(".") : *folder_, error);
   if (error) return fault(Kind::missing, "the folder of the file cannot be opened: " + error.message());
-  // The text of the path is checked first, so that the answer does not reveal which files exist outside the folder.
+  // Checks the path text first, so that the result does not reveal which files exist outside the folder.
   const fs::path textual = (root / relative).lexically_normal();
   if (!lies_below(textual, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder");
   const fs::path target = fs::canonical(root / relative, error);

@@ -18,41 +18,39 @@
 
 namespace sinew {
 
-/// Decodes "%20" and the like to bytes; nothing where a "%" is not followed by two hexadecimal digits.
+/// Decodes percent-encoding such as "%20"; empty if a "%" is not followed by two hexadecimal digits.
 std::optional<std::string> percent_decode(std::string_view text);
 
-/// Why a file cannot be read. `forbidden` means that the URI itself is not allowed, whatever is on the disk.
+/// Why a file cannot be read. `forbidden`: the URI itself is not allowed, independent of the disk.
 struct FileFault {
   enum class Kind : std::uint8_t { forbidden, missing, too_large };
   Kind kind = Kind::missing;
   std::string detail;
 };
 
-/// Reads the files of one import: only below one folder, and in total no more bytes than allowed (G63, G64, G67).
+/// Reads the files of one import: only below one folder, and within a limit of total bytes.
 class SandboxedFiles {
  public:
-  /// Without a folder every URI is refused: a document in memory has no folder.
+  /// in   folder  empty = refuse every URI, for a document in memory
   SandboxedFiles(std::optional<std::filesystem::path> folder, std::uint64_t max_total_bytes)
       : folder_(std::move(folder)), left_(max_total_bytes) {}
 
   /// Reads a relative URI, percent-decoded and taken as UTF-8. Schemes, absolute paths, and paths that leave the folder
-  /// by
-  /// ".." or by symbolic links are refused. Only regular files are opened. A file that several URIs name is read once.
-  /// in,out  storage   gets the bytes of a file that was not read before; the same one in every call
+  /// by ".." or by symbolic links are refused. Only regular files are opened. A file that several URIs name is read
+  /// once.
+  /// in,out  storage   receives the bytes of files not read before; pass the same object in every call
   tl::expected<std::span<const std::byte>, FileFault> read(std::string_view uri,
                                                            std::deque<std::vector<std::byte>>& storage);
 
-  /// Reads any regular file. It is for the document itself.
+  /// Reads any regular file; used for the document itself.
   tl::expected<std::vector<std::byte>, FileFault> read_path(const std::filesystem::path& path);
 
-  /// Counts bytes from elsewhere (data URIs, the document in memory) against the same limit. False: not so many are
-  /// left.
+  /// Counts other bytes (data URIs, the document in memory) against the same limit. False if the limit is exceeded.
   bool take(std::uint64_t bytes) noexcept;
 
   std::uint64_t bytes_read() const noexcept { return read_; }
 
-  /// Adds a file that the document names, but that is not read. A URI that is not allowed or leads nowhere adds
-  /// nothing.
+  /// Adds a file to paths() that the document refers to but that is not read. Ignores forbidden URIs and missing files.
   void note(std::string_view uri);
 
   /// The files that were read or noted.

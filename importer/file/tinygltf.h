@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// The one place that includes tiny_gltf.h: no image codec, no image writer and no file access of its own, JSON from
-/// the system's nlohmann-json. Its namespace has a name of our own: Debian's libdraco carries a copy of another
-/// version, and an engine may; classes of one name and two layouts end in the wrong destructor, whichever the linker
-/// meets first.
+/// The only place that includes tiny_gltf.h. It is configured without image codecs and file access, and with the
+/// system's nlohmann-json. The namespace is renamed: Debian's libdraco contains another version of tinygltf, and so may
+/// an engine. With equal names and different layouts, the linker would mix them.
 #define tinygltf sinew_tinygltf
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
@@ -17,6 +16,6 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wconversion"
 #include <nlohmann/json.hpp>
-// tiny_gltf.h expects it to be there already.
+// tiny_gltf.h expects nlohmann-json to be included before it.
 #include <tiny_gltf.h>
 #pragma GCC diagnostic pop

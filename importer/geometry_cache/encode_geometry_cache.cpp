@@ -32,7 +32,7 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
   if (mesh.triangles.size() % 3 != 0 || !all_below(mesh.triangles, mesh.vertex_count))
     return refuse("cache-triangles", where + " has a corner that is cut off, or of a vertex that is not there").value();
   for (const TakeStream& stream : mesh.streams) {
-    if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMostPoints)
+    if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMaxPoints)
       return refuse("cache-frames", where + " has " + std::to_string(stream.frames.size()) + " frames of " +
                                         std::to_string(frame_count) + ", or too many vertices")
           .value();
@@ -53,14 +53,13 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
   return std::nullopt;
 }
 
-/// The grid of a stream.
+/// Quantization grid of a stream.
 struct Grid {
   float step = 0.0f;
   double reach = 0.0;  // in steps
 };
 
-/// The widest grid whose cells lie within the budget of their points: half the diagonal of a cube is the budget, less
-/// what float rounds off.
+/// The coarsest grid that meets the error budget: half the diagonal of a cell equals the budget minus float rounding.
 ImportResult<Grid> grid_of(const TakeStream& stream) {
   double largest = 0.0;
   for (const auto& frame : stream.frames)
@@ -105,13 +104,13 @@ void write_mesh(const GeometryMesh& mesh, ByteWriter& out) {
   }
 }
 
-/// Makes the file from what was encoded.
+/// Writes the file from the encoded streams.
 class FileWriter {
  public:
   FileWriter(const GeometryTake& take, const EncodeGeometryOptions& options) : take_(take), options_(options) {}
 
   std::vector<GeometryMesh> meshes;
-  std::vector<std::vector<std::byte>> frames;  // of all streams together
+  std::vector<std::vector<std::byte>> frames;  // [frames] bytes of all streams
 
   void add(const TakeMesh& mesh, std::vector<EncodedStream> streams) {
     GeometryMesh& out = meshes.emplace_back();
@@ -159,12 +158,11 @@ class FileWriter {
     return file;
   }
 
-  /// Boxes of the decoded vertices of each frame, and of all frames. Known after the frames were measured.
+  /// Bounds of the decoded vertices, for each frame; known only after measuring.
   std::vector<std::vector<Aabb>> boxes_of_mesh;
 
  private:
-  /// Parts of a mesh's box in which the box of a frame begins and ends, rounded outwards with a step to spare for
-  /// float.
+  /// Frame bounds quantized relative to the mesh's bounds, rounded outwards plus one step for float rounding.
   std::vector<std::uint16_t> boxes() const {
     std::vector<std::uint16_t> out;
     for (std::size_t f = 0; f < frames.size(); ++f)
@@ -195,13 +193,13 @@ double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3>
   return most;
 }
 
-/// Decodes frames as a program that plays them does.
+/// Decodes all frames as playback does, to measure errors and bounds.
 class Measurement {
  public:
   Measurement(const GeometryTake& take, FileWriter& writer)
       : take_(take), writer_(writer), file_(writer.file()), cache_(opened(file_)), decoder_(cache_) {}
 
-  /// Writes into the meshes what was measured.
+  /// Decodes all frames and stores the measurements in the meshes.
   void run() {
     writer_.boxes_of_mesh.assign(take_.meshes.size(), {});
     for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {

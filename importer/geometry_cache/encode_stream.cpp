@@ -18,7 +18,7 @@
 namespace sinew {
 namespace {
 
-/// Appends the residuals of a block: of each axis 64 numbers of `width` bits, lowest bits first.
+/// Appends the residuals of a block: for each axis 64 numbers of `width` bits, lowest bits first.
 void pack(const FittedBlock& block, std::vector<std::uint8_t>& out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const unsigned width = block.motion.width[axis];
@@ -34,7 +34,7 @@ void pack(const FittedBlock& block, std::vector<std::uint8_t>& out) {
   }
 }
 
-/// Encodes the frames of one stream in turn.
+/// Encodes the frames of one stream one after another.
 class StreamEncoder {
  public:
   StreamEncoder(EncodedStream& out, const std::vector<std::uint32_t>& vertex_of_point, double step, double reach)
@@ -81,7 +81,7 @@ class StreamEncoder {
   std::vector<BlockState> x1_, x2_;
 };
 
-/// Numbers the points anew by their places in the order.
+/// Renumbers the points by their position in `order`.
 void reorder(UniquePoints& unique, std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> place(order.size()), vertex_of_place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) {

@@ -11,13 +11,13 @@ namespace sinew {
 namespace {
 
 using Vec3i = std::array<std::int32_t, 3>;
-/// Three columns of the matrix and the offset, for each axis.
+/// An affine map: three matrix columns and the offset, each with three axes.
 using Affine4 = std::array<std::array<double, 3>, 4>;
 
 std::int32_t wrapped(std::uint32_t number) { return static_cast<std::int32_t>(number); }
 std::uint32_t bits(std::int32_t number) { return static_cast<std::uint32_t>(number); }
 
-/// About the bits that a residual takes after packing and compression.
+/// Estimated bits of a residual after packing and compression.
 double residual_bits(std::int32_t residual) {
   static const std::vector<double> table = [] {
     std::vector<double> t{0.8};
@@ -28,13 +28,13 @@ double residual_bits(std::int32_t residual) {
   return size < table.size() ? table[size] : 1.5 + 1.6 * std::log2(size + 1.0);
 }
 
-/// About the bits that a number of a block's head takes.
+/// Estimated bits of a number in a block's header.
 double head_bits(std::int32_t number) {
   return 0.6 * (1.0 + 2.0 * std::log2(1.0 + std::abs(static_cast<double>(number))));
 }
 
-/// The grid point within reach of the value that takes the fewest bits beside the prediction. A point in reach of the
-/// budget is as good as the nearest one: the budget is a ball, and cells of the grid fill it badly.
+/// The grid point within `reach` of the value whose residual needs the fewest bits. Any point within the error budget
+/// (a ball) is acceptable, and the ball usually contains several grid points.
 Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, double reach) {
   Vec3i low, best{};
   for (std::size_t a = 0; a < 3; ++a) low[a] = static_cast<std::int32_t>(std::floor(value[a]));
@@ -51,7 +51,7 @@ Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, do
       cost += residual_bits(wrapped(bits(at[a]) - bits(predicted[a])));
     }
     if (distance > reach * reach && !nearest) continue;
-    cost += distance;  // of two that take the same bits, the nearer one
+    cost += distance;  // tie-break: the nearer point
     if (cost < fewest) {
       fewest = cost;
       best = at;
@@ -68,7 +68,7 @@ void set_widths(FittedBlock& block) {
   }
 }
 
-/// What a block must save before its residuals spread, since that takes time to decode.
+/// Bits that a block must save before residual prediction is enabled, because that costs decoding time.
 constexpr double kSpreadBits = 32.0;
 
 std::array<double, 3> point_of(const BlockValues& values, std::size_t i) {
@@ -78,7 +78,7 @@ Vec3i point_of(const BlockState& state, std::size_t i) {
   return {state[i], state[kBlockPoints + i], state[2 * kBlockPoints + i]};
 }
 
-/// What spreads to a point from its corners: r[a] + r[b] - r[c].
+/// Residual of a point predicted from its corner points: r[a] + r[b] - r[c].
 Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, std::size_t i) {
   Vec3i out{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -92,13 +92,12 @@ Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, st
   return out;
 }
 
-/// Places the points of a block one after another at grid points near their values. Points behind the block's own
-/// `count` are where they are predicted.
+/// Quantizes the points of a block one after another. Padding points beyond `count` take their predicted values.
 template <class Predict>
 void settle(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, double reach,
             const Predict& predict, FittedBlock& out) {
   const bool spreads = out.motion.spreads || out.motion.base == BlockBase::space;
-  BlockState missed{};  // by the motion
+  BlockState missed{};  // residuals of the motion alone
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
     const Vec3i moved = predict(i);
     Vec3i predicted = moved;
@@ -116,7 +115,7 @@ void settle(const BlockValues& values, std::size_t count, std::span<const std::u
   set_widths(out);
 }
 
-/// What a motion predicts before residuals are added: the equation of BlockMotion, one point at a time.
+/// The prediction of a motion for one point, before residuals: the equation of BlockMotion.
 Vec3i predict(const BlockMotion& motion, const BlockState& x1, const BlockState& x2, std::size_t i) {
   const Vec3i last = point_of(x1, i), earlier = point_of(x2, i), first = point_of(x1, 0);
   Vec3i out;
@@ -170,7 +169,7 @@ class MotionSearch {
         for (std::size_t c = 0; c < 4; ++c) normal_[r][c] += p[r] * p[c];
       for (std::size_t a = 0; a < 3; ++a) extent_ = std::max(extent_, std::abs(p[a]));
     }
-    for (std::size_t a = 0; a < 3; ++a) normal_[a][a] += 1.0;  // flat blocks determine no more
+    for (std::size_t a = 0; a < 3; ++a) normal_[a][a] += 1.0;  // regularises flat blocks, whose equations are singular
   }
 
   void try_base(BlockBase base) {
@@ -202,7 +201,7 @@ class MotionSearch {
     return p;
   }
 
-  /// A motion vector: the median of what is left along each axis.
+  /// Sets the offset to the median of the remaining differences along each axis.
   BlockMotion moved(BlockMotion motion, const std::vector<std::array<double, 3>>& rest) const {
     std::vector<double> along(count_);
     for (std::size_t a = 0; a < 3; ++a) {
@@ -214,7 +213,8 @@ class MotionSearch {
     return motion;
   }
 
-  /// A matrix as fine as its numbers and its products with the block's points have room, else it would wrap.
+  /// Quantizes the matrix as finely as possible without integer overflow of its entries or of its products with the
+  /// block's points.
   BlockMotion turned(BlockMotion motion, const Affine4& fit, int shift) const {
     double largest = 0.0, farthest = 0.0;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -237,8 +237,8 @@ class MotionSearch {
     return motion;
   }
 
-  /// Costs of a motion whose residuals stand alone, and of the same where they spread from point 0, which the offset
-  /// then meets.
+  /// Compares the cost of a motion with plain residuals and with predicted residuals (where the offset matches point 0
+  /// exactly).
   void try_motion(const BlockMotion& motion) {
     double head = 0.0, alone = 0.0, spread = kSpreadBits;
     for (const std::int32_t x : motion.offset) alone += head_bits(x);

@@ -10,26 +10,26 @@
 
 namespace sinew {
 
-/// The values of one block in steps: the x of its points, then y, then z.
+/// The values of one block in grid steps: x of all points, then y, then z.
 using BlockValues = std::array<double, kBlockNumbers>;
 using BlockState = std::array<std::int32_t, kBlockNumbers>;
 
-/// One block of one frame as it is stored.
+/// An encoded block of one frame.
 struct FittedBlock {
   BlockMotion motion;
   BlockState residuals{};
-  BlockState state{};  ///< what the decoder makes of them
+  BlockState state{};  ///< decoded values
 };
 
-/// A block of a key frame.
-/// in   values   of the first `count` points, the rest is ignored
-///      corners  [3 * 64]
-///      reach    largest distance of a decoded point from its value, in steps; at least half the diagonal of a cube
+/// Encodes a block of a key frame.
+/// in   values   of the first `count` points; the rest is ignored
+///      corners  [3 * 64] as PointOrder::corners
+///      reach    largest error of a decoded point, in steps; at least half the diagonal of a grid cell
 FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
                          double reach);
 
-/// A block of another frame: tries what it may follow from, and takes what leaves the fewest bits.
-/// in   x1, x2   states one and two frames before; `steady` false: x2 is of no use
+/// Encodes a block of a delta frame: tries all motion models and takes the one with the fewest bits.
+/// in   x1, x2   decoded states one and two frames before;   steady  false = do not use x2
 FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
                         const BlockState& x1, const BlockState& x2, bool steady, double reach);
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// Frames whose positions tell which points are near each other and move alike.
+/// Number of frames used to find points that are close and move alike.
 constexpr std::size_t kFramesLookedAt = 5;
 
 class Splitter {
@@ -65,7 +65,7 @@ class Splitter {
   std::vector<std::uint32_t>& points_;
 };
 
-/// The surface around each point: triangles, and the point across each edge.
+/// Connectivity of the points: triangles around a point, and the point across an edge.
 class Surface {
  public:
   Surface(std::span<const std::uint32_t> triangles, std::size_t point_count)
@@ -89,7 +89,7 @@ class Surface {
     const std::uint32_t face = adjacency_.neighbour[corner];
     if (face == kNone) return kNone;
     const std::uint32_t a = point(corner), b = point(next_corner(corner));
-    std::size_t c = 3 * std::size_t{face};  // faces have three different points
+    std::size_t c = 3 * std::size_t{face};  // terminates: a face has three different points
     while (point(c) == a || point(c) == b) ++c;
     return point(c);
   }
@@ -99,7 +99,7 @@ class Surface {
   std::vector<std::uint32_t> first_, corners_;
 };
 
-/// Walks over the points of one block.
+/// Orders the points within one block by walking over the surface.
 class BlockWalk {
  public:
   BlockWalk(const Surface& surface, std::vector<std::uint8_t>& place, std::span<std::uint32_t> block)
@@ -112,7 +112,7 @@ class BlockWalk {
   BlockWalk(const BlockWalk&) = delete;
   BlockWalk& operator=(const BlockWalk&) = delete;
 
-  /// Places of other blocks' points, and of points of this one that were not yet visited.
+  /// Markers in `place`: point of another block; point of this block not visited yet.
   static constexpr std::uint8_t kElsewhere = 255, kWaiting = 254;
 
   void walk(std::span<std::uint8_t> corners) {

@@ -20,7 +20,7 @@ tl::unexpected<ImportError> refuse(const std::string& name, const char* rule, st
 
 std::uint32_t swapped(std::uint32_t x) { return x >> 24 | (x >> 8 & 0xff00u) | (x << 8 & 0xff0000u) | x << 24; }
 
-/// Words of a file, of either byte order.
+/// Reads 32-bit words in either byte order.
 class Words {
  public:
   Words(std::span<const std::byte> bytes, std::size_t at, bool big_endian) : bytes_(bytes), at_(at), big_(big_endian) {}
@@ -39,7 +39,7 @@ class Words {
   bool big_;
 };
 
-/// Reads frames of points; the bytes are there.
+/// Reads the frames; the caller has checked the size.
 ImportResult<PointCache> read_frames(Words& in, std::size_t frames, std::size_t points, const std::string& name) {
   PointCache out;
   for (std::size_t f = 0; f < frames; ++f) {
@@ -60,13 +60,14 @@ std::string size_text(std::uint64_t frames, std::uint64_t points, std::uint64_t 
          std::to_string(size) + " bytes";
 }
 
-/// Whether a file is exactly as long as its counts say. The product of two 32-bit counts and 12 may pass 64 bits.
+/// True if the file size matches its counts. Overflow-safe: 12 times the product of two 32-bit counts may exceed 64
+/// bits.
 bool has_size(std::uint64_t size, std::uint64_t head, std::uint64_t frames, std::uint64_t points) {
   return frames > 0 && frames <= size && points <= size && head <= size && frames * points <= size &&
          head + 12 * frames * points == size;
 }
 
-/// Sets start and spacing from times that are spaced evenly, within what float holds of them.
+/// Sets start and spacing; false if the times are not evenly spaced within float precision.
 bool set_times(const std::vector<float>& times, double fps, PointCache& out) {
   if (!std::all_of(times.begin(), times.end(), [](float t) { return std::isfinite(t); })) return false;
   out.start_s = times[0];
@@ -111,7 +112,7 @@ ImportResult<PointCache> read_pc2(std::span<const std::byte> bytes, const std::s
   return out;
 }
 
-/// Largest distance of the first frame from the mesh at rest.
+/// Largest distance between the first frame and the rest mesh.
 double distance(const PointCache& points, std::span<const glm::vec3> rest, UpAxis up) {
   double most = 0.0;
   for (std::size_t p = 0; p < rest.size(); ++p) {

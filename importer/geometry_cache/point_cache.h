@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// Positions of points over time, without the mesh that they belong to.
+/// Point positions over time, without the mesh.
 struct PointCache {
   std::vector<std::vector<glm::vec3>> frames;  ///< [frames][points]
   double start_s = 0.0, frame_s = 1.0 / 30.0;
@@ -20,27 +20,28 @@ struct PointCache {
   std::size_t point_count() const noexcept { return frames.empty() ? 0 : frames[0].size(); }
 };
 
-/// Reads a NewTek MDD file (big-endian, with times in seconds) or a 3ds Max PC2 file (little-endian, told by its first
-/// bytes, with times counted in frames).
-/// in   name  stands for the file in errors
+/// Reads a NewTek MDD file (big-endian, times in seconds) or a 3ds Max PC2 file (little-endian, times in frames). PC2
+/// is detected from its first bytes.
+/// in   name  name of the file in errors
 ///      fps   frames per second: of PC2 files, and of files with one frame
-/// err  points-size    the file is shorter or longer than its counts say, or holds no frame
-///      points-header  a PC2 file of another version, or with a step that is no step
-///      points-times   times that are not finite, or not evenly spaced
+/// err  points-size    the size does not match the counts, or there is no frame
+///      points-header  a PC2 file of another version, or with an invalid frame step
+///      points-times   times that are not finite or not evenly spaced
 ///      points-values  a position that is not finite
 /// cost O(bytes); memory below twice the file
 ImportResult<PointCache> read_point_cache(std::span<const std::byte> bytes, const std::string& name, double fps);
 
-/// Which axis of a point cache points up. Exporters write a mesh with y up and its points with z up.
+/// The up axis of a point cache. Exporters often write the mesh with y up and the points with z up.
 enum class UpAxis : std::uint8_t { y, z };
 
-/// Turns points with z up to y up: (x, y, z) becomes (x, z, -y).
+/// Converts points from z up to y up: (x, y, z) becomes (x, z, -y).
 void turn_to_y_up(PointCache& points);
 
-/// Finds which axis is up by comparing the first frame with the mesh at rest.
+/// Detects the up axis by comparing the first frame with the rest mesh.
 /// in   rest  [points], y up
-/// err  points-count  the points are not as many as the vertices
-///      points-axes   the first frame is the mesh at rest in neither or in both ways: who bakes must say
+/// err  points-count  the point count differs from the vertex count
+///      points-axes   ambiguous: the first frame matches the rest mesh with neither or with both axes; the user must
+///      choose
 ImportResult<UpAxis> find_up_axis(const PointCache& points, std::span<const glm::vec3> rest, const std::string& name);
 
 }  // namespace sinew

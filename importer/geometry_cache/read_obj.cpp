@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// The next word of a line, taken off its front; empty at the end.
+/// Removes and returns the next word of a line; empty at the end.
 std::string_view next_word(std::string_view& line) {
   const std::size_t first = line.find_first_not_of(" \t\r");
   line.remove_prefix(first == std::string_view::npos ? line.size() : first);
@@ -35,7 +35,7 @@ class ObjReader {
  public:
   explicit ObjReader(const std::string& name) : name_(name) {}
 
-  /// The rule that a line breaks; nothing when it is sound.
+  /// Reads a line; returns an error if it is invalid.
   std::optional<ImportError> read(std::string_view line) {
     ++line_;
     const std::string_view kind = next_word(line);

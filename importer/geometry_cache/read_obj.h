@@ -10,15 +10,15 @@
 
 namespace sinew {
 
-/// Positions and faces of an OBJ file; polygons are cut into fans. Point caches belong to such meshes.
+/// Positions and triangles of an OBJ file; polygons are split into fans. Point caches usually come with such a mesh.
 struct ObjMesh {
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> triangles;
 };
 
-/// Reads the lines `v` and `f` and passes over all others.
-/// err  obj-syntax  a line that is cut off or has no numbers where they belong
-///      obj-index   a face names a vertex that is not there
+/// Reads the lines `v` and `f`; ignores all others.
+/// err  obj-syntax  an incomplete line, or one with invalid numbers
+///      obj-index   a face with an invalid vertex index
 ///      obj-values  a position that is not finite
 ///      obj-empty   no vertex
 /// cost O(text)

@@ -7,11 +7,11 @@
 
 namespace sinew {
 
-/// Vertices with the same bits in every frame are one point: seams of texture coordinates split vertices that never
-/// part.
+/// Merges vertices that are bit-identical in every frame into points. Texture seams split vertices that always move
+/// together.
 struct UniquePoints {
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices]
-  std::vector<std::uint32_t> vertex_of_point;  ///< [points] the first such vertex
+  std::vector<std::uint32_t> vertex_of_point;  ///< [points] first vertex of each point
 };
 
 /// cost O(vertices * frames) expected

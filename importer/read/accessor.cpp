@@ -24,7 +24,7 @@ T load(const std::byte* at) noexcept {
   return value;
 }
 
-/// The value of a stored component: itself, or for normalised integers a fraction of the largest integer.
+/// Decodes a stored component: unchanged, or for normalised integers as a fraction of the largest integer.
 template <bool normalized, class Out, class Component>
 Out decoded(Component c) noexcept {
   if constexpr (normalized)
@@ -33,8 +33,8 @@ Out decoded(Component c) noexcept {
     return static_cast<Out>(c);
 }
 
-/// Iterates over elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector that is filled
-/// from two of these iterators touches its memory once, because it is not zeroed first.
+/// Iterates over elements with any stride and alignment, as values of type V. Constructing a vector from two of these
+/// iterators avoids zeroing its memory first.
 template <class V, class Component, bool normalized>
 class ElementIterator {
  public:
@@ -82,8 +82,8 @@ class ElementIterator {
   difference_type index_;
 };
 
-/// Calls `use(begin)` with the iterator for the stored component type. For V = uint32_t and double, normalised integers
-/// are not decoded.
+/// Calls `use(begin)` with an iterator for the stored component type. Does not decode normalised integers for V =
+/// uint32_t and double.
 template <class V, class Use>
 auto with_elements(ComponentType type, bool normalized, const std::byte* first, std::size_t stride, Use use) {
   const auto go = [&]<class Component>(Component) {
@@ -112,7 +112,7 @@ constexpr std::size_t width_of() {
     return static_cast<std::size_t>(V::length());
 }
 
-/// Appends `count` elements, each as one V; where V is a number, all components of each element, column after column.
+/// Appends `count` elements, each as one V. If V is a number, appends all components, column by column.
 template <class V>
 void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& layout, const std::byte* first,
             std::size_t stride, std::size_t count) {
@@ -131,7 +131,8 @@ void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& 
   }
 }
 
-/// V is a vector with as many components as the accessor, or a number; then each index has several values.
+/// Reads sparse replacements. V is a vector with as many components as the accessor, or a number; then each index has
+/// several values.
 template <class V>
 Replacements<V> replacements(const Document& document, const Accessor& accessor, const ElementLayout& layout) {
   const auto& sparse = accessor.sparse;

@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-/// How one element of an accessor lies in memory. Columns of matrices start at multiples of 4 bytes, so small matrices
-/// have padding after each column (G27).
+/// Memory layout of one element of an accessor. Matrix columns start at multiples of 4 bytes, so small matrices have
+/// padding after each column.
 struct ElementLayout {
   std::uint32_t rows = 1, columns = 1;  ///< a vector is one column
   std::uint32_t component_bytes = 4;
@@ -29,23 +29,22 @@ inline ElementLayout element_layout(const gltf::Accessor& accessor) noexcept {
 std::uint32_t component_bytes(gltf::ComponentType type) noexcept;
 bool is_unsigned(gltf::ComponentType type) noexcept;
 
-/// Bytes from one element to the next: the byteStride of the view, else the element's own size.
+/// Bytes between elements: the byteStride of the view, else the element size.
 std::uint64_t element_stride(const gltf::Document& document, const gltf::Accessor& accessor) noexcept;
 
-/// Reads all components of all elements as floats, column after column: sparse replacements are applied, normalised
-/// integers are decoded, padding is skipped. An accessor without a view holds zeros (G24, G28). Bytes are copied, never
-/// cast, so alignment does not matter (G27).
-/// eq    signed normalised f = max(c / (2^(b-1) - 1), -1), unsigned f = c / (2^b - 1)   (glTF 2.0, "Animations"; G17)
-/// in    accessor   has passed check_accessors
+/// Reads all components of all elements as floats, column by column. Applies sparse replacements, decodes normalised
+/// integers, skips padding. An accessor without a view holds zeros. Bytes are copied, so alignment does not matter.
+/// eq    signed normalised f = max(c / (2^(b-1) - 1), -1), unsigned f = c / (2^b - 1)   (glTF 2.0, "Animations")
+/// in    accessor   passed check_accessors()
 /// out   [count * components]
 /// cost  O(count)
 std::vector<float> read_floats(const gltf::Document& document, std::uint32_t accessor);
 
-/// The same as vectors. V is glm::vec2, vec3 or vec4 and has as many components as the accessor; no matrices.
+/// Reads elements as vectors. V is glm::vec2, vec3 or vec4, with as many components as the accessor; not for matrices.
 template <class V>
 std::vector<V> read_vectors(const gltf::Document& document, std::uint32_t accessor);
 
-/// Only the replacements of a sparse accessor, in the file's order; `indices` names the replaced elements.
+/// The replacements of a sparse accessor, in file order; `indices` are the replaced elements.
 template <class V>
 struct Replacements {
   std::vector<std::uint32_t> indices;
@@ -54,10 +53,10 @@ struct Replacements {
 template <class V>
 Replacements<V> read_replacements(const gltf::Document& document, std::uint32_t accessor);
 
-/// Unsigned integers such as indices and joints, never normalised.
+/// Reads unsigned integers such as indices and joints, without normalisation.
 std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);
 
-/// Components as the file stores them; normalised integers are not decoded.
+/// Reads components as stored; normalised integers are not decoded.
 std::vector<double> read_stored(const gltf::Document& document, std::uint32_t accessor);
 
 }  // namespace sinew

@@ -22,7 +22,7 @@ std::optional<AnimatedProperty> property_of(std::string_view path) {
   return std::nullopt;
 }
 
-/// KHR_animation_pointer. A pointer to a property of a node acts like a plain channel (G58).
+/// Reads a KHR_animation_pointer target. A pointer to a node property is equivalent to a plain channel.
 std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const gltf::AnimationChannel& channel,
                                           const std::string& place, IssueLog& log) {
   PointerFault fault;
@@ -63,8 +63,8 @@ ElementType element_type_of(const ChannelTarget& target) {
   return kOfCount[component_count(target.pointed.kind)];
 }
 
-/// Translations and scales are floats, rotations and weights may also be normalised integers (G17), pointed properties
-/// may be any integers, and flags are bytes (G58).
+/// Allowed formats: floats for translations and scales; also normalised integers for rotations and weights; any
+/// integers for pointed properties; bytes for flags.
 bool output_format_fits(const gltf::Accessor& output, const ChannelTarget& target) {
   if (output.type != element_type_of(target)) return false;
   if (target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind))
@@ -105,7 +105,7 @@ class SamplerReader {
   }
 
  private:
-  /// Flags have no values between on and off, so LINEAR becomes STEP. Keys with tangents cannot be read as flags.
+  /// Flags cannot be interpolated, so LINEAR becomes STEP. CUBICSPLINE keys cannot be read as flags.
   bool step_instead(Interpolation& interpolation) {
     const bool usable = interpolation == Interpolation::linear;
     log_.report(
@@ -115,7 +115,7 @@ class SamplerReader {
     return usable;
   }
 
-  /// A curve needs two keys. The value of a single one holds at all times; its tangents shape nothing (G08).
+  /// Replaces a cubic spline of one key by a step: its value holds at all times, and tangents have no effect.
   void hold_single_key(SamplerData& data) {
     log_.report(Rule::animation_cubic_keys, pointer(place_, "input"),
                 "one key for CUBICSPLINE; its value is a constant");

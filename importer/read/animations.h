@@ -13,16 +13,16 @@
 
 namespace sinew {
 
-/// Which property a channel animates. `mesh_weights` are the default weights of a mesh, which all nodes without weights
-/// of their own use. `pointed` is any other property that KHR_animation_pointer names.
+/// The property that a channel animates. `mesh_weights`: default weights of a mesh, used by all nodes without own
+/// weights. `pointed`: any other property, through KHR_animation_pointer.
 enum class AnimatedProperty : std::uint8_t { translation, rotation, scale, weights, mesh_weights, pointed };
 
-/// What a channel animates.
+/// Target of a channel.
 struct ChannelTarget {
   AnimatedProperty property = AnimatedProperty::translation;
   std::uint32_t node = kNone;     ///< for mesh_weights: the mesh
-  std::uint32_t element = kNone;  ///< one of the weights; kNone = all of them
-  PropertyTarget pointed = {};    ///< for a pointed property, with the file's index
+  std::uint32_t element = kNone;  ///< index of a single weight; kNone = all weights
+  PropertyTarget pointed = {};    ///< for AnimatedProperty::pointed, with the file's index
 
   friend auto operator<=>(const ChannelTarget&, const ChannelTarget&) = default;
 
@@ -33,25 +33,24 @@ struct ChannelTarget {
 };
 
 /// Finds the target of a channel.
-/// out      nothing for a channel that is ignored: it names no node (G21), an unknown path, or by a pointer something
-///          that the runtime does not animate or the file does not define (G58)
-/// err      reference (a pointer past the end)
+/// out      empty for ignored channels: no node, an unknown path, or a pointer to something that the runtime does not
+///          animate or the file does not define
+/// err      reference (a pointer with an index out of range)
 /// warning  animation-no-target, animation-path, animation-pointer
 std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation,
                                                  std::uint32_t channel, IssueLog& log);
 
-/// Times and values of one sampler, as the file has them.
+/// Times and values of one sampler, as in the file.
 struct SamplerData {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s;
-  std::vector<float> values;  ///< [K * components] or [K * 3 * components] for cubic_spline (G03, G19)
+  std::vector<float> values;  ///< [K * components] or [K * 3 * components] for cubic_spline
 };
 
-/// Reads the sampler of a channel and checks that it has the shape of the animated property.
-/// in       components   3, 4, the number of morph targets (G16), or those of a pointed property
-/// out      nothing where the channel must be left out; the rest of the animation stays (G09, G13, G14). A single key
-/// of
-///          a cubic spline becomes a step (G08)
+/// Reads the sampler of a channel and checks it against the animated property.
+/// in       components   3, 4, the number of morph targets, or that of a pointed property
+/// out      empty if the channel must be dropped; the rest of the animation stays. A single key of a cubic spline
+///          becomes a step key
 /// err      animation-input, animation-output
 /// warning  animation-interpolation, animation-no-keys, animation-cubic-keys, animation-times, animation-time-repeated,
 ///          animation-values, animation-flag, animation-stride, animation-bounds

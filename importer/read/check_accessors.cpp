@@ -17,11 +17,11 @@ using gltf::Document;
 
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 32;
 
-/// Limit of sparse indices over all accessors, because many accessors may share one list.
+/// Limit of sparse indices over all accessors: many accessors may share one list.
 constexpr std::uint64_t kMaxSparse = std::uint64_t{1} << 28;
 
-/// True when `count` elements of `size` bytes, `stride` bytes apart, fit into `available` bytes from `offset` on. The
-/// shape check bounds offset by 2^53 and stride by 2^32, and count is bounded here, so nothing overflows.
+/// True if `count` elements of `size` bytes, `stride` bytes apart, fit into `available` bytes from `offset`. Cannot
+/// overflow: check_shape() limits offset to 2^53 and stride to 2^32, and count is limited here.
 bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size,
           std::uint64_t available) {
   if (count == 0) return offset <= available;
@@ -29,7 +29,7 @@ bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::
   return count == 1 || (available - offset - size) / stride >= count - 1;
 }
 
-/// Checks one accessor. `available` tells how long a view is: by the document, or by the bytes that it has.
+/// Checks one accessor. `available` returns the length of a view: the declared one, or that of its bytes.
 class AccessorCheck {
  public:
   AccessorCheck(const Document& document, std::size_t index, IssueLog& log)
@@ -39,7 +39,7 @@ class AccessorCheck {
         place_(pointer("accessors", index)),
         log_(log) {}
 
-  /// Warns about what is odd but can be read.
+  /// Warns about violations that do not prevent reading.
   void warn() {
     const bool integer =
         accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
@@ -52,7 +52,7 @@ class AccessorCheck {
     warn_stride(accessor_.sparse.values_view, "values");
   }
 
-  /// False after an error.
+  /// Returns false after an error.
   template <class Available>
   bool fits_views(Available available) {
     if (accessor_.count > kMaxCount)
@@ -63,7 +63,7 @@ class AccessorCheck {
                                                       available(document_.buffer_views[accessor_.sparse.values_view]));
   }
 
-  /// in   fits_views()
+  /// in   fits_views() returned true
   void check_sparse_indices(std::uint64_t& sparse_total) {
     const auto& sparse = accessor_.sparse;
     if (sparse.count == 0) return;
@@ -144,7 +144,7 @@ class AccessorCheck {
   IssueLog& log_;
 };
 
-/// Accessors that a Draco stream fills. What they say about views does not count (G62).
+/// Accessors that a Draco stream fills; their own views are ignored.
 std::vector<bool> filled_by_draco(const Document& document) {
   std::vector<bool> filled(document.accessors.size(), false);
   for (const auto& mesh : document.meshes)

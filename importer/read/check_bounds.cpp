@@ -12,8 +12,8 @@
 namespace sinew {
 namespace {
 
-/// Limits of the components that are compared, in total and for one accessor without bytes: many accessors may share
-/// bytes, or have none.
+/// Limits of compared components: in total, and for one accessor without bytes. Many accessors may share bytes or have
+/// none.
 constexpr std::uint64_t kMaxTotal = std::uint64_t{1} << 28, kMaxWithoutBytes = std::uint64_t{1} << 20;
 
 std::string text(double number) { return gltf::Json(number).dump(); }
@@ -33,7 +33,7 @@ class BoundsCheck {
   }
 
  private:
-  /// `better(a, b)` is true where a replaces b as the bound.
+  /// `better(a, b)` is true if a replaces b as the bound.
   template <class Better>
   void compare(const std::vector<double>& declared, const char* name, Better better) {
     if (declared.empty()) return;
@@ -51,7 +51,8 @@ class BoundsCheck {
     }
   }
 
-  /// JSON numbers are doubles. For float elements the bound is first rounded to float.
+  /// Converts a declared bound for comparison: JSON numbers are doubles, so bounds of float elements are rounded to
+  /// float.
   double stored(double number) const {
     return accessor_.component_type == gltf::ComponentType::f32 ? static_cast<double>(static_cast<float>(number))
                                                                 : number;

@@ -5,9 +5,8 @@
 
 namespace sinew {
 
-/// Compares min and max of every accessor that has them with its elements. They are often wrong, and nothing relies on
-/// them (G15).
-/// in       accessors that have passed check_accessors
+/// Compares declared min and max of accessors with their elements. They are often wrong, so nothing relies on them.
+/// in       accessors passed check_accessors()
 /// warning  accessor-bounds
 /// cost     O(elements)
 void check_bounds(const gltf::Document& document, IssueLog& log);

@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-/// Limit of the components that are looked at, because many accessors may share bytes.
+/// Limit of checked components: many accessors may share bytes.
 constexpr std::uint64_t kMaxTotal = std::uint64_t{1} << 28;
 
 class Uses {
@@ -33,9 +33,9 @@ class Uses {
         mark(sampler.input);
         mark(sampler.output);
       }
-    IssueLog unheard;
+    IssueLog discarded_log;
     for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
-      for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) mark(accessor);
+      for (const auto& [name, accessor] : copy_attributes(document, n, discarded_log)) mark(accessor);
   }
 
   bool is_used(std::size_t accessor) const { return used_[accessor]; }
@@ -45,7 +45,7 @@ class Uses {
     if (accessor < used_.size()) used_[accessor] = true;
   }
 
-  /// Attributes of an application are not read.
+  /// Marks the attributes that the import reads; application-specific ones are not read.
   void mark_attributes(const std::map<std::string, int>& attributes) {
     for (const auto& [name, accessor] : attributes)
       if (parse_semantic(name)) mark(accessor);

@@ -5,13 +5,13 @@
 
 namespace sinew {
 
-/// Looks into accessors that nothing of the import reads. They cannot harm a pose, but the file is broken.
-/// in       accessors that fit their views
+/// Checks accessors that the import does not read. They do not affect poses, but violations are still reported.
+/// in       accessors fit their views
 /// warning  not-finite
 /// cost     O(elements), bounded
 void check_unused_accessors(const gltf::Document& document, IssueLog& log);
 
-/// Positions have min and max, which programs use as the bounds of a mesh.
+/// Checks that positions have min and max, which programs use as bounds of a mesh.
 /// warning  mesh-position-bounds
 void check_position_bounds(const gltf::Document& document, IssueLog& log);
 

@@ -9,7 +9,7 @@ namespace {
 
 using gltf::Json;
 
-/// False for NaN.
+/// True if the number is in range; false for NaN.
 bool in_range(const Json& value, double lower, double upper) {
   return value.is_number() && value.get<double>() >= lower && value.get<double>() <= upper;
 }
@@ -66,7 +66,8 @@ std::vector<ExtensionFields> ExtensionFields::list(const char* field) const {
 std::vector<std::pair<std::string, ExtensionFields>> ExtensionFields::members() const {
   std::vector<std::pair<std::string, ExtensionFields>> out;
   if (object_ == nullptr) return out;
-  constexpr std::size_t kLongestName = 256;  // it becomes a part of many places
+  // Longer names are dropped, because they would be copied into many locations.
+  constexpr std::size_t kLongestName = 256;
   for (const auto& [name, value] : object_->items())
     if (name.size() > kLongestName)
       log_.report(Rule::extension_value, place_, in_quotes(name) + " is too long a name; ignored");

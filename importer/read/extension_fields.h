@@ -11,39 +11,39 @@
 
 namespace sinew {
 
-/// The JSON object of one extension, read field by field. A field of the wrong type or outside its range is reported
-/// (extension-value) and treated as absent. The shape tables in gltf_shape.h do not cover extensions.
+/// Checked access to the JSON object of an extension, which gltf_shape.h does not cover. A field of the wrong type or
+/// out of range is reported (extension-value) and treated as absent.
 class ExtensionFields {
  public:
-  /// Finds the extension `name` in the `extensions` of the object at `place`. Converts to false where there is none.
+  /// Finds the extension `name` in the `extensions` of the object at `place`. Converts to false if there is none.
   ExtensionFields(const gltf::Json& extensions, const std::string& place, const char* name, IssueLog& log);
 
   explicit operator bool() const noexcept { return object_ != nullptr; }
   bool has(const char* field) const;
 
-  /// An object inside this one, for example a texture.
+  /// A nested object, such as a texture.
   ExtensionFields object(const char* field) const;
 
-  /// The objects of an array inside this one; empty where it is absent. Entries that are no objects are reported.
+  /// The objects of a nested array; empty if absent. Reports entries that are not objects.
   std::vector<ExtensionFields> list(const char* field) const;
 
-  /// The members of this object that are objects, with their names.
+  /// All members that are objects, with their names.
   std::vector<std::pair<std::string, ExtensionFields>> members() const;
 
-  /// A string; empty where it is absent or of another type.
+  /// A string; empty if absent or of another type.
   std::string text(const char* field) const;
 
-  /// Indices below `limit` in an array; others are reported and left out.
+  /// The indices of an array; reports and drops those not below `limit`.
   std::vector<std::uint32_t> indices(const char* field, std::size_t limit) const;
 
   bool boolean(const char* field, bool fallback) const;
 
   double number(const char* field, double fallback, double lower = -kAny, double upper = kAny) const;
 
-  /// Fills `count` numbers, or leaves all of them unchanged.
+  /// Reads an array of `count` numbers; on error all of `out` stays unchanged.
   void numbers(const char* field, float* out, std::size_t count, double lower = -kAny, double upper = kAny) const;
 
-  /// An index below `limit`; kNone where it is absent or wrong.
+  /// An index below `limit`; kNone if absent or invalid.
   std::uint32_t index(const char* field, std::size_t limit) const;
 
   const gltf::Json& extensions() const;

@@ -11,7 +11,7 @@ namespace {
 
 using Decoder = std::unique_ptr<avifDecoder, void (*)(avifDecoder*)>;
 
-/// A decoder that has read the header, or none.    in   most_pixels  of any image in the file
+/// Opens a decoder and reads the header; null on error.    in   most_pixels  limit for any image in the file
 Decoder open(std::span<const std::byte> encoded, std::uint64_t most_pixels) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(encoded.data());
   const avifROData head{bytes, encoded.size()};
@@ -20,7 +20,7 @@ Decoder open(std::span<const std::byte> encoded, std::uint64_t most_pixels) {
   if (!decoder) return decoder;
   decoder->maxThreads = 1;
   decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
-  decoder->strictFlags = AVIF_STRICT_DISABLED;  // boxes that encoders forget do not matter here
+  decoder->strictFlags = AVIF_STRICT_DISABLED;  // accept files whose encoder omitted required boxes
   decoder->imageSizeLimit =
       static_cast<std::uint32_t>(std::min<std::uint64_t>(most_pixels, AVIF_DEFAULT_IMAGE_SIZE_LIMIT));
   const bool is_open = avifDecoderSetSource(decoder.get(), AVIF_DECODER_SOURCE_PRIMARY_ITEM) == AVIF_RESULT_OK &&

@@ -6,16 +6,16 @@
 
 namespace sinew {
 
-/// AVIF, by libavif on one thread. Of a sequence the still image is read. Colours are those that the stream's matrix
-/// gives; profiles, transfer curves, rotation and mirroring of the container are not applied, as with other kinds.
-/// out   nothing for what is no AVIF file, or a damaged one
+/// Reads size and type of an AVIF image. Decoding uses libavif on one thread; for sequences it reads the still image.
+/// Applies the stream's colour matrix, but no profiles, transfer curves, rotation or mirroring, as for other formats.
+/// out   empty if it is not an AVIF file or is damaged
 /// cost  O(header)
 std::optional<ImageHeader> probe_avif(std::span<const std::byte> encoded);
 
-/// Decodes to RGBA with 8 bits a channel, rows from the top; colours are not multiplied by alpha.
-/// in    size   that probe_avif gave; streams that hold more pixels are refused before they are decoded
+/// Decodes to RGBA with 8 bits per channel, top row first, straight alpha.
+/// in    size   result of probe_avif; streams with more pixels are refused before decoding
 /// out   [4 * width * height]
-/// err   a sentence for people
+/// err   a message for users
 tl::expected<std::vector<std::uint8_t>, std::string> decode_avif(std::span<const std::byte> encoded,
                                                                  const ImageHeader& size);
 

@@ -11,8 +11,7 @@
 #include "importer/read/image_avif.h"
 #include "importer/read/undecoded_images.h"
 
-// The only file that includes stb_image, with a private copy of its functions. It decodes PNG only: its JPEG decoder
-// writes past its tables when a file has wrong lengths.
+// A private copy of stb_image, used for PNG only: its JPEG decoder writes out of bounds for files with wrong lengths.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -48,9 +47,9 @@ std::optional<ImageHeader> png_size(Bytes encoded) {
   return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/png"};
 }
 
-/// False where a chunk claims more bytes than the file has left. stb_image would allocate all of them before it checks.
+/// False if a chunk declares more bytes than the file has left. stb_image would allocate them before it checks.
 bool png_chunks_fit(Bytes encoded) noexcept {
-  constexpr std::size_t kSignature = 8, kBeforeData = 8, kChecksum = 4;  // before data: length and type
+  constexpr std::size_t kSignature = 8, kBeforeData = 8, kChecksum = 4;  // kBeforeData: length and type
   for (std::size_t at = kSignature; at + kBeforeData <= encoded.size();) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::to_integer<std::size_t>(encoded[at + i]);
@@ -60,7 +59,7 @@ bool png_chunks_fit(Bytes encoded) noexcept {
   return true;
 }
 
-/// libjpeg-turbo's decompressor for one call.
+/// Owns a libjpeg-turbo decompressor.
 class Jpeg {
  public:
   explicit Jpeg(Bytes encoded) : encoded_(encoded), handle_(tjInitDecompress(), &tjDestroy) {}
@@ -75,7 +74,7 @@ class Jpeg {
     return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/jpeg"};
   }
 
-  /// A file with an excessive number of progressive scans is refused. A file that ends early gives the pixels it has.
+  /// Refuses files with an excessive number of progressive scans. A truncated file gives the available pixels.
   tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageHeader& size) const {
     std::vector<std::uint8_t> rgba(4 * size.pixels());
     const int failed =

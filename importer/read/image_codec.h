@@ -13,22 +13,22 @@ namespace sinew {
 struct ImageHeader {
   std::uint32_t width = 0, height = 0;
   const char* mime_type = "";
-  bool is_decoded = true;  ///< decode_image() can decode this kind
+  bool is_decoded = true;  ///< decode_image() supports this format
 
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };
 
-/// Size and type of an encoded image from its first bytes, without decoding. PNG, JPEG, WebP, AVIF and the kinds that
-/// are recognised but not decoded (undecoded_images.h) are told apart by content, not by name.
-/// err   a sentence for people
+/// Size and format of an encoded image, from its first bytes. Detects PNG, JPEG, WebP, AVIF and the formats of
+/// undecoded_images.h by content.
+/// err   a message for users
 /// cost  O(header)
 tl::expected<ImageHeader, std::string> probe_image(std::span<const std::byte> encoded);
 
-/// Decodes an image to RGBA with 8 bits a channel, rows from the top. 16-bit channels are reduced; missing channels are
-/// filled (grey to red, green and blue; opaque).
-/// in    encoded   an image that probe_image accepts and calls decoded
+/// Decodes an image to RGBA with 8 bits per channel, top row first. Reduces 16-bit channels; expands grey to RGB and
+/// missing alpha to opaque.
+/// in    encoded   an image for which probe_image() returned is_decoded
 /// out   [4 * width * height]
-/// err   a sentence for people
+/// err   a message for users
 /// cost  O(pixels)
 tl::expected<std::vector<std::uint8_t>, std::string> decode_image(std::span<const std::byte> encoded);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/images.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -10,16 +8,17 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/image_codec.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
 
-/// No codec packs more pixels into a byte: deflate expands a byte to at most 1032, and a byte holds at most 8 pixels.
-/// Only WebP and AVIF of a single colour do; sizes up to a common texture size are therefore always accepted.
+/// Plausible pixels per encoded byte: deflate expands a byte to at most 1032 bytes of 8 pixels each. Only
+/// single-coloured WebP and AVIF exceed this, so images up to a common texture size are always accepted.
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
 
-/// Takes the pixels of an image out of the allowance; returns why not, or an empty string.
+/// Reserves the pixels of an image. Returns the reason if that fails, else an empty string.
 std::string admit(gltf::Bytes encoded, bool decode, std::uint64_t& pixels_left, Image& image) {
   const auto size = probe_image(encoded);
   if (!size) return size.error();
@@ -48,7 +47,7 @@ void decode(gltf::Bytes encoded, Image& image) {
   image.missing_reason = pixels.error();
 }
 
-/// For each image the first one with the same bytes, which may be the image itself.
+/// For each image, the first image with identical bytes (possibly itself).
 std::vector<std::uint32_t> first_of_equals(const gltf::Document& document) {
   std::map<std::pair<const std::byte*, std::size_t>, std::uint32_t> known;
   std::vector<std::uint32_t> first;
@@ -82,13 +81,13 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
                                    ? source.missing_reason
                                    : admit(source.encoded, options.decode_images, pixels_left, images[i]);
   }
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  run_in_parallel(count, [&](std::size_t i) {
     const gltf::Bytes encoded = document.images[i].encoded;
     if (options.decode_images && images[i].missing_reason.empty()) decode(encoded, images[i]);
     if (options.keep_encoded_images && images[i].missing_reason.empty())
       images[i].encoded.assign(encoded.begin(), encoded.end());
   });
-  // Images whose bytes could not be read have been reported by load_images().
+  // load_images() has already reported images whose bytes could not be read.
   for (std::size_t i = 0; i < count; ++i)
     if (first[i] == i && !images[i].missing_reason.empty() && document.images[i].missing_reason.empty())
       log.report(Rule::image_missing, pointer("images", i), images[i].missing_reason + "; a placeholder is shown");

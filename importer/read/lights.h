@@ -9,9 +9,9 @@
 
 namespace sinew {
 
-/// Reads the lights of KHR_lights_punctual, which nodes then place.
-/// out      one entry for each light of the file, in its order; nothing for a light without a type that the extension
-///          defines. Each other wrong value takes the default
+/// Reads the lights of KHR_lights_punctual.
+/// out      one entry for each light of the file, in file order; empty for a light of unknown type. Other invalid
+///          values become the default
 /// warning  light-values
 std::vector<std::optional<Light>> read_lights(const gltf::Document& document, IssueLog& log);
 

@@ -12,7 +12,7 @@ float share(const ExtensionFields& extension, const char* name, double fallback)
   return static_cast<float>(extension.number(name, fallback, 0.0, 1.0));
 }
 
-/// The index of refraction is 0, which stands for a surface that reflects all light, or at least 1.
+/// Reads the index of refraction: at least 1, or 0 for a surface that reflects all light.
 float read_ior(const ExtensionFields& extension) {
   const double ior = extension.number("ior", 1.5, 0.0);
   if (ior == 0.0 || ior >= 1.0) return static_cast<float>(ior);

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// Reads what extensions add to a metallic-roughness surface: KHR_materials_ior, KHR_materials_specular,
-/// KHR_materials_clearcoat, KHR_materials_sheen and KHR_materials_transmission.
+/// Reads the material layers of extensions: KHR_materials_ior, KHR_materials_specular, KHR_materials_clearcoat,
+/// KHR_materials_sheen and KHR_materials_transmission.
 /// in       place  JSON pointer of the material;   extensions  of the material
 /// out      the members specular, clearcoat, sheen and transmission of the material
 /// warning  extension-value

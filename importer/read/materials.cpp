@@ -95,8 +95,8 @@ class MaterialReader {
 
     const bool textured_specular = extension.has("specularGlossinessTexture");
     const MetallicRoughness surface = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), glossiness});
-    // Where the specular colour is in a texture, the factors say nothing about the surface. Most such surfaces are not
-    // metal.
+    // If the specular colour is in a texture, the factors do not describe the surface. Most such surfaces are not
+    // metallic.
     out_.base_color = textured_specular ? diffuse : glm::vec4(glm::vec3(surface.base_color), diffuse.a);
     out_.metallic = textured_specular ? 0.0f : static_cast<float>(surface.metallic);
     out_.roughness = static_cast<float>(surface.roughness);
@@ -124,13 +124,13 @@ class MaterialReader {
   Material out_;
 };
 
-/// An extension of materials that is not read: where it is first, and how many materials have it.
+/// An unsupported material extension: its first location, and the number of materials that use it.
 struct Unread {
   std::string place;
   std::size_t materials = 0;
 };
 
-/// Surfaces are drawn without what such an extension refines, so each is named once.
+/// Reports each unsupported material extension once.
 void report_unread_extensions(const gltf::Document& document, IssueLog& log) {
   std::map<std::string, Unread> found;
   for (std::size_t m = 0; m < document.materials.size(); ++m) {

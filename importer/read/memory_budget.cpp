@@ -19,7 +19,7 @@ class Budget {
  public:
   explicit Budget(const gltf::Document& document) : document_(document) {}
 
-  /// Counts components as floats, because attributes become floats.
+  /// Adds an accessor; components count as floats, because attributes are converted to float.
   void add(std::uint32_t accessor, std::uint64_t times = 1) {
     if (accessor == kNone) return;
     const auto& source = document_.accessors[accessor];
@@ -27,7 +27,7 @@ class Budget {
     total_ = std::min(kHuge, total_ + count * element_layout(source).components() * 4 * times);
   }
 
-  /// `count` things of `size` bytes.   in   neither above 2^32
+  /// Adds `count` elements of `size` bytes.   in   both at most 2^32
   void add_bytes(std::uint64_t count, std::uint64_t size) { total_ = std::min(kHuge, total_ + count * size); }
 
   std::uint64_t total() const noexcept { return total_; }
@@ -38,7 +38,7 @@ class Budget {
   std::uint64_t total_ = 0;
 };
 
-/// How many nodes a channel animates; each gets a track of its own.
+/// Number of nodes that a channel animates; each gets its own track.
 class Users {
  public:
   explicit Users(const gltf::Document& document)
@@ -52,8 +52,8 @@ class Users {
 
   std::uint64_t of(const gltf::AnimationChannel& channel) const {
     if (channel.path != "pointer") return 1;
-    PointerFault unheard;
-    const auto pointed = read_property_pointer(document_, channel.pointer, unheard);
+    PointerFault ignored_fault;
+    const auto pointed = read_property_pointer(document_, channel.pointer, ignored_fault);
     if (!pointed) return 1;
     switch (pointed->list) {
       case PointedProperty::List::meshes: return meshes_[pointed->index];
@@ -77,7 +77,7 @@ std::size_t target_count(const gltf::Mesh& mesh) {
   return count;
 }
 
-/// Nodes that place the same camera or light share its name.
+/// Adds copies of cameras and lights that several nodes use, including their names.
 void add_placements(const gltf::Document& document, Budget& budget) {
   const gltf::Json* lights = member(member(&document.extensions, "KHR_lights_punctual"), "lights");
   const std::size_t light_count = lights != nullptr && lights->is_array() ? lights->size() : 0;
@@ -88,12 +88,12 @@ void add_placements(const gltf::Document& document, Budget& budget) {
   }
 }
 
-/// Lists that multiply: targets times primitives, weights times nodes. Clips share what is at rest, so that each takes
-/// what its channels move, in the form of the file and compiled.
+/// Adds products of lists: targets times primitives, weights times nodes. Each clip stores only what its channels
+/// animate, both as authored and compiled.
 void add_products(const gltf::Document& document, const Users& users, Budget& budget) {
   constexpr std::uint64_t kProperty = 4 * sizeof(float);
   constexpr std::uint64_t kJoint =
-      2 * sizeof(Transform) + sizeof(std::string) + 4 * sizeof(std::uint32_t);  // rest, and the same in planes; name
+      2 * sizeof(Transform) + sizeof(std::string) + 4 * sizeof(std::uint32_t);  // rest pose in two layouts; name
   constexpr std::uint64_t kClip = sizeof(Animation) + sizeof(ClipLayout);
   constexpr std::uint64_t kTrack = sizeof(BoneAnimation) + sizeof(TimeGroup) + sizeof(TrackBlock);
   std::vector<std::size_t> targets;
@@ -133,7 +133,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
       for (const auto& [name, accessor] : primitive.attributes) budget.add(accessor);
       for (const auto& target : primitive.targets)
         for (const auto& [name, accessor] : target) budget.add(accessor);
-      budget.add(primitive.indices, 3);  // a strip unrolls to three times its length
+      budget.add(primitive.indices, 3);  // unrolling a strip triples its length
     }
   const Users users(document);
   add_products(document, users, budget);
@@ -142,9 +142,9 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
       budget.add(animation.samplers[channel.sampler].input, users.of(channel));
       budget.add(animation.samplers[channel.sampler].output, users.of(channel));
     }
-  IssueLog unheard;  // build_instances reports what is odd about these
+  IssueLog discarded_log;  // build_instances reports these issues
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
-    for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) budget.add(accessor, 3);
+    for (const auto& [name, accessor] : copy_attributes(document, n, discarded_log)) budget.add(accessor, 3);
   for (const auto& skin : document.skins) budget.add(skin.inverseBindMatrices);
   const std::uint64_t allowed = allowed_bytes(file_bytes, most);
   if (budget.total() > allowed)

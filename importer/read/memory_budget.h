@@ -7,16 +7,15 @@
 
 namespace sinew {
 
-/// How many bytes a file may unpack or grow to: a fixed amount and a multiple of its size that good compression does
-/// not reach, but never more than `most` (G68).
+/// Bytes that a file may expand to: a fixed amount plus a multiple of its size (above real compression ratios), but at
+/// most `most`.
 std::uint64_t allowed_bytes(std::uint64_t file_bytes, std::uint64_t most) noexcept;
 
-/// Adds up how many bytes the document will grow to as vertices, keys and indices, and by lists that multiply with each
-/// other, before anything grows. Many primitives may share one accessor, and an accessor without a view costs no bytes
-/// in the file (G68).
-/// in    references in range
-///       file_bytes   with all buffers
-///       most         upper limit, whatever the size of the file
+/// Estimates the memory of vertices, keys, indices and multiplying lists before anything is allocated. Small files can
+/// expand a lot: primitives may share one accessor, and an accessor without a view has no bytes in the file.
+/// in    references are in range
+///       file_bytes   size of the file with all buffers
+///       most         upper limit, independent of the file size
 /// err   memory-budget
 void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log);
 

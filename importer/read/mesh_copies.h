@@ -12,14 +12,14 @@
 
 namespace sinew {
 
-/// The accessors of EXT_mesh_gpu_instancing on a node, by attribute name; empty where the node has no such extension.
+/// The accessors of EXT_mesh_gpu_instancing on a node, by attribute name; empty if the node lacks the extension.
 /// err      reference
 /// warning  extension-value
 std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node, IssueLog& log);
 
-/// Transforms of the copies of a node's mesh, in the node's space.
-/// out      nothing without the extension or after an error; an empty list means that the mesh is not shown
-/// err      those of copy_attributes, instancing-attributes, not-finite
+/// Transforms of the instanced copies of a node's mesh, in the node's space.
+/// out      no value without the extension or after an error; an empty list = the mesh is not shown
+/// err      as copy_attributes; instancing-attributes, not-finite
 /// warning  rotation-zero, rotation-length
 std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node,
                                                        IssueLog& log);

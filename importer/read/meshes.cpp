@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kUnitTolerance = 0.00674f;  // rounding of an 8-bit normal; common validators use the same
+constexpr float kUnitTolerance = 0.00674f;  // rounding error of an 8-bit normal; the same as in common validators
 
 std::vector<glm::vec4> opaque(const std::vector<glm::vec3>& colors) {
   std::vector<glm::vec4> out;
@@ -105,7 +105,8 @@ class PrimitiveReader {
     }
   }
 
-  /// Lengths near 1 stay as they are, because morphed normals are sums of stored values.
+  /// Normalises normals whose length is not close to 1. Others stay unchanged, because morphed normals are sums of
+  /// stored values.
   void make_unit(const std::string& place) {
     std::size_t odd = 0;
     float worst = 1.0f;
@@ -196,7 +197,7 @@ std::vector<V> read_finite(const gltf::Document& document, std::uint32_t index, 
     values = read_floats(document, index);
   else
     values = read_vectors<V>(document, index);
-  const bool whole = accessor.component_type != gltf::ComponentType::f32;  // integers are finite
+  const bool whole = accessor.component_type != gltf::ComponentType::f32;  // integers are always finite
   if (whole || check_finite<V>(values, {}, element_layout(accessor).components(), place, log)) return values;
   return {};
 }

@@ -11,21 +11,21 @@
 
 namespace sinew {
 
-/// One JOINTS_n / WEIGHTS_n pair: four entries for each vertex.
+/// One JOINTS_n / WEIGHTS_n pair, with four entries for each vertex.
 struct InfluenceSet {
   std::uint32_t number;  ///< n
   std::vector<std::uint32_t> joints;
   std::vector<float> weights;
 };
 
-/// A primitive in the file's vertex order. Attributes, unrolled indices and material are filled; influences and morph
+/// A primitive in file vertex order. Attributes, unrolled indices and material are filled in; influences and morph
 /// targets are not.
 struct PrimitiveData {
   Primitive primitive;
   std::vector<InfluenceSet> influence_sets;
 };
 
-/// Reads the vertices and indices of a primitive. A primitive without POSITION stays empty but keeps its place in the
+/// Reads the vertices and indices of a primitive. A primitive without POSITION stays empty, but keeps its index in the
 /// mesh.
 /// err      mesh-attribute-format, mesh-attribute-count, mesh-indices, mesh-index, not-finite
 /// warning  mesh-no-position, mesh-mode, mesh-joint-sets, mesh-texcoord-gap, mesh-normal-length, mesh-tangent-sign,
@@ -33,7 +33,7 @@ struct PrimitiveData {
 PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
                              IssueLog& log);
 
-/// True where all components are finite. `indices` numbers the elements in the report; empty = 0, 1, 2 ...
+/// True if all components are finite. `indices` are the element numbers for reports; empty = 0, 1, 2 ...
 /// err  not-finite
 template <class V>
 bool check_finite(std::span<const V> values, std::span<const std::uint32_t> indices, std::size_t components,

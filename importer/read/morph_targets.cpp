@@ -30,7 +30,7 @@ Displacements<glm::vec4> without_alpha(const Displacements<glm::vec3>& colors) {
   return out;
 }
 
-/// Where only sparse replacements displace anything, only they are read: the zeros beneath would be dropped later.
+/// Reads displacements. For a sparse accessor over zeros, reads only the replacements.
 template <class V>
 Displacements<V> read_displacements(const gltf::Document& document, std::uint32_t index, const std::string& place,
                                     IssueLog& log) {
@@ -71,7 +71,7 @@ TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh,
     if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
     if (semantic->attribute == Attribute::texcoord)
       log.report(Rule::morph_texcoord, place, "texture coordinates stay as they are when the mesh is morphed");
-    const auto vec3 = [&, accessor = accessor] {  // clang below 16 captures no binding
+    const auto vec3 = [&, accessor = accessor] {  // clang before 16 cannot capture structured bindings
       return read_displacements<glm::vec3>(document, accessor, place, log);
     };
     switch (semantic->attribute) {

@@ -10,16 +10,15 @@
 
 namespace sinew {
 
-/// Displacements of one attribute in the file's order. A sparse accessor names the vertices that it moves in any order;
-/// of several values for one vertex the last counts. Otherwise `indices` is empty, and there is one value for each
-/// vertex or no value at all.
+/// Displacements of one attribute, in file order. From a sparse accessor: `indices` are the moved vertices in any
+/// order; of duplicates, the last counts. Otherwise `indices` is empty, and there is one value per vertex or none.
 template <class V>
 using Displacements = Replacements<V>;
 
-/// One morph target. An attribute that the target does not displace is empty (G47).
+/// One morph target. Attributes that it does not displace are empty.
 struct TargetData {
   Displacements<glm::vec3> positions, normals, tangents;
-  Displacements<glm::vec4> colors;  ///< alpha is 0 where the file has three components
+  Displacements<glm::vec4> colors;  ///< alpha is 0 if the file has three components
   std::vector<Displacements<glm::vec2>> texcoords;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kUnitTolerance = 5e-5;
 
-/// `absent` where the node has none.
+/// Converts to vec3; returns `absent` if the vector is empty.
 glm::vec3 to_vec3(const std::vector<double>& v, glm::vec3 absent) {
   return v.empty() ? absent : glm::vec3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
 }

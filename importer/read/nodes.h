@@ -10,15 +10,14 @@
 
 namespace sinew {
 
-/// The transform of a node in its parent's space: translation, rotation and scale, or a matrix that is kept bit for bit
-/// (G50).
+/// The local transform of a node: translation, rotation and scale, or a matrix that is kept bit for bit.
 struct NodeTransform {
-  Transform transform;  ///< where there is a matrix: its decomposition, for code that cannot use the matrix
+  Transform transform;  ///< if there is a matrix: its decomposition, for code that cannot use matrices
   bool is_matrix = false;
   Affine matrix;
 };
 
-/// Reads a matrix from 16 column-major numbers; false when its fourth row is not 0 0 0 1.
+/// Reads a matrix from 16 column-major numbers; false if its fourth row is not 0 0 0 1.
 template <class T>
 bool to_affine(const T* m, Affine& out) noexcept {
   for (std::size_t row = 0; row < 3; ++row)
@@ -27,7 +26,7 @@ bool to_affine(const T* m, Affine& out) noexcept {
   return m[3] == T(0) && m[7] == T(0) && m[11] == T(0) && m[15] == T(1);
 }
 
-/// Reads one node. Rotations that are not unit quaternions are normalised; a zero rotation becomes the identity (G52).
+/// Reads one node. Normalises rotations; a zero rotation becomes the identity.
 /// warning  node-matrix-trs (the matrix is used), node-matrix-row, rotation-length, rotation-zero
 NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, IssueLog& log);
 

@@ -66,7 +66,7 @@ bool take(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// An array index of RFC 6901: digits without a leading zero.
+/// Parses an array index of RFC 6901: digits without a leading zero.
 std::optional<std::uint32_t> take_index(std::string_view& text) {
   std::uint32_t index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -121,19 +121,19 @@ bool material_defines(const gltf::Material& material, const PropertyTarget& targ
   }
 }
 
-/// True where the file has the object that holds the property, and the property itself unless glTF gives it a default.
+/// True if the file has the object with the property, and the property itself unless glTF has a default for it.
 bool is_defined(const gltf::Document& document, List list, std::string_view path, const PropertyTarget& target) {
   switch (list) {
     case List::nodes: return member(&document.nodes[target.index].extensions, "KHR_node_visibility") != nullptr;
     case List::cameras: return camera_defines(document.cameras[target.index], path, target.kind);
     case List::lights: return light_defines(document, target.index, target.kind);
     case List::materials: return material_defines(document.materials[target.index], target);
-    case List::meshes: break;  // "weights" have no row
+    case List::meshes: break;  // "weights" are not in the table
   }
   return true;
 }
 
-/// Accepts "weights" and "weights/3" of a node or mesh, and whole properties of a node.
+/// Parses "weights" and "weights/3" of a node or mesh, and whole properties of a node.
 bool read_node_path(std::string_view path, PointedProperty& out) {
   if (path == "weights") {
     out.node_path = "weights";
@@ -223,8 +223,8 @@ std::optional<PointedProperty> read_property_pointer(const gltf::Document& docum
 }
 
 bool property_is_defined(const gltf::Document& document, const Scene& scene, const PropertyTarget& target) {
-  PointerFault unheard;
-  return read_property_pointer(document, property_pointer(target, scene), unheard).has_value();
+  PointerFault ignored_fault;
+  return read_property_pointer(document, property_pointer(target, scene), ignored_fault).has_value();
 }
 
 }  // namespace sinew

@@ -7,7 +7,7 @@ namespace sinew {
 namespace {
 
 constexpr double kNoLength = 1e-12;
-constexpr double kUnitTolerance = 0.00769;  // rounding of normalised bytes and shorts
+constexpr double kUnitTolerance = 0.00769;  // rounding error of normalised bytes and shorts
 
 }  // namespace
 

@@ -8,24 +8,24 @@
 
 namespace sinew {
 
-/// A rotation after normalisation, with the length that the file stored.
+/// A normalised rotation, and its original length.
 struct UnitRotation {
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-  double length = 1.0;  ///< as stored
+  double length = 1.0;  ///< length in the file
 };
 
-/// Makes a stored quaternion a unit quaternion. A length within float rounding of 1 is left alone, so that stored keys
-/// stay exact (G06); zero becomes the identity (G52).
-/// in    finite numbers
+/// Normalises a quaternion. A length within float rounding of 1 is left unchanged, so that keys stay exact; zero
+/// becomes the identity.
+/// in    all numbers are finite
 UnitRotation unit_rotation(double x, double y, double z, double w) noexcept;
 
-/// Counts what is odd about a list of rotations, so that it is reported once for the whole list.
+/// Counts invalid rotations of a list, so that they are reported once.
 class RotationTally {
  public:
   void add(double length) noexcept;
 
-  /// in       one, many   name the rotations: "a rotation key", "rotation keys"
-  /// warning  rotation-zero, rotation-length (beyond the rounding of normalised bytes and shorts)
+  /// in       one, many   nouns for the report: "a rotation key", "rotation keys"
+  /// warning  rotation-zero, rotation-length (if beyond the rounding of normalised integers)
   void report(const std::string& place, const char* one, const char* many, IssueLog& log) const;
 
  private:

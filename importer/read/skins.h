@@ -8,15 +8,15 @@
 
 namespace sinew {
 
-/// Reads the inverse bind matrices of a skin, one for each joint. Without any in the file they are identities; surplus
-/// matrices are ignored (G31).
+/// Reads the inverse bind matrices of a skin, one for each joint. If the file has none, they are identities; surplus
+/// matrices are ignored.
 /// err      skin-matrices (wrong type, or fewer than joints), not-finite
 /// warning  skin-matrix-row, skin-no-joints
 std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, std::uint32_t skin, IssueLog& log);
 
-/// Warns where joints of a skin lie under different roots. Poses are right all the same: every joint's chain of
-/// ancestors is evaluated (G32).
-/// in       root_of_node[N]   the node at the top of each node's tree
+/// Warns if joints of a skin have different roots. Poses are still correct, because every joint's own ancestors are
+/// evaluated.
+/// in       root_of_node[N]   root of each node's tree
 /// warning  skin-common-root
 void check_common_root(const gltf::Document& document, std::uint32_t skin,
                        const std::vector<std::uint32_t>& root_of_node, IssueLog& log);

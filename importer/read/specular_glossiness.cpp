@@ -10,7 +10,7 @@ namespace {
 constexpr double kDielectric = 0.04;
 constexpr double kTiny = 1e-6;
 
-/// Brightness of a linear colour as people see it.   (HSP colour model, Finley 2006)
+/// Perceived brightness of a linear colour   (HSP colour model, Finley 2006).
 double perceived(const glm::dvec3& c) noexcept {
   return std::sqrt(0.299 * c.r * c.r + 0.587 * c.g * c.g + 0.114 * c.b * c.b);
 }

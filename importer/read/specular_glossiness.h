@@ -15,12 +15,11 @@ struct MetallicRoughness {
   double metallic = 1.0, roughness = 1.0;
 };
 
-/// Finds the metallic-roughness surface that looks most like a specular-glossiness surface. Exact where the specular
-/// colour is that of a dielectric (0.04) or the diffuse colour is black. In between, `metallic` is chosen so that both
-/// lobes keep their brightness.
+/// Approximates a specular-glossiness surface by a metallic-roughness surface. Exact if the specular colour is 0.04
+/// (dielectric) or the diffuse colour is black. In between, `metallic` is chosen to preserve the brightness of both
+/// lobes.
 /// eq   m in [0, 1] solves  0.04 m^2 + (d (1 - s) / 0.96 + p - 0.08) m + 0.04 - p = 0,  d and p the perceived
-/// brightness
-///      of the diffuse and the specular colour, s the largest component of the specular colour; roughness =
+///      brightness of the diffuse and the specular colour, s the largest component of the specular colour; roughness =
 ///      1 - glossiness.   Derived from  diffuse (1 - s) = base (1 - 0.04)(1 - m),  specular = lerp(0.04, base, m)
 MetallicRoughness to_metallic_roughness(const SpecularGlossiness& surface) noexcept;
 

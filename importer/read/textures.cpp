@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-// glTF uses the numbers of OpenGL.
+// Filter modes: glTF uses OpenGL's numbers.
 constexpr int kNearest = 9728, kLinear = 9729;
 constexpr int kNearestMipmapNearest = 9984, kLinearMipmapNearest = 9985, kNearestMipmapLinear = 9986,
               kLinearMipmapLinear = 9987;
@@ -67,8 +67,8 @@ Sampler read_sampler(const gltf::Document& document, std::uint32_t index, IssueL
   return sampler;
 }
 
-/// The image of a texture. Of the images that extensions name, one that the importer decodes is preferred to `source`,
-/// and `source` to one that it cannot decode.
+/// The image of a texture. An image of an extension that the importer can decode is preferred over `source`, and
+/// `source` over one that it cannot decode.
 std::uint32_t image_of(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
   constexpr struct {
     const char* name;

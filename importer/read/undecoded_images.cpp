@@ -16,15 +16,15 @@ bool has(Bytes bytes, std::size_t at, std::string_view text) noexcept {
                     [](char c, std::byte b) { return static_cast<std::byte>(c) == b; });
 }
 
-/// Four bytes, the least significant first.   in   at + 4 <= bytes.size()
+/// Reads a little-endian 32-bit number.   in   at + 4 <= bytes.size()
 std::uint32_t little(Bytes bytes, std::size_t at) noexcept {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
   return value;
 }
 
-/// eq   12 bytes of identifier, vkFormat, typeSize, pixelWidth, pixelHeight   (KTX 2.0, "Header"). A texture of one
-///      dimension has height 0
+/// eq   12 bytes of identifier, vkFormat, typeSize, pixelWidth, pixelHeight   (KTX 2.0, "Header"). A 1D texture has
+///      height 0
 std::optional<ImageHeader> ktx2(Bytes bytes) noexcept {
   if (!has(bytes, 0, "\xabKTX 20\xbb\r\n\x1a\n"sv) || bytes.size() < 28) return std::nullopt;
   return ImageHeader{little(bytes, 20), std::max(little(bytes, 24), 1u), "image/ktx2", false};

@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// Size and type of an image of a kind that is recognised, but not decoded: KTX2 (KHR_texture_basisu) and DDS
-/// (MSFT_texture_dds). A consumer shows a placeholder; a converter keeps the bytes.
-/// out   nothing for other kinds, and where the header is cut off
+/// Size and format of images that are recognised but not decoded: KTX2 (KHR_texture_basisu) and DDS (MSFT_texture_dds).
+/// Viewers show a placeholder; converters keep the bytes.
+/// out   empty for other formats and truncated headers
 /// cost  O(header)
 std::optional<ImageHeader> probe_undecoded_image(std::span<const std::byte> encoded) noexcept;
 

@@ -13,7 +13,7 @@ using gltf::Json;
 
 constexpr const char* kExtension = "KHR_materials_variants";
 
-/// The array `name` of the extension; null where there is none.
+/// The array `name` of the extension; null if absent.
 /// in   place  of the extension
 const Json* list_in(const Json& extensions, const char* name, const std::string& place, IssueLog& log) {
   const Json* extension = member(&extensions, kExtension);
@@ -42,8 +42,8 @@ std::vector<VariantMaterial> read_variant_materials(const gltf::Document& docume
   const std::string place = pointer("meshes", mesh, "primitives", primitive, "extensions", kExtension);
   const Json* list = list_in(document.meshes[mesh].primitives[primitive].extensions, "mappings", place, log);
   if (list == nullptr) return out;
-  IssueLog unheard;  // read_variants says what is odd about the names
-  const Json* variants = list_in(document.extensions, "variants", "", unheard);
+  IssueLog discarded_log;  // read_variants reports the issues of the names
+  const Json* variants = list_in(document.extensions, "variants", "", discarded_log);
   const std::size_t variant_count = variants == nullptr ? 0 : variants->size();
   for (std::size_t m = 0; m < list->size(); ++m) {
     const Json& mapping = (*list)[m];

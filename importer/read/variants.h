@@ -14,8 +14,8 @@ namespace sinew {
 /// warning  extension-value
 std::vector<std::string> read_variants(const gltf::Document& document, IssueLog& log);
 
-/// Reads the materials that variants give a primitive. Of two materials for one variant the first counts.
-/// warning  extension-value: entries that name no variant or no material are ignored
+/// Reads the materials of a primitive for each variant. If a variant has two, the first is used.
+/// warning  extension-value: entries with an invalid variant or material are ignored
 std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh,
                                                     std::uint32_t primitive, IssueLog& log);
 

@@ -12,8 +12,8 @@
 namespace sinew::rewrite {
 namespace {
 
-/// Whether a matrix is that of a transform, but for the rounding of what files say: no column is off by more of its
-/// length. The translation is the same.
+/// True if a matrix equals a transform within rounding: no column deviates by more than kRounding of its length. Both
+/// have the same translation.
 bool is_matrix_of(const Affine& matrix, const Transform& transform) {
   constexpr float kRounding = 1e-4f;
   const glm::mat3 given = linear_part(matrix), made = linear_part(affine_from_transform(transform));
@@ -37,7 +37,7 @@ void take_apart(const Scene& scene, std::uint32_t joint, Draft& draft) {
                             "is animated now, and shears: no translation, rotation and scale say the same"});
 }
 
-/// An animation for the list of the document; glTF wants a channel, if only one without a node.
+/// Makes an animation object. If it has no channels, adds one without a node, because glTF requires one.
 Json animation_of(const Scene& scene, const Animation& animation, Draft& draft) {
   Json out{{"channels", Json::array()}, {"samplers", Json::array()}};
   if (!animation.name.empty()) out["name"] = animation.name;

@@ -7,8 +7,8 @@
 
 namespace sinew::rewrite {
 
-/// Appends animations of joints behind those of the document. A node whose matrix is now animated gets the translation,
-/// rotation and scale of it; what they cannot say is a loss ("node-matrix-animated").
+/// Appends animations to those of the document. The matrix of a newly animated node is replaced by translation,
+/// rotation and scale; shear is a loss ("node-matrix-animated").
 void add_animations(const Scene& scene, std::span<const Animation> animations, Draft& draft);
 
 }  // namespace sinew::rewrite

@@ -13,7 +13,7 @@ constexpr int kVertexBuffer = 34962, kFloat = 5126;
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
-/// A view and an accessor of floats; returns the accessor's index.
+/// Adds a view and an accessor of floats; returns the accessor's index.
 std::size_t add_floats(std::span<const float> values, Draft& draft) {
   std::vector<std::byte> bytes(values.size_bytes());
   std::memcpy(bytes.data(), values.data(), bytes.size());
@@ -24,7 +24,7 @@ std::size_t add_floats(std::span<const float> values, Draft& draft) {
   return accessors.size() - 1;
 }
 
-/// Removes one attribute, if it is there.
+/// Removes one attribute, if present.
 void leave_out(const std::string& name, Json& attributes, Draft& draft) {
   const auto found = attributes.find(name);
   if (found == attributes.end()) return;

@@ -11,8 +11,8 @@ namespace sinew::rewrite {
 /// Removes attributes of these names from all primitives.
 void leave_out_attributes(std::span<const std::string> names, Draft& draft);
 
-/// Adds vertex attributes to primitives of the document; one of the same name is replaced.
-/// in    attributes   as many values as the primitive has vertices
+/// Adds vertex attributes to primitives of the document; replaces existing ones of the same name.
+/// in    attributes   one value for each vertex of the primitive
 void add_attributes(std::span<const AddedAttribute> attributes, Draft& draft);
 
 }  // namespace sinew::rewrite

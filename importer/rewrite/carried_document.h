@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// A whole file beside the scene that was made from it: every name and value of its JSON, and all bytes that it refers
-/// to. Nothing in it is changed by the repairs of the import.
+/// A parsed file, kept next to its imported scene: the complete JSON and all bytes that it refers to. Repairs of the
+/// import do not change it.
 struct CarriedDocument {
   gltf::Json json;
   gltf::Document document;      ///< buffers and images are loaded, compressed data is decoded

@@ -14,7 +14,7 @@ bool lies_in(Bytes part, Bytes whole) {
   return before(whole.data(), part.data()) && before(part.data() + part.size(), whole.data() + whole.size());
 }
 
-/// A part of its buffer where the view lies there as it is, else a block of its own: what a decoder made.
+/// Locates a view: a range of its buffer, or a new block if a decoder made its bytes.
 Part part_of(const gltf::Document& document, const gltf::BufferView& view, Draft& draft) {
   if (view.buffer != kNone && lies_in(view.bytes, document.buffers[view.buffer].bytes)) {
     const auto offset = static_cast<std::size_t>(view.bytes.data() - document.buffers[view.buffer].bytes.data());

@@ -9,33 +9,32 @@
 
 #include "importer/rewrite/carried_document.h"
 
-/// A document that is written again keeps its JSON, lists and indices. Each file of this folder does one step on a
-/// Draft.
+/// A rewritten document keeps its JSON, lists and indices. Each file of this folder implements one step on a Draft.
 namespace sinew::rewrite {
 
 using gltf::Bytes;
 using gltf::Json;
 
-/// Where the bytes of a buffer view lie: a part of a block.
+/// Location of a buffer view's bytes: a range of a block.
 struct Part {
   std::uint32_t block = kNone;  ///< kNone = the bytes are missing
   std::size_t offset = 0, length = 0;
 };
 
-/// Something that the new file cannot hold.
+/// Information that the new file cannot represent.
 struct Loss {
-  std::string name;  ///< of a rule or an extension
+  std::string name;  ///< name of a rule or an extension
   std::string json_pointer, detail;
 };
 
-/// A document on its way to a new file. Lists keep their order, so that indices in extensions that nobody here knows
-/// stay right.
+/// A document that is being rewritten. Lists keep their order, so that indices in unknown extensions stay valid.
 struct Draft {
   Json json;
-  std::vector<Bytes> blocks;                             ///< buffers of the source, then what was decoded or made
-  std::vector<Part> parts;                               ///< parallel to json["bufferViews"]
-  std::deque<std::vector<std::byte>> made;               ///< owns the blocks that were made
-  std::set<std::uint32_t> spare_views, spare_accessors;  ///< may have lost their last use; remove_unused() looks
+  std::vector<Bytes> blocks;                ///< buffers of the source, then decoded and new data
+  std::vector<Part> parts;                  ///< parallel to json["bufferViews"]
+  std::deque<std::vector<std::byte>> made;  ///< owns the new blocks
+  /// Candidates for remove_unused(): may have lost their last use.
+  std::set<std::uint32_t> spare_views, spare_accessors;
   std::vector<Loss> losses;
 
   Bytes bytes_of(std::uint32_t view) const {
@@ -43,18 +42,18 @@ struct Draft {
     return part.block == kNone ? Bytes{} : blocks[part.block].subspan(part.offset, part.length);
   }
 
-  /// Appends a view of its own; returns its index.
+  /// Appends a buffer view for new bytes; returns its index.
   std::uint32_t add_view(std::vector<std::byte> bytes);
   std::uint32_t add_view(Bytes bytes_that_stay);
 };
 
-/// Takes the JSON and the bytes of every view. Views without bytes are losses ("buffer-unread").
+/// Makes a draft from the JSON and the bytes of every view. Views without bytes are losses ("buffer-unread").
 Draft make_draft(const CarriedDocument& source);
 
-/// The entries of a list of the root object; an empty list where there is none.
+/// A list of the root object; an empty list if absent.
 Json& list_of(Draft& draft, const char* name);
 
-/// The extension of an object, null where it has none.
+/// The extension of an object; null if absent.
 inline Json* extension_of(Json& object, const char* name) {
   const auto all = object.find("extensions");
   if (all == object.end() || !all->is_object()) return nullptr;
@@ -62,10 +61,10 @@ inline Json* extension_of(Json& object, const char* name) {
   return found == all->end() ? nullptr : &*found;
 }
 
-/// Removes an extension of an object, and the member `extensions` with the last one.
+/// Removes an extension of an object; also the member `extensions` if it becomes empty.
 void erase_extension(Json& object, const char* name);
 
-/// Adds a name to extensionsUsed, or takes it out of extensionsUsed and extensionsRequired.
+/// declare() adds a name to extensionsUsed (and extensionsRequired); undeclare() removes it from both.
 void declare(Draft& draft, const char* extension, bool required);
 void undeclare(Draft& draft, const char* extension);
 

@@ -59,7 +59,7 @@ void KeyWriter::write(const Keys& keys, Json& sampler) {
   }
   sampler["input"] = times->second;
   sampler["output"] = keys.flags ? add_flags(keys.values) : add(keys.values, keys.components);
-  sampler.erase("interpolation");  // LINEAR is what glTF takes without it
+  sampler.erase("interpolation");  // LINEAR is the default
   if (keys.interpolation != Interpolation::linear)
     sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
 }
@@ -81,7 +81,7 @@ std::uint32_t KeyWriter::add(const std::vector<float>& values, std::size_t compo
   return accessors_.back();
 }
 
-/// Bytes, in a view of their own.
+/// Adds flags as bytes, in a separate view.
 std::uint32_t KeyWriter::add_flags(const std::vector<float>& values) {
   std::vector<std::byte> flags;
   for (const float value : values) flags.push_back(static_cast<std::byte>(value >= 0.5f));

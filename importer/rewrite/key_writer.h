@@ -16,26 +16,26 @@ namespace sinew::rewrite {
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s, values;
-  std::size_t components = 1;  ///< of an accessor's element
-  bool flags = false;          ///< values are 0 or 1, and stored as bytes
+  std::size_t components = 1;  ///< components of an accessor element
+  bool flags = false;          ///< values are 0 or 1 and are stored as bytes
 
   friend bool operator==(const Keys&, const Keys&) = default;
 };
 
-/// Nothing for a track without keys, and for squad, which glTF has not.
+/// Converts a track. Empty for a track without keys, and for squad, which glTF does not have.
 std::optional<Keys> keys_of(const Vec3Track& track);
 std::optional<Keys> keys_of(const QuatTrack& track);
 std::optional<Keys> keys_of(const WeightTrack& track);
 std::optional<Keys> keys_of(const PropertyTrack& track);
 
-/// Writes keys of one animation. Key times that several channels share are written once.
+/// Writes keys of one animation. Key times shared by several channels are written once.
 class KeyWriter {
  public:
   explicit KeyWriter(Draft& draft) : draft_(draft) {}
 
-  /// Sets what a sampler reads, and how it interpolates.
+  /// Sets input, output and interpolation of a sampler.
   void write(const Keys& keys, Json& sampler);
-  /// Puts what was written into a view.
+  /// Stores the collected data in a buffer view.
   void finish();
 
  private:

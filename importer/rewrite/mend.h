@@ -4,10 +4,10 @@
 
 namespace sinew::rewrite {
 
-/// Completes what glTF demands and the file lacks, where one value does no harm:
-/// - an empty list of the root object goes;
-/// - a skin without joints gets the first node, which nothing then follows;
-/// - an orthographic camera without far plane gets one that is far away.
+/// Adds data that glTF requires and the file lacks, where the value does not matter:
+/// - an empty list of the root object is removed;
+/// - a skin without joints gets the first node, which no vertex uses;
+/// - an orthographic camera without a far plane gets a distant one.
 void mend(Draft& draft);
 
 }  // namespace sinew::rewrite

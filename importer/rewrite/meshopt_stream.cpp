@@ -38,7 +38,7 @@ std::optional<EncodedStream> encode_meshopt(StreamUse use, std::size_t stride, c
   const bool triangles = use == StreamUse::triangles && count % 3 == 0;
   EncodedStream out;
   out.mode = triangles ? "TRIANGLES" : index ? "INDICES" : "ATTRIBUTES";
-  out.bytes.resize(elements.size());  // a result that is not smaller does not fit
+  out.bytes.resize(elements.size());  // encoding fails if the result is not smaller
   std::size_t size = 0;
   if (index) {
     meshopt_encodeIndexVersion(1);

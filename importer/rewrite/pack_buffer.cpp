@@ -11,7 +11,7 @@
 namespace sinew::rewrite {
 namespace {
 
-/// Bytes of one block that views name without a gap, and where they go.
+/// A contiguous range of a block that is covered by views, and its destination.
 struct Run {
   std::uint32_t block = kNone;
   std::size_t begin = 0, end = 0, to = 0;
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> by_place(const std::vector<Part>& parts) {
   return order;
 }
 
-/// Where a view is in the new buffer. A view that allows direct use names its offset and length in its extension.
+/// Sets the location of a view in the new buffer: in its compression extension, if it has one.
 void set_place(Json& view, std::size_t offset, std::size_t length) {
   Json* place = &view;
   if (Json* stream = extension_of(view, "EXT_meshopt_compression")) place = stream;
@@ -35,7 +35,7 @@ void set_place(Json& view, std::size_t offset, std::size_t length) {
   if (offset > 0) (*place)["byteOffset"] = offset;
 }
 
-/// Places the decoded bytes of compressed views in a buffer that no file holds, as EXT_meshopt_compression wants it.
+/// Moves the decoded ranges of compressed views to a fallback buffer without data, as EXT_meshopt_compression requires.
 void add_fallback(Json& root) {
   constexpr const char* kName = "EXT_meshopt_compression";
   std::size_t size = 0;
@@ -47,7 +47,7 @@ void add_fallback(Json& root) {
   if (size > 0) root["buffers"].push_back({{"byteLength", size}, {"extensions", {{kName, {{"fallback", true}}}}}});
 }
 
-/// One entry for all buffers. It has the properties of the first one; those of others are lost.
+/// Merges all buffer entries into one. It keeps the properties of the first; those of others are losses.
 Json merged_buffer(Draft& draft) {
   Json merged = Json::object();
   Json& buffers = list_of(draft, "buffers");
@@ -93,7 +93,7 @@ std::vector<std::byte> pack_buffer(Draft& draft) {
   Json merged = merged_buffer(draft);
   draft.json.erase("buffers");
   if (out.empty() && views.empty()) return out;
-  if (out.empty()) out.resize(4);  // views without bytes name a buffer, too, and none may be empty
+  if (out.empty()) out.resize(4);  // views without bytes also refer to the buffer, which must not be empty
   merged["byteLength"] = out.size();
   draft.json["buffers"] = Json::array({std::move(merged)});
   add_fallback(draft.json);

@@ -4,10 +4,9 @@
 
 namespace sinew::rewrite {
 
-/// Moves the bytes of all views into one buffer, the only one that the document then has. Views that share bytes go on
-/// sharing them; bytes that no view names are left out. Each block keeps its offsets modulo 4, so that elements stay
-/// aligned. Packing what was packed changes nothing.
-/// out   the bytes of the buffer, empty where the document has no views; the draft's views name places in it
+/// Packs the bytes of all views into a single buffer. Views that share bytes continue to share them; unreferenced bytes
+/// are dropped. Offsets keep their value modulo 4, so that elements stay aligned. Idempotent.
+/// out   the bytes of the buffer; empty if the document has no views. Views of the draft refer to it
 /// cost  O(views log views + bytes)
 std::vector<std::byte> pack_buffer(Draft& draft);
 

@@ -21,7 +21,7 @@ std::vector<float> floats_of(const Stream& stream, std::size_t components) {
   return out;
 }
 
-/// Stores whole numbers as T, `stride` bytes an element.
+/// Stores integers as T, with `stride` bytes per element.
 template <class T>
 void store(const std::vector<double>& values, std::size_t components, std::size_t stride, Stream& stream) {
   stream.stride = stride;
@@ -37,7 +37,7 @@ bool within_unit(const std::vector<float>& values) {
   return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0.0f && v <= 1.0f; });
 }
 
-/// Values of [-1, 1] or [0, 1] as multiples of 1 / `most`.
+/// Quantizes values of [-1, 1] or [0, 1] to multiples of 1 / `most`.
 std::vector<double> scaled(const std::vector<float>& values, double most) {
   std::vector<double> out;
   out.reserve(values.size());
@@ -76,7 +76,7 @@ class Quantizer {
     set_normalized(accessor, kUnsignedByte);
   }
 
-  /// in   interpolated   by anything but CUBICSPLINE, whose tangents have no unit length
+  /// in   interpolated   false for CUBICSPLINE, whose tangents are not unit vectors
   void keys(Stream& stream, Json& accessor, bool rotation, bool interpolated) {
     if (accessor["componentType"] != kFloat) return;
     const std::size_t n = component_count(accessor);
@@ -126,7 +126,7 @@ class Quantizer {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::abs(v) <= 1.0f; });
   }
 
-  /// Displacements of directions.
+  /// Quantizes displacements of directions.
   void small_vectors(Stream& stream, Json& accessor) {
     store<std::int8_t>(scaled(floats_of(stream, 3), 127.0), 3, 4, stream);
     set_normalized(accessor, kByte);
@@ -159,7 +159,7 @@ class Quantizer {
     accessor["componentType"] = kUnsignedByte;
   }
 
-  /// Fewer bits of each float, which only the codec turns into fewer bytes. Bounds are those of the rounded elements.
+  /// Clears low mantissa bits, which only saves bytes after compression. Updates the bounds.
   void round_floats(Stream& stream, Json& accessor, std::size_t n, int bits) {
     if (!filters_) return;
     const std::vector<float> values = floats_of(stream, n);
@@ -179,7 +179,7 @@ class Quantizer {
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
-/// WEIGHTS_0 of primitives that have no other set: the sum of several sets cannot be kept set by set.
+/// The WEIGHTS_0 accessors of primitives with a single set. The sum over several sets could not be preserved.
 std::set<std::uint32_t> single_weights(Draft& draft) {
   std::set<std::uint32_t> single, others;
   for (const Json& mesh : list_of(draft, "meshes"))
@@ -193,7 +193,7 @@ std::set<std::uint32_t> single_weights(Draft& draft) {
   return single;
 }
 
-/// What the outputs of all animation samplers hold.
+/// Kinds of key values in the outputs of all animation samplers.
 struct KeyKinds {
   std::set<std::uint32_t> rotations, others, cubic;
 };
@@ -212,7 +212,7 @@ KeyKinds find_keys(Draft& draft) {
   return kinds;
 }
 
-/// Bounds of the elements as they are now. Filtered vectors, which need none, lose them.
+/// Updates min and max to the current elements; removes them for filtered vectors, which do not need them.
 void renew_bounds(const Stream& stream, Json& accessor) {
   if (!has_bounds(accessor)) return;
   if (stream.filter == Filter::none) {

@@ -4,21 +4,21 @@
 
 namespace sinew::rewrite {
 
-/// How many bits the rounded values keep. Those of gltfpack where it has the same choice.
+/// Bits of quantized values. The defaults are those of gltfpack where it has the same option.
 struct QuantizeBits {
-  int positions = 15;  ///< of the largest coordinate of each vertex, with its sign; compressed files only
-  int normals = 8;     ///< of each coordinate
+  int positions = 15;  ///< of each vertex's largest coordinate, including the sign; compressed files only
+  int normals = 8;     ///< per coordinate
   int texcoords = 12;
-  int rotations = 12;    ///< of each component of a key
-  int key_vectors = 16;  ///< of keys of translations and scales; compressed files only
+  int rotations = 12;    ///< per component of a key
+  int key_vectors = 16;  ///< of translation and scale keys; compressed files only
 };
 
-/// Rounds floats to small integers: normals, tangents (KHR_mesh_quantization), texture coordinates and colours within
-/// [0, 1], weights of vertices with one set, joints, and keys of rotations that are not CUBICSPLINE. Weights of a
-/// vertex still add up to 1. Data of other types, ranges and uses stay floats. Positions stay floats, because nodes and
-/// inverse bind matrices then stay as they are.
-/// in    filters   streams are for EXT_meshopt_compression: normals and rotations take its filters, and positions and
-///                 other vectors keep as many bits as `bits` says
+/// Quantizes floats to small integers. Covers normals and tangents (KHR_mesh_quantization), texture coordinates and
+/// colours within [0, 1], joints, and weights of vertices with one set. Also rotation keys that are not CUBICSPLINE.
+/// Weights of a vertex still sum to 1. Other data stay floats. So do positions, so that nodes and inverse bind matrices
+/// need no change.
+/// in    filters   streams are for EXT_meshopt_compression: normals and rotations use its filters; positions and other
+///       vectors are rounded to `bits`
 /// cost  O(elements)
 void quantize_streams(const QuantizeBits& bits, bool filters, Streams& streams, Draft& draft);
 

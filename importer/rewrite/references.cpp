@@ -13,7 +13,7 @@ namespace {
 
 using Visit = std::function<void(Referenced, Json&)>;
 
-/// A path through a document: "*" stands for every entry of an array or object.
+/// A path in a document; "*" matches every entry of an array or object.
 struct KnownPlace {
   Referenced kind;
   std::string_view path;
@@ -32,7 +32,7 @@ constexpr KnownPlace kCore[] = {
     {Referenced::accessor, "animations/*/samplers/*/output"},
 };
 
-/// Inside an extension object, below its name.
+/// A path inside an extension object.
 struct ExtensionPlace {
   std::string_view extension;
   KnownPlace place;
@@ -49,8 +49,8 @@ constexpr ExtensionPlace kExtensions[] = {
     {"EXT_mesh_manifold", {Referenced::accessor, "mergeValues"}},
 };
 
-/// Extensions whose numbers are no indices of accessors and views, except those in kExtensions and members of the
-/// names "accessor" and "bufferView". Materials, textures and lights refer to each other only.
+/// Extensions whose numbers are not accessor or view indices, except those in kExtensions and members named "accessor"
+/// or "bufferView". Materials, textures and lights only refer to each other.
 constexpr std::string_view kHarmlessPrefixes[] = {"KHR_materials_",
                                                   "EXT_materials_",
                                                   "KHR_texture_",
@@ -90,7 +90,7 @@ void walk(Json& at, std::string_view path, Referenced kind, const Visit& visit) 
   }
 }
 
-/// Members with telling names anywhere in an extension.
+/// Visits members named "accessor" or "bufferView" anywhere in an extension.
 void walk_names(Json& at, const Visit& visit) {
   if (!at.is_structured()) return;
   for (auto entry = at.begin(); entry != at.end(); ++entry) {

@@ -18,7 +18,7 @@ std::vector<std::size_t> count_uses(Draft& draft, Referenced kind, std::size_t e
   return uses;
 }
 
-/// The new index of each entry, kNone for those that go. Spare entries without a use go.
+/// The new index of each entry; kNone for removed ones: spare entries without a use.
 std::vector<std::uint32_t> renumbered(const std::set<std::uint32_t>& spare, const std::vector<std::size_t>& uses) {
   std::vector<std::uint32_t> to(uses.size(), kNone);
   std::uint32_t next = 0;

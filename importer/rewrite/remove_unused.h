@@ -4,8 +4,8 @@
 
 namespace sinew::rewrite {
 
-/// Removes the spare accessors and views that nothing refers to any more, and renumbers the others. What nothing used
-/// in the source stays. An extension with numbers that may be indices is a loss when entries have to move.
+/// Removes spare accessors and views that are no longer referenced, and renumbers the others. Entries that were already
+/// unused in the source stay. If entries move, unknown extensions with numbers are a loss.
 /// cost  O(document)
 void remove_unused(Draft& draft);
 

@@ -17,10 +17,11 @@ namespace {
 
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125;
 
-constexpr std::size_t kMostNarrow = 65535;  ///< vertices in 16 bits; the last number would restart a strip
+/// Largest vertex count for 16-bit indices; 65535 is the primitive restart index.
+constexpr std::size_t kMostNarrow = 65535;
 
 using Indices = std::vector<unsigned>;
-using IndexLists = std::vector<std::pair<std::uint32_t, Indices>>;  ///< with the accessor of each
+using IndexLists = std::vector<std::pair<std::uint32_t, Indices>>;  ///< (accessor, indices)
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
@@ -53,15 +54,15 @@ void write_indices(const Indices& indices, Stream& stream, Json& accessor) {
   for (const char* bound : {"min", "max"}) accessor.erase(bound);
 }
 
-/// Primitives that use the same accessors for their vertices.
+/// Primitives that share the same vertex accessors.
 struct Pool {
-  std::set<std::uint32_t> accessors;  ///< of attributes and displacements
+  std::set<std::uint32_t> accessors;  ///< accessors of attributes and displacements
   std::set<std::uint32_t> indices;
   std::vector<Json*> without_indices;
-  bool fixed = false;  ///< its vertices must keep their order
+  bool fixed = false;  ///< the order of its vertices must not change
 };
 
-/// Whether an extension may name vertices of its primitive.
+/// True if an extension may refer to vertices of its primitive.
 bool names_vertices(const Json& primitive) {
   const Json extensions = primitive.value("extensions", Json::object());
   return std::any_of(extensions.items().begin(), extensions.items().end(),
@@ -78,7 +79,7 @@ std::set<std::uint32_t> vertex_accessors(const Json& primitive) {
 
 class Reorder {
  public:
-  /// in   orders_triangles   else they keep their order, and get indices only where that is smaller
+  /// in   orders_triangles   false = triangles keep their order, and indices are added only if that is smaller
   Reorder(Streams& streams, Draft& draft, bool orders_triangles)
       : streams_(streams), draft_(draft), orders_triangles_(orders_triangles) {}
 
@@ -91,7 +92,7 @@ class Reorder {
  private:
   Json& accessor(std::uint32_t index) { return draft_.json["accessors"][index]; }
 
-  /// True for an accessor whose elements are all zero, because nothing stores any.
+  /// True for an accessor without stored elements, which are all zero.
   bool is_zeros(std::uint32_t index) {
     return !accessor(index).contains("bufferView") && !accessor(index).contains("sparse");
   }
@@ -132,7 +133,8 @@ class Reorder {
     for (const std::uint32_t index : pool.indices) {
       lists.emplace_back(index, read_indices(streams_.at(index), accessor(index)));
       const Indices& list = lists.back().second;
-      if (*std::max_element(list.begin(), list.end()) >= vertices) return;  // of a primitive that is never drawn
+      // Invalid index, in a primitive that is never drawn.
+      if (*std::max_element(list.begin(), list.end()) >= vertices) return;
     }
     const Joined joined = find_equal(pool, vertices);
     if (!pool.without_indices.empty()) {
@@ -167,13 +169,13 @@ class Reorder {
     return {index, std::move(indices)};
   }
 
-  /// Where vertices go when those of the same bits become one.
+  /// Renumbering after merging bit-identical vertices.
   struct Joined {
-    std::size_t count;  ///< of different vertices
-    Indices to;         ///< [vertices], empty = all stay
+    std::size_t count;  ///< number of distinct vertices
+    Indices to;         ///< [vertices] new index; empty = unchanged
   };
 
-  /// True where indices take fewer bytes than the vertices that go.
+  /// True if indices take fewer bytes than the vertices that they save.
   bool indices_pay(const Pool& pool, std::size_t vertices, std::size_t unique) const {
     std::size_t bytes = 0;
     for (const std::uint32_t index : pool.accessors)
@@ -183,9 +185,9 @@ class Reorder {
   }
 
   Joined find_equal(const Pool& pool, std::size_t vertices) const {
-    Indices each((vertices + 2) / 3 * 3, 0u);  // the library takes whole triangles
+    Indices each((vertices + 2) / 3 * 3, 0u);  // meshoptimizer needs whole triangles
     std::iota(each.begin(), each.begin() + static_cast<std::ptrdiff_t>(vertices), 0u);
-    Indices to;  // by the streams so far
+    Indices to;  // renumbering by the streams so far
     std::size_t unique = vertices;
     std::vector<meshopt_Stream> parts;
     const auto join = [&] {
@@ -203,10 +205,10 @@ class Reorder {
         if (parts.size() + 1 == kMostParts) join();
       }
     if (!parts.empty()) join();
-    return {unique, std::move(to)};  // without streams all elements are zeros
+    return {unique, std::move(to)};  // without streams all vertices are equal (zeros)
   }
 
-  /// The lists and streams name the different vertices alone.
+  /// Applies the renumbering to index lists and streams.
   void join(const Pool& pool, std::size_t vertices, const Joined& joined, IndexLists& lists) {
     if (joined.to.empty()) return;
     remap(pool, vertices, joined.count, joined.to);
@@ -229,14 +231,14 @@ class Reorder {
     }
   }
 
-  static constexpr std::size_t kMostParts = 16;         // that the library takes
-  static constexpr std::size_t kBytesOfAccessor = 150;  // its JSON, and that of its view
+  static constexpr std::size_t kMostParts = 16;         // limit of meshoptimizer
+  static constexpr std::size_t kBytesOfAccessor = 150;  // estimated JSON of an accessor and its view
 
   Streams& streams_;
   Draft& draft_;
   bool orders_triangles_;
   std::vector<Pool> pools_;
-  std::map<std::set<std::uint32_t>, std::size_t> pool_of_;  ///< by accessors
+  std::map<std::set<std::uint32_t>, std::size_t> pool_of_;  ///< key: set of accessors
 };
 
 }  // namespace

@@ -4,20 +4,20 @@
 
 namespace sinew::rewrite {
 
-/// Orders triangles and vertices as vertex caches and the codec of EXT_meshopt_compression like them, joins vertices
-/// whose every attribute and displacement has the same bits, and leaves out vertices that no triangle uses. What is
-/// drawn stays the same; vertices get other numbers.
-/// Left as they are: primitives that are no lists of triangles, that share some but not all accessors with others, or
-/// that have an extension which may name vertices.
+/// Reorders triangles and vertices for vertex caches and for the codec of EXT_meshopt_compression. Merges vertices that
+/// are bit-identical in all attributes and displacements, and removes unused vertices. The rendered result is
+/// unchanged.
+/// Unchanged are primitives that are not triangle lists, that share only some accessors with others, or that have an
+/// extension which may refer to vertices.
 /// cost  O(vertices + indices)
 void reorder_vertices(Streams& streams, Draft& draft);
 
-/// The same without another order of triangles: joins vertices and leaves out what no triangle uses. Primitives without
-/// indices get some where that takes fewer bytes. Vertices of a primitive with sparse displacements stay as they are.
+/// Merges identical vertices and removes unused ones, without reordering triangles. Primitives without indices get
+/// indices if that takes fewer bytes. Vertices of primitives with sparse displacements are unchanged.
 /// cost  O(vertices + indices)
 void join_vertices(Streams& streams, Draft& draft);
 
-/// Stores every index list in 16 bits where its vertices allow it, else in 32.
+/// Stores each index list in 16 bits if its values allow it, else in 32.
 void narrow_indices(Streams& streams, Draft& draft);
 
 }  // namespace sinew::rewrite

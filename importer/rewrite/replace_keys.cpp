@@ -13,7 +13,7 @@
 namespace sinew::rewrite {
 namespace {
 
-/// The keys of an animation for one target; nothing where it has none.
+/// The keys of an animation for one target; empty if it has none.
 std::optional<Keys> find_keys(const Scene& scene, const Animation& animation, const ChannelTarget& target) {
   const std::uint32_t joint = scene.skeleton.joint_of_node[target.node];
   if (target.moves_joint()) {
@@ -34,14 +34,14 @@ std::optional<Keys> find_keys(const Scene& scene, const Animation& animation, co
   return std::nullopt;
 }
 
-/// The target that a channel has in the new file.
+/// The target of a channel in the new file.
 ChannelTarget new_target(const Scene& scene, const NewKeys& keys, ChannelTarget target) {
   if (!target.moves_joint() || keys.channels_to.empty()) return target;
   target.node = scene.skeleton.node_of_joint[keys.channels_to[scene.skeleton.joint_of_node[target.node]]];
   return target;
 }
 
-/// Names another node in a channel, which names it by its index or by a pointer (KHR_animation_pointer).
+/// Sets the node of a channel, as an index or in a KHR_animation_pointer.
 void set_node(Json& target, std::uint32_t node) {
   if (target["path"] != "pointer") {
     target["node"] = node;
@@ -54,13 +54,12 @@ void set_node(Json& target, std::uint32_t node) {
   pointer = text;
 }
 
-/// The channels of joints that other joints take over name the nodes of these, also where another channel has the same
-/// target already.
+/// Redirects channels to the nodes of their new target joints, even if that duplicates the target of another channel.
 void move_channels(const gltf::Document& document, const Scene& scene, const NewKeys& keys, std::uint32_t index,
                    Json& animation) {
-  IssueLog unheard;  // the import has reported these channels
+  IssueLog discarded_log;  // the import has reported these issues
   for (std::uint32_t c = 0; c < document.animations[index].channels.size() && !keys.channels_to.empty(); ++c) {
-    const auto target = read_channel_target(document, index, c, unheard);
+    const auto target = read_channel_target(document, index, c, discarded_log);
     if (!target || !target->moves_joint()) continue;
     const std::uint32_t node = new_target(scene, keys, *target).node;
     if (node != target->node) set_node(animation["channels"][c]["target"], node);
@@ -71,11 +70,11 @@ void move_channels(const gltf::Document& document, const Scene& scene, const New
 std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, const Scene& scene, std::uint32_t index,
                                                const NewKeys& new_keys) {
   const Animation& after = new_keys.animations[index];
-  IssueLog unheard;  // the import has reported these channels
+  IssueLog discarded_log;  // the import has reported these issues
   std::set<ChannelTarget> seen;
   std::map<std::uint32_t, Keys> changed;
   for (std::uint32_t c = 0; c < document.animations[index].channels.size(); ++c) {
-    const auto target = read_channel_target(document, index, c, unheard);
+    const auto target = read_channel_target(document, index, c, discarded_log);
     if (!target || !seen.insert(*target).second) continue;
     if (!target->moves_joint() && target->property != AnimatedProperty::weights) continue;
     auto keys = find_keys(scene, after, new_target(scene, new_keys, *target));
@@ -84,7 +83,7 @@ std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, c
   return changed;
 }
 
-/// Removes samplers that lost their last channel.
+/// Removes samplers without any channel.
 void drop_samplers(Json& animation, const std::set<std::uint32_t>& candidates) {
   std::set<std::uint32_t> used;
   for (const Json& channel : animation["channels"]) used.insert(channel["sampler"].get<std::uint32_t>());

@@ -7,16 +7,15 @@
 
 namespace sinew::rewrite {
 
-/// Keys to write, parallel to `scene.animations`, and the joint that the channels of each joint move with them.
+/// Replacement keys, parallel to `scene.animations`, and the new target joint of each joint's channels.
 struct NewKeys {
   std::span<const Animation> animations;
-  std::span<const std::uint32_t> channels_to;  ///< [J] or empty: each its own
+  std::span<const std::uint32_t> channels_to;  ///< [J]; empty = unchanged
 };
 
-/// Gives the channels of each animation the keys of `keys.animations`. A channel
-/// whose keys are those of the scene keeps its bytes; so does one that the importer ignored, and one that animates a
-/// property other than translation, rotation, scale and weights. Channels of joints that other joints take over name
-/// the node of these.
+/// Replaces the keys of all channels by `keys.animations`. A channel whose keys equal those of the scene keeps its
+/// bytes. So do ignored channels, and channels of properties other than translation, rotation, scale and weights.
+/// Channels are redirected to the nodes of their new target joints.
 void replace_keys(const gltf::Document& document, const Scene& scene, const NewKeys& keys, Draft& draft);
 
 }  // namespace sinew::rewrite

@@ -14,7 +14,7 @@ namespace {
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
-/// What uses an accessor: the first use, and whether all others are the same.
+/// All uses of an accessor, reduced to the first one and whether all others are equal.
 struct Use {
   StreamUse use;
   std::string semantic;
@@ -30,7 +30,7 @@ class Uses {
     ++count_[known->first];
   }
 
-  /// Takes away the accessors that something else refers to.
+  /// Removes accessors that have other users.
   void check(Draft& draft) {
     std::map<std::uint32_t, std::size_t> all;
     for_each_reference(draft.json, [&](Referenced kind, Json& index) {
@@ -79,7 +79,7 @@ std::size_t component_bytes_of(const Json& accessor) {
   return component_bytes(static_cast<gltf::ComponentType>(accessor["componentType"].get<int>()));
 }
 
-/// The elements of a plain accessor.
+/// Reads the elements of an accessor that is not sparse.
 std::optional<Stream> read_plain(const Json& accessor, const Json& view, Bytes bytes, const Use& use) {
   Stream stream{use.use, use.semantic, {}, 0, accessor["count"].get<std::size_t>(), Filter::none};
   const std::size_t element = component_bytes_of(accessor) * component_count(accessor);
@@ -92,7 +92,7 @@ std::optional<Stream> read_plain(const Json& accessor, const Json& view, Bytes b
   return stream;
 }
 
-/// A sparse accessor of floats with its replacements applied.
+/// Reads a sparse accessor of floats, with replacements applied.
 std::optional<Stream> read_sparse(const gltf::Document& document, std::uint32_t index, Json& accessor, const Use& use) {
   if (index >= document.accessors.size() || accessor["componentType"] != 5126) return std::nullopt;
   const std::vector<float> values = read_floats(document, index);
@@ -102,12 +102,12 @@ std::optional<Stream> read_sparse(const gltf::Document& document, std::uint32_t 
   return stream;
 }
 
-/// Streams that can lie behind each other in one view.
+/// Key of streams that can share a view.
 struct Group {
   StreamUse use;
   std::size_t stride;
   Filter filter;
-  int component_type;  ///< of indices and keys
+  int component_type;  ///< for indices and keys
   auto operator<=>(const Group&) const = default;
 };
 

@@ -11,19 +11,19 @@
 
 namespace sinew::rewrite {
 
-/// What an accessor is used for, by all that use it.
+/// Common use of an accessor by all its users.
 enum class StreamUse : std::uint8_t { vertex, triangles, indices, key_times, key_values, matrices };
 
-/// How floats are rounded before they are compressed (EXT_meshopt_compression, "Filters").
+/// Quantization filter before compression (EXT_meshopt_compression, "Filters").
 enum class Filter : std::uint8_t { none, octahedral, quaternion, exponential };
 
-/// The elements of one accessor, one after another, each padded to a multiple of four bytes where they are vertices.
+/// The elements of one accessor; vertex elements are padded to a multiple of four bytes.
 struct Stream {
   StreamUse use = StreamUse::vertex;
-  std::string semantic;  ///< of vertices, such as "NORMAL"; "target POSITION" of displacements; empty = several
+  std::string semantic;  ///< vertices: "NORMAL" and so on; displacements: "target POSITION" and so on; empty = several
   std::vector<std::byte> bytes;
   std::size_t stride = 0, count = 0;
-  Filter filter = Filter::none;  ///< `bytes` hold filtered elements already
+  Filter filter = Filter::none;  ///< filter already applied to `bytes`
 
   template <class T>
   T at(std::size_t element, std::size_t component) const {
@@ -33,23 +33,23 @@ struct Stream {
   }
 };
 
-/// Streams by accessor. Accessors without bytes (zeros) and accessors that anything else refers to have none.
+/// Streams by accessor index. Accessors without bytes (zeros), and accessors with other users, have no stream.
 using Streams = std::map<std::uint32_t, Stream>;
 
-/// Reads the streams of primitives, animations and skins. Sparse accessors become dense where `dense` is set, and have
-/// no stream otherwise.
+/// Reads the streams of primitives, animations and skins. With `dense`, sparse accessors become dense; otherwise they
+/// have no stream.
 Streams take_streams(const gltf::Document& document, Draft& draft, bool dense);
 
-/// Writes the streams into views of their own: those of one use, stride and filter one after another in a view.
-/// in    compress   views become EXT_meshopt_compression streams where that is smaller
+/// Writes the streams into new views; streams with equal use, stride and filter share a view.
+/// in    compress   compress views with EXT_meshopt_compression if that is smaller
 void put_streams(const Streams& streams, bool compress, Draft& draft);
 
-/// Says that the elements of an accessor are integers of this type, which stand for floats.
+/// Sets the component type of an accessor to a normalised integer type.
 void set_normalized(Json& accessor, int component_type);
 
 std::size_t component_count(const Json& accessor);
 
-/// All components as numbers, as they are stored; no normalised integer is decoded.
+/// All components as stored; normalised integers are not decoded.
 std::vector<double> stored_values(const Stream& stream, const Json& accessor);
 
 }  // namespace sinew::rewrite

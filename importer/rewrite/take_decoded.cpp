@@ -16,12 +16,12 @@ const char* const kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", 
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
-/// Takes the accessors that a Draco stream fills over into JSON.
+/// Updates the JSON of the accessors that a Draco stream fills.
 void take_primitive(const gltf::Document& document, const gltf::Primitive& primitive, Json& json, Draft& draft) {
   const Json* extension = extension_of(json, kDraco);
   if (extension == nullptr) return;
   draft.spare_views.insert(index_of(extension->at("bufferView")));
-  /// `named` is the accessor in the file; one that several streams fill has become several.
+  /// `named` is the accessor in the file; if several streams fill it, the import has made copies.
   const auto take = [&](Json& named, std::uint32_t index, int target) {
     const gltf::Accessor& accessor = document.accessors[index];
     Json& accessors = draft.json["accessors"];
@@ -43,7 +43,7 @@ void take_primitive(const gltf::Document& document, const gltf::Primitive& primi
   erase_extension(json, kDraco);
 }
 
-/// True for views whose bytes a decoder made.
+/// Replaces views by decoded bytes; returns true for each such view.
 std::vector<bool> take_views(Draft& draft) {
   Json& views = list_of(draft, "bufferViews");
   std::vector<bool> decoded(views.size(), false);

@@ -4,15 +4,15 @@
 
 namespace sinew::rewrite {
 
-/// Replaces compressed data (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression) by what the
-/// import has decoded. Accessors take the type and count of the decoder, and bounds are those of the decoded elements.
+/// Replaces compressed data (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression) by the
+/// decoded data of the import. Accessors get the decoder's type and count, and bounds of the decoded elements.
 void take_decoded(const gltf::Document& document, Draft& draft);
 
-/// True for an accessor with min or max. Some files have one alone, though glTF wants both.
+/// True for an accessor with min or max. Some files have only one, although glTF requires both.
 inline bool has_bounds(const Json& accessor) { return accessor.contains("min") || accessor.contains("max"); }
 
 /// Sets min and max of an accessor from its elements.
-/// in    stored   as read_stored() gives them
+/// in    stored   values as returned by read_stored()
 void set_bounds(Json& accessor, const std::vector<double>& stored, std::size_t components);
 
 }  // namespace sinew::rewrite

@@ -103,7 +103,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   import.make_tangents = import.keep_encoded_images = blocks.model;
   auto file = load_file(in, import);
   if (!file) return ExitCode::input_at_fault;
-  if (const auto why = objection_to_output(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto why = check_output_path(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;

@@ -104,7 +104,7 @@ ExitCode report_on_showcase(const CostOptions& options) {
 
 /// Refuses a folder that cannot become the report, with a message.
 std::optional<ExitCode> refuse_folder(const CostOptions& options, std::span<const std::filesystem::path> inputs) {
-  const std::string why = cost::objection_to(options.folder, inputs);
+  const std::string why = cost::check_report_folder(options.folder, inputs);
   if (why.empty()) return std::nullopt;
   return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
 }

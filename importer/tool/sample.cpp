@@ -80,7 +80,7 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
     else if (options.fps)
       task.times_s = frame_times(duration_s, *options.fps);
     else if (clip != kNone)
-      task.times_s = telling_times(scene.animations[clip]);
+      task.times_s = representative_times(scene.animations[clip]);
     tasks.push_back(std::move(task));
   }
   return tasks;
@@ -156,7 +156,7 @@ ExitCode sample_file(SampleOptions options) {
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   if (!options.output.empty())
-    if (const auto why = objection_to_output(options.output, file->facts.files))
+    if (const auto why = check_output_path(options.output, file->facts.files))
       return fail_with(ExitCode::wrong_usage, *why);
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());

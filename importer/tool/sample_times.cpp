@@ -49,7 +49,7 @@ tl::expected<std::vector<double>, std::string> parse_times(const std::string& li
   return times;
 }
 
-std::vector<double> telling_times(const Animation& animation) {
+std::vector<double> representative_times(const Animation& animation) {
   const std::vector<float> keys = all_key_times(animation);
   std::vector<double> times = {0.0};
   for (std::size_t quarter = 0; !keys.empty() && quarter <= 4; ++quarter) {

@@ -15,7 +15,7 @@ tl::expected<std::vector<double>, std::string> parse_times(const std::string& li
 /// Times for `sinew sample` when the user names none: the start, the first and last key, three keys between them, and
 /// the middles of the key intervals after these keys. Increasing; exact float32 values, so that keys are hit.
 /// in    animation   may be empty; the result is then {0}
-std::vector<double> telling_times(const Animation& animation);
+std::vector<double> representative_times(const Animation& animation);
 
 /// 0, 1/fps, 2/fps, ... up to the clip's end, and the end itself.
 std::vector<double> frame_times(double duration_s, double fps);

@@ -14,8 +14,8 @@ namespace {
 
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// An edge of a face, from the vertex of `corner` to that of the next corner. `low` and `high` are its ends in rising
-/// order; `rising` tells the direction.
+/// An edge of a face, from the vertex of `corner` to the next corner's. `low` < `high` are its end vertices; `rising`
+/// is true if it runs from low to high.
 struct Edge {
   std::uint32_t low, high, corner;
   bool rising;
@@ -35,7 +35,7 @@ std::vector<Edge> sorted_edges(std::span<const std::uint32_t> triangles, const s
   return edges;
 }
 
-/// Joins corners across every edge that has exactly two faces which wind alike (they run along the edge in opposite
+/// Joins corners across every edge of exactly two consistently wound faces (which traverse the edge in opposite
 /// directions).
 void join_fans(CornerSets& sets, const std::vector<Edge>& edges) {
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
@@ -47,7 +47,7 @@ void join_fans(CornerSets& sets, const std::vector<Edge>& edges) {
   }
 }
 
-/// Numbers the sets of corners: one half-edge vertex each, in order of the first corner.
+/// Numbers the sets of corners in order of their first corner; each becomes a half-edge vertex.
 void number_vertices(CornerSets& sets, std::span<const std::uint32_t> triangles, const std::vector<bool>& whole,
                      Adjacency& out) {
   out.corner_vertex.assign(triangles.size(), kNone);
@@ -70,8 +70,8 @@ HalfEdgeMesh build_mesh(const Adjacency& a, std::vector<std::uint32_t>& triangle
   const auto vertex = [&](std::size_t c) { return HalfEdgeMesh::VertexHandle(static_cast<int>(a.corner_vertex[c])); };
   for (std::size_t f = 0; f < a.face_count(); ++f) {
     if (a.corner_vertex[3 * f] == kNone) continue;
-    // Every vertex is a single fan, and only the two ends of a fan can share a cut edge, in opposite directions. So no
-    // half-edge is used twice, and OpenMesh accepts the face.
+    // Always succeeds: every vertex is a single fan, and only the two ends of a fan can share a cut edge, in opposite
+    // directions. So no half-edge is used twice.
     const auto face = mesh.add_face(vertex(3 * f), vertex(3 * f + 1), vertex(3 * f + 2));
     CONTRACT(face.is_valid());
     triangle_of_face.push_back(static_cast<std::uint32_t>(f));

@@ -9,17 +9,17 @@
 
 namespace sinew {
 
-/// A file with the centers of rotation of one primitive. Its name is a hash of everything that the centers depend on.
+/// Cache file for the centers of rotation of one primitive. Its name is a hash of all inputs.
 class CentersCache {
  public:
-  /// An empty folder switches the cache off.
+  /// in   folder  empty = no cache
   CentersCache(const std::filesystem::path& folder, const Primitive& primitive, double sigma);
 
-  /// Nothing when the file is absent, damaged, or of another version or size.
+  /// Empty if the file is absent, damaged, or of another version or size.
   std::optional<std::vector<glm::vec3>> load() const;
 
-  /// Writes a temporary file and renames it, so that a reader never sees half a file. A cache that cannot be written is
-  /// no error: the centers are computed again next time.
+  /// Writes atomically, through a temporary file. A failed write is not an error: the centers are computed again next
+  /// time.
   void store(const std::vector<glm::vec3>& centers) const;
 
  private:

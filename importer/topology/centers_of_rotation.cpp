@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/topology/centers_of_rotation.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,6 +9,7 @@
 #include <utility>
 
 #include "importer/topology/centers_cache.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
@@ -58,13 +56,13 @@ std::vector<Triangle> triangles_of(const Primitive& primitive, const std::vector
   return triangles;
 }
 
-/// The weight of one joint in a vertex or a triangle.
+/// The weight of one joint in a vertex or triangle (`owner`).
 struct Share {
   std::uint32_t owner;
   double weight;
 };
 
-/// For each joint its shares, sorted by owner.
+/// For each joint, its weights sorted by owner.
 class SharesByJoint {
  public:
   void add(std::uint32_t owner, const Weights& weights) {
@@ -74,7 +72,7 @@ class SharesByJoint {
     }
   }
 
-  /// Calls `take(owner, weight of j, weight of k)` for every owner in which both joints have a share.
+  /// Calls `take(owner, weight of j, weight of k)` for every owner influenced by both joints.
   template <class Take>
   void for_each_of_both(std::uint16_t j, std::uint16_t k, const Take& take) const {
     if (std::max(j, k) >= shares_.size()) return;
@@ -101,7 +99,7 @@ struct WeightedSum {
   }
 };
 
-/// The part of the surface where two joints have the weights j and k. Triangles of equal weights count as one.
+/// Merged triangles on which two joints have the weights j and k.
 struct PairSurface {
   double j, k;
   WeightedSum area;
@@ -117,15 +115,15 @@ struct PairVertex {
   double j, k;
 };
 
-/// Computes the sum of the equation pair by pair of joints: a pair contributes only to vertices and triangles that both
-/// joints move.
+/// Evaluates the equation for each pair of joints: a pair contributes only to vertices and triangles influenced by
+/// both.
 class CenterSearch {
  public:
   CenterSearch(const Primitive& primitive, const CentersOptions& options) : options_(options) {
     const std::vector<Weights> weights = weights_of_vertices(primitive);
     triangles_ = triangles_of(primitive, weights);
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangle_shares_.add(t, triangles_[t].weights);
-    std::map<Weights, std::vector<std::uint32_t>> by_weights;  // vertices of equal weights share their center
+    std::map<Weights, std::vector<std::uint32_t>> by_weights;  // vertices with equal weights share their center
     for (std::uint32_t v = 0; v < weights.size(); ++v) by_weights[weights[v]].push_back(v);
     for (auto& [of_all, vertices] : by_weights) {
       vertex_shares_.add(static_cast<std::uint32_t>(vertices_.size()), of_all);
@@ -159,15 +157,16 @@ class CenterSearch {
       vertices.push_back({v, wj, wk});
     });
     const std::vector<PairSurface> surface = surface_of(j, k);
-    constexpr std::size_t kBlock = 1024;  // of vertices between two reports
+    constexpr std::size_t kBlock = 1024;  // vertices between two progress reports
     for (std::size_t first = 0; first < vertices.size(); first += kBlock) {
       const std::size_t end = std::min(vertices.size(), first + kBlock);
       if (options_.progress) {
         const double part = static_cast<double>(first) / static_cast<double>(vertices.size());
         options_.progress(done_before + part / static_cast<double>(pairs_.size()));
       }
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) add(surface, vertices[i], sums_[vertices[i].vertex]);
+      run_in_parallel(end - first, [&](std::size_t i) {
+        const PairVertex& vertex = vertices[first + i];
+        add(surface, vertex, sums_[vertex.vertex]);
       });
     }
   }
@@ -189,8 +188,8 @@ class CenterSearch {
     return all;
   }
 
-  /// Adds the terms of one pair of joints to one vertex. The paper sums over ordered pairs j != k, so each unordered
-  /// pair counts twice.
+  /// Adds the terms of one pair of joints to one vertex. The paper sums over ordered pairs, so each unordered pair
+  /// counts twice.
   void add(const std::vector<PairSurface>& surface, const PairVertex& v, WeightedSum& sum) const {
     for (const PairSurface& s : surface) {
       const double difference = (v.j * s.k - v.k * s.j) / options_.sigma;
@@ -201,8 +200,8 @@ class CenterSearch {
 
   const CentersOptions& options_;
   std::vector<Triangle> triangles_;
-  SharesByJoint triangle_shares_, vertex_shares_;     // a vertex share belongs to one distinct list of weights
-  std::vector<std::vector<std::uint32_t>> vertices_;  // the vertices of each distinct list of weights
+  SharesByJoint triangle_shares_, vertex_shares_;     // owners of vertex shares are distinct lists of weights
+  std::vector<std::vector<std::uint32_t>> vertices_;  // [distinct lists of weights] their vertices
   std::set<std::pair<std::uint16_t, std::uint16_t>> pairs_;
   std::vector<WeightedSum> sums_;
 };

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Sets of triangle corners that belong together: union-find with path halving. The smallest corner leads its set, so
-/// the result does not depend on the order of joins.
+/// Disjoint sets of triangle corners (union-find with path halving). The smallest corner represents its set, so the
+/// result does not depend on the order of joins.
 class CornerSets {
  public:
   explicit CornerSets(std::size_t corner_count) : parent_(corner_count) {

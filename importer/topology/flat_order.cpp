@@ -11,17 +11,17 @@
 namespace sinew {
 namespace {
 
-/// Where a vertex goes: the smallest place comes first.
+/// Sort key of a vertex.
 struct CornerPlace {
   std::uint32_t group = 0;
   std::array<std::uint32_t, 3> groups_of_triangle{kNone, kNone, kNone};
   std::uint32_t corner = 0;
-  std::uint32_t first_vertex = 0;  ///< of the triangle
+  std::uint32_t first_vertex = 0;  ///< first vertex of the triangle
 
   friend auto operator<=>(const CornerPlace&, const CornerPlace&) = default;
 };
 
-/// The influence group of each vertex; 0 of all where there are none.
+/// The influence group of each vertex; 0 for all if there are no groups.
 std::vector<std::uint32_t> group_of_vertex(const Primitive& primitive) {
   std::vector<std::uint32_t> groups(primitive.vertex_count(), 0);
   for (std::uint32_t g = 0; g < primitive.influences.groups.size(); ++g) {

@@ -4,11 +4,11 @@
 
 namespace sinew {
 
-/// Orders the vertices of a mesh with flat faces for FlatNormalsJob: of all triangles whose corners are in the same
-/// three influence groups, the first corners lie in a row, and the second ones, and the third ones. So a vertex stays
-/// in its group, and whole vectors of corners are read at once (FlatStream). Triangles of a stream are in the order
-/// that their first corners had. The list of triangles keeps its order and winding.
-/// in    primitive   each vertex is a corner of one triangle at most
+/// Orders the vertices of a flat-shaded mesh for FlatNormalsJob. Triangles whose corners are in the same three
+/// influence groups form a stream. A stream stores all first corners, then all second corners, then all third corners,
+/// so that whole vectors of corners are read at once (FlatStream). Vertices stay in their influence group. Triangles of
+/// a stream are in the order of their first corners; the triangle list keeps its order and winding.
+/// in    primitive   each vertex is a corner of at most one triangle
 /// cost  O(V log V)
 void order_flat_corners(Primitive& primitive);
 

@@ -10,7 +10,7 @@ namespace {
 
 using OldOfNew = std::span<const std::uint32_t>;
 
-/// The new vertices of each old vertex v, rising: vertices[begin[v] .. begin[v + 1] - 1].
+/// The new vertices of each old vertex v, in increasing order: vertices[begin[v] .. begin[v + 1] - 1].
 struct NewOfOld {
   std::vector<std::uint32_t> begin, vertices;
 

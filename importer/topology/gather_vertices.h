@@ -7,13 +7,14 @@
 
 namespace sinew {
 
-/// Replaces the vertices of a primitive by copies of them in another order: attributes, influences, morph deltas and
-/// source_vertex. `indices`, bounds and centers of rotation are left as they are.
-/// in    old_of_new[V']  each old vertex at least once; influence groups stay in their order
-/// cost  O(V + V'), and for each morph target that too
+/// Reorders and duplicates the vertices of a primitive: attributes, influences, morph deltas and source_vertex. Does
+/// not change `indices`, bounds and centers of rotation.
+/// in    old_of_new[V']  old vertex of each new vertex; each old vertex occurs at least once; influence groups stay in
+///       order
+/// cost  O(V + V') for the attributes and for each morph target
 void gather_vertices(Primitive& primitive, std::span<const std::uint32_t> old_of_new);
 
-/// The same with each old vertex once; `indices` go on naming the same vertices.
+/// Reorders the vertices by a permutation and renumbers `indices` accordingly.
 void permute_vertices(Primitive& primitive, std::span<const std::uint32_t> old_of_new);
 
 }  // namespace sinew

@@ -15,7 +15,7 @@ constexpr glm::vec3 kUp{0.0f, 0.0f, 1.0f};
 
 bool has_faces(const Primitive& p) noexcept { return p.topology == Topology::triangles && p.indices.size() >= 3; }
 
-/// Removes what new normals make wrong: tangents, and morph deltas of both.
+/// Removes data that new normals invalidate: tangents, and the morph deltas of normals and tangents.
 void remove_normals(Primitive& primitive) {
   primitive.tangents.clear();
   primitive.normals.clear();

@@ -10,13 +10,13 @@
 namespace sinew {
 namespace {
 
-/// The vertices after the split, and which of them each corner has.
+/// The vertices after the split, and the vertex of each corner.
 struct Copies {
   std::vector<std::uint32_t> old_of_new;
   std::vector<std::uint32_t> new_of_corner;
 };
 
-/// The corners of each vertex v, rising: corners[begin[v] .. begin[v + 1] - 1].
+/// The corners of each vertex v, in increasing order: corners[begin[v] .. begin[v + 1] - 1].
 struct CornersOfVertex {
   std::vector<std::uint32_t> begin, corners;
 

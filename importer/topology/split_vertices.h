@@ -7,13 +7,12 @@
 
 namespace sinew {
 
-/// Gives corners of one vertex their own copies of it, where an attribute must differ between faces. Copies of a vertex
-/// lie next to each other in the old order, so influence groups stay whole. Attributes, influences, morph deltas and
-/// source_vertex are copied along; a vertex without corners is kept once.
-/// in    group[C]    one entry for each corner (entry of `indices`): corners of one vertex share a copy when their
-/// groups
-///                   are equal; kNone = any copy will do. Copies of a vertex are ordered by rising group
-/// out   primitive   as many indices in the same order; vertex_count() grows; bounds are unchanged
+/// Duplicates vertices whose attributes must differ between faces. Copies of a vertex are adjacent, in the old order,
+/// so influence groups stay contiguous. Copies attributes, influences, morph deltas and source_vertex. A vertex without
+/// corners is kept once.
+/// in    group[C]    one entry for each corner (entry of `indices`). Corners of one vertex share a copy if their groups
+///       are equal; kNone = any copy. Copies of a vertex are ordered by increasing group
+/// out   primitive   same number and order of indices; more vertices; bounds unchanged
 /// cost  O(V' + C log(corners of a vertex))
 void split_vertices(Primitive& primitive, std::span<const std::uint32_t> group);
 

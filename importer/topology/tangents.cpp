@@ -13,10 +13,10 @@
 namespace sinew {
 namespace {
 
-/// How the texture lies on a face. `turn` is +1 where (u, v) turn like the face, -1 where they turn against it, and 0
+/// Texture mapping of a face. `turn` is +1 if (u, v) wind like the face, -1 if they wind the other way (mirrored), 0
 /// without texture area.
 struct FaceTexture {
-  glm::dvec3 rising_u{0.0};  ///< dp/du, any length
+  glm::dvec3 rising_u{0.0};  ///< dp/du, not normalised
   int turn = 0;
 };
 
@@ -39,7 +39,7 @@ glm::dvec3 perpendicular(const glm::dvec3& n) noexcept {
   return unit_or(glm::cross(n, axis), glm::dvec3(1, 0, 0));
 }
 
-/// Half-edge mesh over vertices that agree in everything a tangent depends on.
+/// Adjacency over merged vertices: equal in all attributes that tangents depend on.
 Adjacency textured_adjacency(const Primitive& p, std::uint32_t set) {
   std::vector<float> keys;
   keys.reserve(8 * p.vertex_count());
@@ -54,7 +54,8 @@ Adjacency textured_adjacency(const Primitive& p, std::uint32_t set) {
   return make_adjacency(triangles, p.vertex_count());
 }
 
-/// Gives faces without texture area the turn of the nearest neighbour over edges, so that they do not separate groups.
+/// Gives faces without texture area the orientation of the nearest neighbour across edges, so that they do not separate
+/// groups.
 void spread_turn(std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
   std::vector<std::uint32_t> queue;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -68,7 +69,7 @@ void spread_turn(std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
     }
 }
 
-/// Groups corners that share a tangent: around one half-edge vertex, across edges between faces of equal turn.
+/// Groups corners that share a tangent: around a vertex, across edges between faces of equal orientation.
 std::vector<std::uint32_t> tangent_groups(const std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
   const auto corner_at = [&](std::size_t face, std::uint32_t vertex) {
     std::size_t c = 3 * face;
@@ -89,8 +90,8 @@ std::vector<std::uint32_t> tangent_groups(const std::vector<FaceTexture>& faces,
   return group;
 }
 
-/// What a face adds to the tangent of its corner k: its direction of u in the plane of the normal, weighted by the
-/// angle at the corner in that plane.
+/// Contribution of a face to the tangent at its corner k: dp/du projected into the plane of the normal, weighted by the
+/// angle at the corner.
 glm::dvec3 contribution(const Primitive& p, std::size_t f, std::size_t k, const FaceTexture& face,
                         const glm::dvec3& n) {
   const auto corners = face_positions(p, f);
@@ -116,7 +117,8 @@ void make_tangents(Primitive& primitive, std::uint32_t texcoord_set) {
   spread_turn(faces, adjacency);
   const auto group = tangent_groups(faces, adjacency);
 
-  std::vector<glm::dvec3> sums(corner_count, glm::dvec3(0.0));  // of each group, at the index of its leading corner
+  // Sum of each group, at the index of its representative corner.
+  std::vector<glm::dvec3> sums(corner_count, glm::dvec3(0.0));
   const auto normal_at = [&](std::size_t v) { return unit_or(glm::dvec3(primitive.normals[v]), glm::dvec3(0, 0, 1)); };
   for (std::size_t c = 0; c < corner_count; ++c)
     if (group[c] != kNone)

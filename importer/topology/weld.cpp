@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Adding +0 turns -0 into +0 and changes nothing else.
+/// Adding +0 maps -0 to +0 and keeps all other values.
 std::uint32_t bits(float x) noexcept { return std::bit_cast<std::uint32_t>(x + 0.0f); }
 
 std::uint64_t hash(std::span<const float> key) noexcept {
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> weld(std::span<const float> keys, std::size_t stride)
   const std::size_t count = keys.size() / stride;
   const auto key_of = [&](std::size_t v) { return keys.subspan(v * stride, stride); };
 
-  // Open addressing over a power of two, at most half full: one flat array instead of a node per vertex.
+  // Hash table with open addressing, at most half full: one flat array, no allocation per vertex.
   const std::size_t slot_count = std::bit_ceil(2 * count + 1);
   constexpr std::uint32_t kFree = 0xffffffffu;
   std::vector<std::uint32_t> slots(slot_count, kFree);

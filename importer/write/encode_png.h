@@ -7,7 +7,7 @@
 
 namespace sinew::write {
 
-/// The image as an 8-bit RGBA PNG file, lossless.
+/// Encodes the image as an 8-bit RGBA PNG file.
 std::vector<std::byte> encode_png(const Image& image);
 
 }  // namespace sinew::write

@@ -7,15 +7,15 @@
 
 namespace sinew::write {
 
-/// Which vertices of a primitive are written, and in which order. The order is that of the file that the primitive came
-/// from, so that vertex numbers survive and a later import groups and splits the vertices in the same way.
+/// Selection and order of the vertices of a primitive in a written file. It restores the order of the source file, so
+/// that vertex numbers survive and a later import groups and splits vertices in the same way.
 struct FileVertices {
-  std::vector<std::uint32_t> scene_vertex;  ///< [written] the primitive's vertex behind each written vertex
-  std::vector<std::uint32_t> file_vertex;   ///< [V] where each vertex of the primitive is written
+  std::vector<std::uint32_t> scene_vertex;  ///< [written] primitive's vertex of each written vertex
+  std::vector<std::uint32_t> file_vertex;   ///< [V] written vertex of each vertex of the primitive
 
   std::size_t count() const noexcept { return scene_vertex.size(); }
 
-  /// Values of the primitive's vertices, in the order in which they are written.
+  /// Reorders values of the primitive's vertices to the written order.
   template <class T>
   std::vector<T> gather(const std::vector<T>& values) const {
     std::vector<T> out;
@@ -24,7 +24,7 @@ struct FileVertices {
     return out;
   }
 
-  /// The same for displacements. Of several copies of a vertex the first counts.
+  /// Reorders displacements. Of several copies of a vertex, the first is used.
   template <class T>
   SparseDeltas<T> gather(const SparseDeltas<T>& deltas) const {
     std::vector<T> dense(count(), T(0.0f));
@@ -39,9 +39,8 @@ struct FileVertices {
   }
 };
 
-/// Chooses the vertices. Copies that the importer made for flat normals are written once, because flat normals are not
-/// written. The order of the scene is kept where `source_vertex` is empty or has gaps, or where copies differ
-/// otherwise.
+/// Chooses the vertices. Copies made by the importer for flat normals are written once, because flat normals are not
+/// written. Keeps the scene order if `source_vertex` is empty or has gaps, or if copies differ in other attributes.
 /// cost O(V)
 FileVertices file_vertices(const Primitive& primitive);
 

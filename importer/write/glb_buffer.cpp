@@ -16,8 +16,8 @@ constexpr int kType<glm::vec3> = TINYGLTF_TYPE_VEC3;
 template <>
 constexpr int kType<glm::vec4> = TINYGLTF_TYPE_VEC4;
 
-/// Writes min and max per component of `count` elements with `width` floats. `includes_zero` is for sparse accessors:
-/// their other elements are 0.
+/// Writes min and max per component of `count` elements with `width` floats. Set `includes_zero` for sparse accessors,
+/// whose other elements are 0.
 void set_bounds(tinygltf::Accessor& accessor, const float* values, std::size_t count, std::size_t width,
                 bool includes_zero) {
   for (std::size_t c = 0; c < width; ++c) {
@@ -122,7 +122,7 @@ int GlbBuffer::add_matrices(std::span<const Affine> values) {
                       TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
 }
 
-/// An accessor without a view: its elements are 0 (glTF 2.0, "Accessors").
+/// Adds an accessor without a view: its elements are 0 (glTF 2.0, "Accessors").
 template <class V>
 int GlbBuffer::add_zeros(std::size_t count, bool with_bounds) {
   tinygltf::Accessor accessor;
@@ -152,7 +152,7 @@ int GlbBuffer::add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t ve
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
     accessor.sparse.isSparse = true;
     accessor.sparse.count = static_cast<int>(moved);
-    accessor.sparse.indices.byteOffset = accessor.sparse.values.byteOffset = 0;  // left unset by its constructor
+    accessor.sparse.indices.byteOffset = accessor.sparse.values.byteOffset = 0;  // not initialised by its constructor
     accessor.sparse.indices.bufferView = add_view(std::as_bytes(std::span(deltas.vertices)), ViewUse::other);
     accessor.sparse.indices.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     accessor.sparse.values.bufferView = add_view(std::as_bytes(std::span(deltas.deltas)), ViewUse::other);

@@ -8,10 +8,10 @@
 
 namespace sinew::write {
 
-/// Returns the bytes of a .glb with these chunks; an empty binary part gets no chunk.
-/// eq    12 bytes header (magic, version, length), JSON chunk padded with spaces, BIN chunk padded with zeros
-///       (glTF 2.0, "Binary glTF Layout")
-/// out   nothing where the file would have 4 GiB or more: its lengths have 32 bits (G67)
+/// The bytes of a .glb with these chunks; omits the BIN chunk if `bin` is empty.
+/// eq    12 bytes header (magic, version, length), JSON chunk padded with spaces, BIN chunk padded with zeros (glTF
+///       2.0, "Binary glTF Layout")
+/// out   empty if the file would have 4 GiB or more: its lengths have 32 bits
 std::optional<std::vector<std::byte>> glb_bytes(std::string_view json, std::span<const std::byte> bin);
 
 }  // namespace sinew::write

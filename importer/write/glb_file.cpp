@@ -14,15 +14,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Calls `change` for each entry of the list `list`, if the object has it.
+/// Calls `change` for each entry of the member `list`, if it exists.
 template <class Change>
 void for_each(Json& object, const char* list, Change change) {
   if (const auto found = object.find(list); found != object.end())
     for (auto& entry : *found) change(entry);
 }
 
-/// Removes what tinygltf writes but glTF forbids: null for an object without properties, a far plane of 0 for infinity,
-/// and node -1 for a channel without a node.
+/// Removes output of tinygltf that glTF forbids: null for an empty object, zfar 0 for infinity, node -1 for a channel
+/// without a node.
 void mend(Json& root) {
   for (auto& [name, list] : root.items())
     if (list.is_array())

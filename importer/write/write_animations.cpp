@@ -18,7 +18,7 @@ const char* name_of(Interpolation interpolation) {
   return nullptr;
 }
 
-/// Writes the channels of one animation. Key times that several tracks share are written once.
+/// Writes the channels of one animation. Key times shared by several tracks are written once.
 class AnimationWriter {
  public:
   explicit AnimationWriter(GlbBuffer& buffer) : buffer_(buffer) {}
@@ -30,7 +30,7 @@ class AnimationWriter {
     return add(std::move(channel), interpolation, times_s, values);
   }
 
-  /// A channel whose target is named by a pointer into the document.
+  /// Adds a channel with a KHR_animation_pointer target.
   bool add(const std::string& pointer, Interpolation interpolation, const std::vector<float>& times_s, int values) {
     tinygltf::AnimationChannel channel;
     has_pointers_ = true;
@@ -40,7 +40,7 @@ class AnimationWriter {
     return add(std::move(channel), interpolation, times_s, values);
   }
 
-  /// Keeps the place of an animation that animates nothing: readers ignore a channel without a node.
+  /// Adds a channel without a node, which readers ignore: glTF forbids animations without channels.
   void add_nothing() {
     const std::vector<glm::vec3> value(1);
     add(-1, "translation", Interpolation::step, {0.0f},
@@ -86,7 +86,7 @@ bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbB
   return ok;
 }
 
-/// All weights of a node, or a single one of them.
+/// Writes the channel of all weights of a node, or of a single one.
 bool add_weights(const WeightAnimation& animated, const Scene& scene, int node, AnimationWriter& writer,
                  GlbBuffer& buffer) {
   const WeightTrack& track = animated.weights;

@@ -13,8 +13,8 @@ tinygltf::Value number(float value) { return tinygltf::Value(static_cast<double>
 
 tinygltf::Value color(const glm::vec3& c) { return tinygltf::Value(Array{number(c.x), number(c.y), number(c.z)}); }
 
-/// Adds a reference to a texture as the member `name`, where it is used.
-/// in   scale  of a normal texture; 1 is left out
+/// Adds the texture reference `name`, if the texture is used.
+/// in   scale  of a normal texture; 1 is omitted
 void add_texture(Object& extension, const char* name, const TextureUse& use, tinygltf::Model& model,
                  float scale = 1.0f) {
   if (!use.used()) return;
@@ -26,7 +26,7 @@ void add_texture(Object& extension, const char* name, const TextureUse& use, tin
   extension[name] = tinygltf::Value(std::move(info));
 }
 
-/// Declares and adds an extension that says something.
+/// Declares and adds an extension, unless it is empty.
 void add(const char* name, Object&& extension, tinygltf::Model& model, tinygltf::Material& out) {
   if (extension.empty()) return;
   out.extensions[name] = tinygltf::Value(std::move(extension));

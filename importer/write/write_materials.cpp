@@ -16,8 +16,8 @@ tinygltf::Value pair(const glm::vec2& v) {
   return tinygltf::Value(Array{tinygltf::Value(static_cast<double>(v.x)), tinygltf::Value(static_cast<double>(v.y))});
 }
 
-/// Fills the members that all kinds of texture references have. A texture that a clip transforms needs the extension
-/// even where nothing is transformed at rest.
+/// Fills in the common members of texture references. If clips animate the texture transform, the extension is written
+/// even for an identity transform.
 template <class Info>
 void reference(const TextureUse& use, bool animated, tinygltf::Model& model, Info& info) {
   if (!use.used()) return;
@@ -36,7 +36,7 @@ const char* name_of(AlphaMode mode) {
   return "OPAQUE";
 }
 
-/// What the clips animate of one material.
+/// The animated properties of one material.
 class MovedParts {
  public:
   MovedParts(const PropertyTable& table, std::uint32_t material) : table_(table), material_(material) {}
@@ -70,8 +70,8 @@ tinygltf::Material written(const Material& material, const MovedParts& moved, ti
   reference(material.occlusion_texture, moved.texture(TextureSlot::occlusion), model, out.occlusionTexture);
   out.occlusionTexture.strength = material.occlusion_strength;
   reference(material.emissive_texture, moved.texture(TextureSlot::emissive), model, out.emissiveTexture);
-  // A factor is at most 1. Larger values are divided by a power of two that goes into the strength, so that the product
-  // of factor and strength stays exact.
+  // The factor must not exceed 1. Larger values are divided by a power of two, which becomes the strength, so that the
+  // product is exact.
   const auto& e = material.emissive;
   const float largest = std::max({e.x, e.y, e.z});
   int exponent = 0;
@@ -152,18 +152,19 @@ void write_variants(const Scene& scene, tinygltf::Model& model) {
 
 namespace {
 
-/// The extension that names images of this kind, or null for those of glTF itself.
+/// The extension for images of this type; null for core glTF types.
 const char* extension_of(const std::string& mime_type) {
   return mime_type == "image/webp" ? "EXT_texture_webp" : mime_type == "image/avif" ? "EXT_texture_avif" : nullptr;
 }
 
-/// True for images whose encoded bytes can go into the file: glTF or an extension knows their type.
+/// True if the encoded bytes can be written: core glTF or an extension supports the type.
 bool is_kept(const Image& image) {
   const std::string& kind = image.mime_type;
   return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || extension_of(kind) != nullptr);
 }
 
-/// A WebP or AVIF image is named by its extension only, without a fallback, so readers must know the extension.
+/// Sets the image. A WebP or AVIF image is referenced only by its extension, without a fallback, so the extension is
+/// required.
 void set_source(const Scene& scene, std::uint32_t image, tinygltf::Model& model, tinygltf::Texture& texture) {
   const char* extension = extension_of(scene.images[image].mime_type);
   if (!is_kept(scene.images[image]) || extension == nullptr) {
@@ -185,7 +186,7 @@ void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
     const bool keep = is_kept(image);
     out.mimeType = keep ? image.mime_type : "image/png";
     const Image placeholder{
-        .name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // a missing image is seen
+        .name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // a missing image becomes one magenta pixel
     out.bufferView =
         buffer.add_view(keep ? image.encoded : encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
     model.images.push_back(std::move(out));

@@ -18,7 +18,7 @@ int mode_of(Topology topology) {
   return TINYGLTF_MODE_TRIANGLES;
 }
 
-/// Where the influences of one vertex lie in the lists of its primitive.
+/// Range of a vertex's influences in the lists of its primitive.
 struct InfluenceRange {
   std::size_t first = 0;
   std::uint32_t count = 0;
@@ -32,7 +32,7 @@ std::vector<InfluenceRange> influence_ranges(const VertexInfluences& influences)
   return ranges;
 }
 
-/// One JOINTS_n / WEIGHTS_n set holds four influences; vertices with fewer get weights of 0.
+/// Writes influences as JOINTS_n / WEIGHTS_n sets of four; missing ones get weight 0.
 void write_influences(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out,
                       GlbBuffer& buffer) {
   const auto ranges = vertices.gather(influence_ranges(primitive.influences));
@@ -83,8 +83,8 @@ void write_vertices(const Primitive& primitive, const FileVertices& vertices, ti
   add("COLOR_0", primitive.colors);
 }
 
-/// A primitive that shows nothing but keeps its place: glTF wants at least one attribute, and as many targets as the
-/// other primitives of the mesh have.
+/// Writes an empty primitive, to keep its index. glTF requires at least one attribute, and as many targets as the
+/// mesh's other primitives.
 void write_nothing(const Primitive& primitive, tinygltf::Primitive& out, GlbBuffer& buffer) {
   constexpr float kOne[] = {0.0f};
   const std::map<std::string, int> nothing{{"_EMPTY", buffer.add(std::span<const float>(kOne))}};
@@ -106,7 +106,7 @@ tinygltf::Primitive written(const Primitive& primitive, GlbBuffer& buffer) {
   write_targets(primitive, vertices, out, buffer);
   std::vector<std::uint32_t> indices;
   for (const std::uint32_t v : primitive.indices) indices.push_back(vertices.file_vertex[v]);
-  if (indices.empty()) indices.push_back(0);  // glTF forbids an empty list; one index makes no line and no triangle
+  if (indices.empty()) indices.push_back(0);  // glTF forbids an empty list; a single index draws no line or triangle
   out.indices = buffer.add_indices(indices);
   return out;
 }

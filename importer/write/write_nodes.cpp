@@ -28,7 +28,7 @@ void attach(const MeshInstance& instance, const Scene& scene, tinygltf::Node& no
     node.weights.assign(instance.rest_weights.begin(), instance.rest_weights.end());
 }
 
-/// EXT_mesh_gpu_instancing.
+/// Writes EXT_mesh_gpu_instancing.
 void write_copies(const std::vector<Transform>& copies, tinygltf::Model& model, std::size_t node, GlbBuffer& buffer) {
   if (copies.empty()) return;
   declare_extension(model, "EXT_mesh_gpu_instancing");
@@ -49,7 +49,7 @@ void write_copies(const std::vector<Transform>& copies, tinygltf::Model& model, 
       tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(attributes))}});
 }
 
-/// KHR_node_visibility: for hidden nodes, and for nodes that clips hide or show.
+/// Writes KHR_node_visibility for hidden nodes and for nodes whose visibility is animated.
 void write_visibility(const Scene& scene, tinygltf::Model& model) {
   const auto write = [&](std::uint32_t joint, bool visible) {
     declare_extension(model, "KHR_node_visibility");
@@ -61,7 +61,8 @@ void write_visibility(const Scene& scene, tinygltf::Model& model) {
   for (const std::uint32_t joint : scene.hidden_joints) write(joint, false);
 }
 
-/// A node of the joint for one more thing of a kind: the joint's own, or a new one below it where `has_one` of it.
+/// The node to attach an object to: the joint's own, or a new child node if `has_one(node)`, that is, it already has
+/// such an object.
 template <class HasOne>
 std::size_t node_for(const Skeleton& skeleton, std::uint32_t joint, tinygltf::Model& model, HasOne has_one) {
   const std::size_t own = skeleton.node_of_joint[joint], below = model.nodes.size();
@@ -71,7 +72,7 @@ std::size_t node_for(const Skeleton& skeleton, std::uint32_t joint, tinygltf::Mo
   return below;
 }
 
-/// Newer releases of tinygltf have a member `light` and drop the extension where that is not set.
+/// Newer releases of tinygltf have a member `light` and drop the extension if it is not set.
 template <class Node>
 void attach_light(Node& node, int light) {
   node.extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(light)}});
@@ -89,7 +90,7 @@ std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model, Glb
   return node_of_instance;
 }
 
-/// Cameras and lights, which the model has already, on the nodes of their joints.
+/// Attaches cameras and lights, which are already in the model, to the nodes of their joints.
 void place_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
   const auto has_camera = [](const tinygltf::Node& node) { return node.camera >= 0; };
   const auto has_light = [](const tinygltf::Node& node) { return node.extensions.contains("KHR_lights_punctual"); };
@@ -107,7 +108,7 @@ void write_skins(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) 
     out.name = skin.name;
     for (const std::uint32_t joint : skin.joints)
       out.joints.push_back(static_cast<int>(scene.skeleton.node_of_joint[joint]));
-    if (skin.joints.empty()) out.joints.push_back(0);  // glTF demands one; no vertex follows it
+    if (skin.joints.empty()) out.joints.push_back(0);  // glTF requires at least one joint; no vertex uses it
     if (!skin.inverse_bind.empty()) out.inverseBindMatrices = buffer.add_matrices(skin.inverse_bind);
     if (skin.skeleton_root != kNone) out.skeleton = static_cast<int>(scene.skeleton.node_of_joint[skin.skeleton_root]);
     model.skins.push_back(std::move(out));

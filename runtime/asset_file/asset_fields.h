@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The fields of each asset, in the order in which a file has them. Structured bindings name all members: who adds one
-// gets a compile error here, and a new kAssetBlockVersion with it.
+// The fields of each asset, in file order. Structured bindings name all members, so adding a member is a compile error
+// here. Add the field and raise kAssetBlockVersion.
 #pragma once
 #include <concepts>
 #include <tuple>
 #include <type_traits>
 
 #include "runtime/model/scene.h"
+#include "runtime/model/skeleton_lod.h"
+#include "runtime/paging/page_table.h"
 
 namespace sinew {
 
@@ -97,6 +99,55 @@ auto fields(Is<PropertyTable> auto& t) {
 auto fields(Is<SceneRoots> auto& r) {
   auto& [name, joints] = r;
   return std::tie(name, joints);
+}
+
+template <class T>
+concept IsTrack = Is<T, Vec3Track> || Is<T, QuatTrack>;
+
+auto fields(IsTrack auto& t) {
+  auto& [interpolation, times_s, values] = t;
+  return std::tie(interpolation, times_s, values);
+}
+
+auto fields(Is<WeightTrack> auto& t) {
+  auto& [interpolation, times_s, values, target_count] = t;
+  return std::tie(interpolation, times_s, values, target_count);
+}
+
+auto fields(Is<BoneAnimation> auto& b) {
+  auto& [joint, translation, rotation, scale] = b;
+  return std::tie(joint, translation, rotation, scale);
+}
+
+auto fields(Is<WeightAnimation> auto& a) {
+  auto& [instance, weights, first_target] = a;
+  return std::tie(instance, weights, first_target);
+}
+
+auto fields(Is<PropertyTrack> auto& t) {
+  auto& [target, values] = t;
+  return std::tie(target, values);
+}
+
+auto fields(Is<Animation> auto& a) {
+  auto& [name, duration_s, bones, weights, properties] = a;
+  return std::tie(name, duration_s, bones, weights, properties);
+}
+
+/// A skeleton LOD; `kept` has its flags for kept joints as bytes, 0 or 1.
+struct StoredSkeletonLod {
+  CompiledSkeletonLod lod;
+  std::vector<std::uint8_t> kept;
+};
+
+auto fields(Is<StoredSkeletonLod> auto& s) {
+  auto& [detail, tolerance_m, left_out, measured_m, worst_joint] = s.lod;
+  return std::tie(s.kept, detail.held, tolerance_m, left_out, measured_m, worst_joint);
+}
+
+auto fields(Is<PageTable> auto& t) {
+  auto& [page_s, offsets] = t;
+  return std::tie(page_s, offsets);
 }
 
 }  // namespace sinew

@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-/// The magic of files that hold compiled clips and nothing else (clip/clip_file.h).
+/// The magic of files that contain only compiled clips (clip/clip_file.h).
 constexpr char kClipMagic[8] = {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'};
 
 bool begins_with(std::span<const std::byte> bytes, const char (&magic)[8]) noexcept {
@@ -29,7 +29,7 @@ tl::unexpected<AssetFileError> refuse_block(const char* rule, AssetKind kind, st
   return tl::unexpected(AssetFileError{rule, std::string(name_of(kind)), 0, std::move(detail)});
 }
 
-/// An entry of the table with its checksum, and what its storage says.
+/// An entry of the table with its checksum and storage flags.
 struct Entry {
   AssetBlock block;
   std::uint32_t storage = 0, reserved = 0;
@@ -54,7 +54,7 @@ Entry read_entry(ByteReader& in) {
   return entry;
 }
 
-/// What is wrong with an entry by itself; nothing where it is right.
+/// Describes what is wrong with an entry by itself; null if nothing is.
 const char* fault_of(const Entry& entry) noexcept {
   const AssetBlock& block = entry.block;
   if (entry.reserved != 0 || entry.reserved_end != 0) return "reserved bytes are not 0";
@@ -69,7 +69,7 @@ bool all_zero(std::span<const std::byte> bytes) noexcept {
   return std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
 }
 
-/// Blocks come one after another, with zeros between them, and the last one ends the file.
+/// Checks that blocks follow each other with zeros between them and that the last one ends the file.
 tl::expected<void, AssetFileError> check_places(std::span<const std::byte> file, std::span<const AssetBlock> blocks,
                                                 std::uint64_t table_end) {
   std::uint64_t end = table_end, limit = kAssetMadeBytes + kAssetMadeTimes * file.size();
@@ -138,7 +138,7 @@ tl::expected<AssetFile, AssetFileError> AssetFile::open(std::span<const std::byt
   const auto count = head.number<std::uint32_t>();
   if (head.number<std::uint64_t>() != file.size())
     return refuse("asset-size", 16, "the file is longer or shorter than it says");
-  if (count > kMostBlocks) return refuse("asset-value", 12, "the file has too many blocks");
+  if (count > kMaxBlocks) return refuse("asset-value", 12, "the file has too many blocks");
   if (count > (file.size() - kAssetHead) / kAssetEntry)
     return refuse("asset-size", 12, "the file ends inside of its table");
   const auto table = file.subspan(kAssetHead, count * kAssetEntry);

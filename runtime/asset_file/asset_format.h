@@ -10,13 +10,13 @@ static_assert(std::endian::native == std::endian::little, "asset files are the m
 
 inline constexpr char kAssetMagic[8] = {'S', 'I', 'N', 'E', 'W', 'A', 'S', 'T'};
 
-/// How a block is stored: 0 as it is, 1 as one frame of zstd.
+/// How a block is stored: 0 = unpacked, 1 = one zstd frame.
 inline constexpr std::uint32_t kPackedByZstd = 1;
 
-/// More than there are kinds, so that later versions have room.
-inline constexpr std::uint32_t kMostBlocks = 64;
+/// Limit for the number of blocks. It exceeds the number of kinds, so that later versions have room.
+inline constexpr std::uint32_t kMaxBlocks = 64;
 
-/// Arrays of numbers begin at multiples of this many bytes of their block.
+/// Arrays of numbers begin at multiples of this many bytes from the start of their block.
 inline constexpr std::size_t kArrayAlignment = 16;
 
 }  // namespace sinew

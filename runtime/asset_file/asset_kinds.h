@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Types whose memory is what a file has of them: numbers without gaps, of which any bits may be read.
+/// Types whose memory is stored as it is: numbers without padding, for which all bit patterns are safe to read.
 template <class T>
 inline constexpr bool kIsPlain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 template <>
@@ -33,7 +33,7 @@ inline constexpr bool kIsPlain<VariantMaterial> = true;
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::quat) == 16 && sizeof(Affine) == 48 && sizeof(Transform) == 40 &&
               sizeof(Aabb) == 24 && sizeof(InfluenceGroup) == 16 && sizeof(VariantMaterial) == 8);
 
-/// The last value of each enumeration that files hold; all begin at 0.
+/// The last value of each enumeration that files store; all start at 0.
 constexpr auto last_of(Topology) noexcept { return Topology::triangles; }
 constexpr auto last_of(AlphaMode) noexcept { return AlphaMode::blend; }
 constexpr auto last_of(Filter) noexcept { return Filter::linear; }

@@ -13,9 +13,9 @@
 
 namespace sinew {
 
-/// Reads what AssetWriter wrote, until a rule is broken; the first broken rule is kept, and all that follows is empty.
-/// Any bytes may be passed: an array is never longer than the bytes that are left, so that memory stays below a small
-/// multiple of the block. Indices and finite numbers are not looked at (check(Scene) does).
+/// Reads what AssetWriter wrote. The first broken rule is kept, and everything after it reads as empty. Any bytes may
+/// be passed. An array is never longer than the remaining bytes, so memory stays below a small multiple of the block.
+/// Indices and finite numbers are not checked here: check(Scene) does that.
 class AssetReader {
  public:
   AssetReader(std::span<const std::byte> block, AssetKind kind) : block_(block), kind_(kind) {}
@@ -60,7 +60,7 @@ class AssetReader {
     }
   }
 
-  /// The end of the block has come, and no rule was broken.
+  /// True if the whole block was read and no rule was broken.
   bool finish() {
     require(left() == 0, "asset-size", "bytes follow the last field of the block");
     return ok();
@@ -87,7 +87,7 @@ class AssetReader {
     require(value <= most, "asset-value", detail);
     return ok() ? value : std::uint8_t{0};
   }
-  /// The number of elements that follow, of `bytes_each` or more; 0 where so many do not fit.
+  /// The length of the array that follows, whose elements take `bytes_each` or more; 0 if they cannot fit.
   std::size_t count(std::size_t bytes_each) {
     std::uint64_t number = 0;
     read(number);

@@ -12,9 +12,10 @@
 
 namespace sinew {
 
-/// Writes assets into a block: numbers as they are in memory, flags and kinds as a byte, texts and arrays as a count of
-/// eight bytes and their elements, others field by field (asset_fields.h). Arrays of numbers begin at multiples of
-/// kArrayAlignment. A shared name is the number of a name, followed by the text where it is new.
+/// Writes assets into a block. Numbers are stored as in memory, flags and enumerations as one byte. Texts and arrays
+/// are an eight-byte count and their elements; other types are stored field by field (asset_fields.h). Arrays of
+/// numbers begin at multiples of kArrayAlignment. A SharedName is the index of a name; a new name is followed by its
+/// text.
 class AssetWriter {
  public:
   template <class T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of what gives a model its look, as asset_fields.h has those of its shape; and of the model as a whole.
+// The fields of materials, textures, cameras and lights, and of the model block as a whole; see asset_fields.h.
 #pragma once
 #include "runtime/asset_file/asset_fields.h"
 
@@ -64,7 +64,7 @@ auto fields(Is<Light> auto& l) {
   return std::tie(name, kind, joint, color, intensity, range_m, inner_cone_rad, outer_cone_rad);
 }
 
-/// The block "model": all of a scene but its skeleton, its clips and their authoring form.
+/// The block AssetKind::model: a scene without its skeleton, its clips and their authoring form.
 template <class S>
 requires Is<S, Scene>
 auto model_fields(S& scene) {

@@ -7,16 +7,15 @@
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
-#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_reader.h"
-#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
 #include "runtime/asset_file/read_pages.h"
 #include "runtime/base/all_finite.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/clip/decompile_clip.h"
-#include "runtime/model/clip_checks.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {
@@ -55,7 +54,7 @@ Read<void> check_signature(const AssetFile& file, AssetKind kind, std::uint64_t 
       "the block belongs to skeleton " + hex(block->skeleton_signature) + ", not to skeleton " + hex(signature));
 }
 
-/// A scene of the skeleton alone, and then with the model, passes its checks.
+/// Checks a scene with the skeleton alone, or with skeleton and model.
 Read<void> check_part(const Scene& scene, AssetKind kind) {
   const ErrorCode code = check(scene);
   if (code == ErrorCode::ok) return {};
@@ -71,7 +70,7 @@ Read<void> read_model(const AssetFile& file, Scene& scene) {
   return read ? check_part(scene, AssetKind::model) : read;
 }
 
-/// Clips move as many joints, morph weights and properties as the scene has.
+/// Checks that clips move as many joints, morph weights and properties as the scene has.
 Read<void> check_binding(const std::vector<Clip>& clips, const Scene& scene) {
   struct Count {
     const char* what;
@@ -88,7 +87,7 @@ Read<void> check_binding(const std::vector<Clip>& clips, const Scene& scene) {
   return {};
 }
 
-/// The keys of the clips, as far as they take a sane amount of memory.
+/// Makes animations from the keys of the clips, within a memory limit.
 Read<std::vector<Animation>> decompile(const std::vector<Clip>& clips, const Scene& scene, std::uint64_t limit) {
   const std::vector<float> rest_weights = rest_weights_of(scene);
   const ClipRest rest = clip_rest(scene.skeleton, rest_weights, scene.properties);
@@ -109,7 +108,7 @@ Read<std::vector<Animation>> decompile(const std::vector<Clip>& clips, const Sce
 
 Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vector<Clip>& clips, const Scene& scene) {
   if (file.find(AssetKind::animations) == nullptr) {
-    std::uint64_t bytes = 0;  // unpacked, also those of packed pages
+    std::uint64_t bytes = 0;  // unpacked, including packed pages
     for (const Clip& clip : clips) bytes += clip.byte_size();
     return decompile(clips, scene, kAssetMadeBytes + kAssetMadeTimes * bytes);
   }
@@ -128,7 +127,7 @@ bool is_finite(const Aabb& box) noexcept {
   return all_finite(std::span(&box.lower.x, 3)) && all_finite(std::span(&box.upper.x, 3));
 }
 
-/// What is wrong with boxes of a scene; nothing where they are right.
+/// Describes what is wrong with the boxes of a scene; null if nothing is.
 const char* fault_of(const ClipBoxes& boxes, const Scene& scene) noexcept {
   if (boxes.size() > scene.clips.size()) return "there are boxes of more clips than the scene has";
   for (const std::vector<Aabb>& of_clip : boxes) {
@@ -146,7 +145,7 @@ bool is_finite(const Transform& t) noexcept {
 
 bool is_length(double m) noexcept { return std::isfinite(m) && m >= 0.0; }
 
-/// What is wrong with a skeleton LOD; nothing where it is right.
+/// Describes what is wrong with a skeleton LOD; null if nothing is.
 const char* fault_of(const StoredSkeletonLod& stored, std::size_t joint_count) noexcept {
   const CompiledSkeletonLod& lod = stored.lod;
   const auto of_joints = [&](std::size_t size) { return size == 0 || size == joint_count; };

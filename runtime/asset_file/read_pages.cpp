@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_reader.h"
-#include "runtime/asset_file/page_fields.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/paging/join_clips.h"
 
@@ -21,7 +21,7 @@ tl::unexpected<AssetFileError> refuse(AssetKind kind, const char* rule, std::uin
   return tl::unexpected(AssetFileError{rule, std::string(name_of(kind)), offset, std::move(detail)});
 }
 
-/// What is wrong with a table; nothing where it is right.
+/// Describes what is wrong with a page table; null if nothing is.
 const char* fault_of(const PageTable& table, std::uint64_t bytes) noexcept {
   if (table.offsets.empty()) return nullptr;
   if (!std::isfinite(table.page_s) || table.page_s <= 0.0) return "the length of pages is not a time";
@@ -32,7 +32,7 @@ const char* fault_of(const PageTable& table, std::uint64_t bytes) noexcept {
   return nullptr;
 }
 
-/// One clip of its pages.
+/// Joins the pages of one clip.
 class PageJoin {
  public:
   PageJoin(std::span<const std::byte> keys, const Clip& head) : keys_(keys), head_(head), joiner_(head) {}
@@ -66,7 +66,7 @@ class PageJoin {
   std::vector<std::byte> unpacked_;
 };
 
-/// With offsets in the block of page keys.
+/// Page tables; their offsets count from the start of the block page_keys.
 tl::expected<std::vector<PageTable>, AssetFileError> tables_of(const AssetFile& file, std::uint64_t bytes) {
   std::vector<std::byte> unpacked;
   const auto block = file.bytes_of(AssetKind::pages, unpacked);
@@ -85,8 +85,8 @@ tl::expected<std::vector<PageTable>, AssetFileError> tables_of(const AssetFile& 
 tl::expected<std::span<const std::byte>, AssetFileError> unpack_page(std::span<const std::byte> stored,
                                                                      std::vector<std::byte>& unpacked) {
   const unsigned long long size = ZSTD_getFrameContentSize(stored.data(), stored.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR) return stored;  // it does not begin as packed bytes do
-  if (size / kAssetMadeTimes > stored.size())         // an unknown size is the largest number
+  if (size == ZSTD_CONTENTSIZE_ERROR) return stored;  // no zstd frame: not packed
+  if (size / kAssetMadeTimes > stored.size())         // also true for unknown sizes, which are the largest number
     return refuse(AssetKind::page_keys, "asset-memory", 0, "a page says that it unpacks to far more than its bytes");
   unpacked.resize(size);
   const std::size_t made = ZSTD_decompress(unpacked.data(), unpacked.size(), stored.data(), stored.size());

@@ -6,16 +6,14 @@
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
-#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_fields.h"
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/asset_file/asset_writer.h"
-#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
-#include "runtime/asset_file/page_fields.h"
 #include "runtime/base/checksum.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_file.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "runtime/paging/cut_clip.h"
 
 namespace sinew {
@@ -26,11 +24,12 @@ using Bytes = std::vector<std::byte>;
 struct Block {
   AssetKind kind{};
   Bytes stored;
-  std::uint64_t bytes = 0;  ///< before it was packed
+  std::uint64_t bytes = 0;  ///< unpacked size
   std::uint32_t storage = 0;
 };
 
-/// The bytes packed, where that makes them smaller, and not so small that a reader takes them for an attack; else none.
+/// Packs bytes; empty if that does not make them smaller. Also empty if they get so small that a reader would refuse
+/// them as a decompression bomb.
 Bytes packed(const Bytes& bytes, int zstd_level) {
   if (zstd_level <= 0) return {};
   Bytes packed(ZSTD_compressBound(bytes.size()));
@@ -72,10 +71,10 @@ Bytes bytes_of_clips(const std::vector<Clip>& clips) {
   return save_clips(saved);
 }
 
-/// Clips of which the long ones have their keys in pages.
+/// Clips whose long members keep their keys in pages.
 struct PagedClips {
   std::vector<Clip> clips;
-  std::vector<PageTable> tables;  ///< empty where no clip is long
+  std::vector<PageTable> tables;  ///< empty if no clip is long
   Bytes keys;
 };
 

@@ -13,14 +13,14 @@
 #include "runtime/c/retarget.h"
 #include "runtime/library/clip_library.h"
 #include "runtime/lod/compile_skeleton_lod.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/retarget_pose.h"
 #include "runtime/retarget/retarget_weights.h"
-#include "runtime/retarget/twist_map.h"
+#include "runtime/retarget/share_twist.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)

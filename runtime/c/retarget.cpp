@@ -8,7 +8,6 @@
 #include "runtime/c/pose_span.h"
 #include "runtime/c/unbound.h"
 #include "runtime/retarget/hold_feet.h"
-#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/share_twist.h"

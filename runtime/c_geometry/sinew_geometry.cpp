@@ -204,7 +204,7 @@ sinew_error sinew_geometry_player_work(const sinew_geometry_player* player, sine
   const GeometryDecoder& decoder = player->player.decoder();
   return c::write_struct({.struct_size = 0,
                           .frames_decoded = decoder.frames_decoded(),
-                          .bytes_asked = window ? window->bytes_asked() : 0,
+                          .bytes_asked = window ? window->bytes_requested() : 0,
                           .memory_bytes = decoder.memory_bytes() + (window ? window->memory_bytes() : 0),
                           .pending_reads = window ? window->pending_reads() : 0},
                          out);

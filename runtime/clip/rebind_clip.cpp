@@ -13,18 +13,18 @@
 namespace sinew {
 namespace {
 
-using Own = std::vector<BaseNumbers::Own>;
+using Overrides = std::vector<BaseNumbers::Override>;
 
-constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
+constexpr Property kJointProperties[] = {Property::translation, Property::rotation, Property::scale};
 
 constexpr std::size_t component_count(Property property) noexcept { return property == Property::rotation ? 4 : 3; }
 
-/// Calls `visit(joint, property)` for those with a constant other than the value at rest.
+/// Calls `visit(joint, property)` where the base value differs from the rest value.
 template <class Visit>
 void each_constant(std::span<const float> base, std::span<const float> rest, std::size_t joint_count,
                    const Visit& visit) {
   const std::size_t stride = BasePose::stride_for(joint_count);
-  for (const Property property : kOfJoints)
+  for (const Property property : kJointProperties)
     for (std::uint32_t joint = 0; joint < joint_count; ++joint)
       for (std::size_t c = 0; c < component_count(property); ++c) {
         const std::size_t at = (first_plane(property) + c) * stride + joint;
@@ -52,28 +52,29 @@ BaseNumbers moved_pose(const Clip& clip, const ClipRest& from, std::span<const s
                        const ClipRest& to, std::uint32_t& folded) {
   const std::vector<float> base = clip.layout().base_pose.all();
   const std::size_t stride = BasePose::stride_for(from.joint_count), new_stride = BasePose::stride_for(to.joint_count);
-  Own own;
+  Overrides overrides;
   each_constant(base, *from.pose, from.joint_count, [&](std::uint32_t joint, Property property) {
     if (targets[joint] == kNone) return;
     const std::size_t first = first_plane(property);
     for (std::size_t plane = first; plane < first + component_count(property); ++plane)
-      own.push_back({static_cast<std::uint32_t>(plane * new_stride + targets[joint]), base[plane * stride + joint]});
+      overrides.push_back(
+          {static_cast<std::uint32_t>(plane * new_stride + targets[joint]), base[plane * stride + joint]});
     ++folded;
   });
-  return BaseNumbers(to.pose, std::move(own));
+  return BaseNumbers(to.pose, std::move(overrides));
 }
 
 BaseNumbers moved_numbers(const BaseNumbers& base, const RestNumbers& from, std::span<const std::uint32_t> targets,
                           const RestNumbers& to, std::uint32_t& folded) {
   const std::vector<float> numbers = base.all();
-  Own own;
+  Overrides overrides;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (targets[i] != kNone && !same_bits(numbers[i], (*from)[i])) own.push_back({targets[i], numbers[i]});
-  folded += static_cast<std::uint32_t>(own.size());
-  return BaseNumbers(to, std::move(own));
+    if (targets[i] != kNone && !same_bits(numbers[i], (*from)[i])) overrides.push_back({targets[i], numbers[i]});
+  folded += static_cast<std::uint32_t>(overrides.size());
+  return BaseNumbers(to, std::move(overrides));
 }
 
-/// A block whose targets stay shares its tables too.
+/// If no target changes, the block is copied with its tables.
 void add_block(const TrackBlock& block, const ClipTargets& targets, std::size_t key_count,
                std::vector<TrackBlock>& out) {
   const std::span<const std::uint32_t> new_target = targets_of(block.property, targets);

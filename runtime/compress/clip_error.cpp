@@ -14,11 +14,11 @@
 namespace sinew {
 namespace {
 
-/// A parabola over the interval, as cubics differ, is at its top within 1/12 of one of these: 3 percent above what is
-/// seen there.
+/// Times between keys, as fractions of the interval. Two cubics differ by roughly a parabola, whose top is within 1/12
+/// of one of these times: at most 3 percent above the value there.
 constexpr double kBetween[] = {1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6, 5.0 / 6};
 
-/// Calls `visit(track)` for each track of joints and weights.
+/// Calls `visit(track)` for each joint and weight track.
 template <class Visit>
 void each_track(const Animation& truth, const Visit& visit) {
   for (const BoneAnimation& bone : truth.bones) {
@@ -29,12 +29,12 @@ void each_track(const Animation& truth, const Visit& visit) {
   for (const WeightAnimation& animated : truth.weights) visit(animated.weights);
 }
 
-void sort_out(std::vector<float>& times) {
+void sort_unique(std::vector<float>& times) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
-/// Times at which a track has one value and right before them another: keys of steps, and keys that share a time.
+/// Times at which a track jumps: keys of stepped tracks, and keys that share a time.
 std::vector<float> jump_times(const Animation& truth) {
   std::vector<float> times;
   each_track(truth, [&](const auto& track) {
@@ -42,7 +42,7 @@ std::vector<float> jump_times(const Animation& truth) {
       if (track.interpolation == Interpolation::step || track.times_s[k] == track.times_s[k - 1])
         times.push_back(track.times_s[k]);
   });
-  sort_out(times);
+  sort_unique(times);
   return times;
 }
 
@@ -90,7 +90,7 @@ class Meter {
   };
 
   void compare(const Clip& clip, double time_s, const TruthSample& truth) {
-    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
     for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(memory_.span().get(j));
     model_from_local(skeleton_, local_, model_);
     const auto [joint, joints_m] = compare_joints(truth);
@@ -142,7 +142,7 @@ class Meter {
   std::vector<Affined> model_;
   std::vector<double> largest_squared_;  // [J]
   std::vector<float> weights_;
-  std::vector<double> displaced_m_;  // [instances] mesh space
+  std::vector<double> displaced_m_;  // [instances] in mesh space
   ClipError error_;
 };
 
@@ -151,7 +151,7 @@ class Meter {
 std::vector<float> key_times(const Animation& truth) {
   std::vector<float> times{0.0f, static_cast<float>(truth.duration_s)};
   each_track(truth, [&](const auto& track) { times.insert(times.end(), track.times_s.begin(), track.times_s.end()); });
-  sort_out(times);
+  sort_unique(times);
   return times;
 }
 
@@ -166,10 +166,10 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
     if (k + 1 == keys.size()) break;
     for (const double f : kBetween) times.push_back(key + f * (static_cast<double>(keys[k + 1]) - key));
   }
-  std::size_t step = times.size() * joint_count / kMostJointTimes + 1;
+  std::size_t step = times.size() * joint_count / kMaxJointTimes + 1;
   if (step == 1) return times;
   while (std::gcd(step, std::size(kBetween) + 1) > 1)
-    ++step;  // else it would never meet some of the places between keys, or none
+    ++step;  // otherwise the stride would always hit the same places between keys
   std::vector<double> some;
   for (std::size_t i = 0; i < times.size(); i += step) some.push_back(times[i]);
   return some;

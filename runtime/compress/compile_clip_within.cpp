@@ -18,14 +18,15 @@
 namespace sinew {
 namespace {
 
-/// Of the budget; the rest is for times between those that are measured.
+/// Fraction of the budget to use; the rest covers times between the measured ones.
 constexpr double kUsed = 0.97;
-/// How often a clip that holds is tried again with other shares.
+/// Number of rounds with other shares after a clip was found.
 constexpr int kLoosened = 9;
-constexpr double kMostLoosened = 2.0;
-/// First guess of what morph weights take of it.
+constexpr double kMaxLoosened = 2.0;
+/// First guess for the morph weights' part of the budget.
 constexpr double kOfWeights = 0.25;
-/// What rounding of keys takes of a track's part, the rest being for keys that are left out: either may be worth more.
+/// Fraction of a track's tolerance for rounding its keys; the rest is for dropping keys. Which split gives the smaller
+/// clip depends on the clip, so each part of the search tries one.
 constexpr std::array<double, ClipSearch::kParts> kOfRounding = {0.25, 0.97};
 
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
@@ -51,7 +52,7 @@ std::uint32_t animated_joints(const Animation& animation) {
   return static_cast<std::uint32_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
 }
 
-/// What each joint, and the weights together, may take of the budget.
+/// The part of the budget of each joint, and of all weights together.
 class Shares {
  public:
   Shares(const Scene& scene, double budget_m)
@@ -60,7 +61,7 @@ class Shares {
   double joint_m(std::uint32_t joint) const { return of_joint_[joint] * kUsed * budget_m_; }
   double weights_m() const { return of_weights_ * kOfWeights * budget_m_; }
 
-  /// Gives less to whatever moved vertices too far; false when nothing did.
+  /// Reduces the shares of everything that moved vertices too far. False if nothing did.
   bool tighten(const ClipError& error) {
     if (error.worst_m <= kUsed * budget_m_) return false;
     const double weights_m = error.weights_m, left_m = std::max(kUsed * budget_m_ - weights_m, 0.25 * budget_m_);
@@ -75,16 +76,16 @@ class Shares {
     return true;
   }
 
-  /// Gives as much more to each joint as the errors of all below it leave, and to the weights what the largest leaves.
+  /// Raises the share of each joint as far as the errors below it allow, and that of the weights likewise.
   void loosen(const ClipError& error) {
     const double left_m = std::max(kUsed * budget_m_ - error.weights_m, 0.25 * budget_m_);
-    std::vector<double> factor(of_joint_.size(), kMostLoosened);
+    std::vector<double> factor(of_joint_.size(), kMaxLoosened);
     for (std::size_t j = factor.size(); j-- > 0;) {
       factor[j] = std::min(factor[j], std::max(left_m / std::max(error.of_joint_m[j], 0.01 * budget_m_), 1.0));
       if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
       of_joint_[j] *= factor[j];
     }
-    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMostLoosened);
+    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMaxLoosened);
   }
 
  private:
@@ -96,12 +97,13 @@ class Shares {
 
 double per_unit(double metres, double reach) noexcept { return reach > 0.0 ? metres / reach : 0.0; }
 
-/// Tracks of joints and weights that really move, each with its part of the budget.
+/// Joint and weight tracks that really move, each with its part of the budget.
 std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, const VirtualVertices& vertices,
                                       const std::vector<JointReach>& reach, const Shares& shares) {
   std::vector<LooseTrack> tracks;
   const auto add = [&](auto& track, double tolerance) {
-    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0}))
+    if (track.key_count() > 1 && track.interpolation != Interpolation::squad &&
+        !flatten_to_constant(LooseTrack{&track, 0.0}))
       tracks.push_back({&track, tolerance});
   };
   for (BoneAnimation& bone : animation.bones) {
@@ -123,7 +125,7 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
   return tracks;
 }
 
-/// How far the keys of each track may be rounded, as a part of its tolerance.
+/// How far the keys of each track may be rounded: a fraction `part` of its tolerance.
 KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> tracks, double part) {
   std::map<const void*, const LooseTrack*> loose;
   for (const LooseTrack& track : tracks)
@@ -145,7 +147,7 @@ KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> 
 }
 
 void reduce(std::vector<LooseTrack> tracks) {
-  std::erase_if(tracks, [](const LooseTrack& track) { return hold_still(track); });
+  std::erase_if(tracks, [](const LooseTrack& track) { return flatten_to_constant(track); });
   std::map<std::vector<float>, std::vector<LooseTrack>> groups;
   for (const LooseTrack& track : tracks) groups[track.times_s()].push_back(track);
   for (auto& [times_s, group] : groups)
@@ -170,7 +172,7 @@ ClipCertificate certificate_of(const TruthSamples& truth, const Animation& keys,
           .bytes = saved_bytes(clip)};
 }
 
-/// What stays the same from round to round.
+/// Inputs that stay the same in all rounds.
 struct Task {
   const Scene& scene;
   const Animation& truth;
@@ -207,18 +209,18 @@ bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) {
   return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes;
 }
 
-/// What one search found, if anything, and what it took.
+/// The result of one search, and how much work it took.
 struct Found {
   std::optional<ClipWithin> smallest;
   std::uint64_t truth_poses = 0;
 };
 
-/// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too
-/// much; nothing if it never holds in kMostRounds.
+/// Tightens the shares until the clip is within the budget. Then loosens and tightens a few more times to make it
+/// smaller. Finds nothing if no clip is within the budget in kMaxRounds rounds.
 Found fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
   Found found;
-  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
+  for (int round = 0, more = 0; round < kMaxRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
     Attempt attempt = try_shares(task, shares, of_rounding);
     found.truth_poses += attempt.error.truth_poses;
     if (shares.tighten(attempt.error)) continue;
@@ -228,7 +230,7 @@ Found fit(const Task& task, double of_rounding) {
   return found;
 }
 
-/// The keys as they are, with a certificate.
+/// Compiles all keys and attaches a certificate.
 Clip measured(const TruthSamples& truth, const Animation& keys, double asked_m) {
   const Clip clip = compile(truth.scene(), keys);
   const Clip* const forms[] = {&clip};

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "runtime/animation/truth_pose.h"
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 
 namespace sinew {
 namespace {
@@ -15,7 +15,7 @@ constexpr int kPoses = 16;
 
 double distance_between(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
 
-/// Raises the reach of every joint to what it is in one pose.
+/// Raises the reach of every joint to its reach in one pose.
 void raise(const Skeleton& skeleton, const VirtualVertices& vertices, const TruthPose& pose,
            std::vector<JointReach>& reach) {
   const std::size_t joints = skeleton.joint_count();

@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// How far an error of a joint's own transform moves the virtual vertices of the joint and of all below it, at worst
-/// over an animation: metres in model space per unit of error. A first guess for sharing out a budget; the result is
-/// measured afterwards.
+/// How far an error of a joint's local transform moves the virtual vertices of the joint and its descendants. It is the
+/// worst case over an animation, in metres of model space per unit of error. The search uses it as a first guess for
+/// sharing out the budget; the compiled clip is measured afterwards.
 struct JointReach {
   double translation = 0.0;  ///< per unit of length in the parent's space
   double rotation = 0.0;     ///< per radian

@@ -11,13 +11,13 @@
 namespace sinew {
 namespace {
 
-/// A place on a track: a key, or a fraction of the way from it to the next.
+/// A position on a track: a key, or a fraction of the way from it to the next.
 struct Place {
   std::size_t key;
   double fraction;
 };
 
-/// Places at which curves are compared between keys; straight ones are farthest apart at keys.
+/// Positions between keys at which curves are compared. Straight segments are farthest apart at keys.
 constexpr double kOnBends[] = {0.25, 0.5, 0.75};
 
 double time_of(const std::vector<float>& times, std::size_t key) noexcept { return static_cast<double>(times[key]); }
@@ -26,7 +26,7 @@ double time_of(const std::vector<float>& times, const Place& at) noexcept {
   return time_of(times, at.key) + at.fraction * (time_of(times, at.key + 1) - time_of(times, at.key));
 }
 
-/// Calls `see(place)` at every place inside of the keys `first` and `last` until one answers false.
+/// Calls `see(place)` for the positions between the keys `first` and `last` until one returns false.
 template <class See>
 bool all_between(Interpolation interpolation, std::size_t first, std::size_t last, const See& see) {
   for (std::size_t key = first; key < last; ++key) {
@@ -38,10 +38,10 @@ bool all_between(Interpolation interpolation, std::size_t first, std::size_t las
   return true;
 }
 
-double apart(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
+double distance_of(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
 
-/// How far a point one unit from the axis moves, or a little more: twice a chord between unit quaternions.
-double apart(const Quat<double>& a, const Quat<double>& b) noexcept {
+/// Upper bound for the movement of a point one unit from the axis: twice the chord between unit quaternions.
+double distance_of(const Quat<double>& a, const Quat<double>& b) noexcept {
   const Quat<double> d = a - aligned_with(a, b);
   return 2.0 * std::sqrt(quat_dot(d, d));
 }
@@ -63,10 +63,10 @@ double value_at(const WeightTrack& track, const Place& at, std::size_t weight) n
   return between_keys<double>(track, at.key, at.key + 1, at.fraction, interval_s, weight);
 }
 
-/// How far the track is from `other(place[, weight])` at a place.
+/// Distance between the track and `other(place[, weight])` at a position.
 template <class V, class Other>
 double deviation(const Track<V>& track, std::span<const float>, const Place& at, const Other& other) {
-  return apart(value_at(track, at), other(at));
+  return distance_of(value_at(track, at), other(at));
 }
 
 template <class Other>
@@ -77,7 +77,7 @@ double deviation(const WeightTrack& track, std::span<const float> metres, const 
   return sum;
 }
 
-/// Whether the track can do without its keys between `first` and `last`.
+/// True if the track may drop its keys between `first` and `last`.
 template <class TrackType>
 bool can_skip(const TrackType& track, const LooseTrack& loose, std::size_t first, std::size_t last) {
   const double begin = time_of(track.times_s, first), interval_s = time_of(track.times_s, last) - begin;
@@ -94,7 +94,8 @@ bool is_jump(const std::vector<float>& times, std::size_t key) noexcept {
   return key + 1 < times.size() && !(times[key + 1] > times[key]);
 }
 
-/// The middle of all keys; of rotations their mean direction, near enough where all are near each other.
+/// The middle of all keys. For rotations it is the direction of their mean, which is accurate if all are close
+/// together.
 glm::vec3 middle_of(const Vec3Track& track) {
   glm::vec3 lower = track.values[value_row(track.interpolation, 0)], upper = lower;
   for (std::size_t key = 1; key < track.key_count(); ++key) {
@@ -126,7 +127,7 @@ std::vector<float> middle_of(const WeightTrack& track) {
   return middle;
 }
 
-/// Whether the track is never farther than its tolerance from `other(place[, weight])`.
+/// True if the track stays within its tolerance from `other(place[, weight])`.
 template <class TrackType, class Other>
 bool is_near(const TrackType& track, const LooseTrack& loose, const Other& other) {
   const auto near = [&](const Place& at) {
@@ -137,14 +138,14 @@ bool is_near(const TrackType& track, const LooseTrack& loose, const Other& other
 }
 
 template <class V>
-bool hold_still(Track<V>& track, const LooseTrack& loose) {
+bool flatten_to_constant(Track<V>& track, const LooseTrack& loose) {
   const V middle = middle_of(track);
   if (!is_near(track, loose, [&](const Place&) { return in_double(middle); })) return false;
   track = {Interpolation::step, {track.times_s.front(), track.times_s.back()}, {middle, middle}};
   return true;
 }
 
-bool hold_still(WeightTrack& track, const LooseTrack& loose) {
+bool flatten_to_constant(WeightTrack& track, const LooseTrack& loose) {
   std::vector<float> middle = middle_of(track);
   if (!is_near(track, loose, [&](const Place&, std::size_t i) { return static_cast<double>(middle[i]); })) return false;
   const std::vector<float> once = middle;
@@ -153,7 +154,7 @@ bool hold_still(WeightTrack& track, const LooseTrack& loose) {
   return true;
 }
 
-/// Rows of `width` numbers, per_key of them to a key.
+/// Copies the values of some keys; each key has `per_key` values.
 template <class Value>
 std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key, std::span<const std::uint32_t> keys) {
   std::vector<Value> kept;
@@ -164,27 +165,27 @@ std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key
   return kept;
 }
 
-constexpr std::size_t kKeysLookedAt = 2048;  // of a track, enough to estimate how many keys it needs
-constexpr int kGroupDepth = 2;               // a list is cut in two at most, and its halves again
-constexpr std::size_t kCutPlaces = 8;        // a list is tried cut at each eighth
+constexpr std::size_t kKeysLookedAt = 2048;  // enough keys of a track to estimate how many it needs
+constexpr int kGroupDepth = 2;               // a list is cut in two, and its halves once more
+constexpr std::size_t kCutPlaces = 8;        // cuts are tried at each eighth of a list
 
 std::size_t count_keys_needed(std::span<const LooseTrack> tracks) {
   return keys_needed(tracks, std::min(tracks.front().times_s().size(), kKeysLookedAt)).size();
 }
 
-/// Packed keys take about a third of full ones.
+/// Estimate: packed keys take about a third of full ones.
 std::size_t bytes_per_key(const LooseTrack& track) {
   return std::visit([](const auto* t) { return (t->values.size() / t->key_count() * sizeof(t->values[0]) + 2) / 3; },
                     track.track);
 }
 
 std::size_t bytes_of_group(std::span<const LooseTrack> tracks) {
-  std::size_t row = 2 * sizeof(float);  // of the key times and their search table
+  std::size_t row = 2 * sizeof(float);  // key time and its entry in the search table
   for (const LooseTrack& track : tracks) row += bytes_per_key(track);
   return kTimeGroupBytes + count_keys_needed(tracks) * row;
 }
 
-/// Cuts tracks, ordered by how many keys each needs, where two groups take fewer bytes than one; then its halves.
+/// Cuts a list of tracks, ordered by the keys that each needs, if two groups take fewer bytes. Then cuts the halves.
 void cut_groups(std::span<const LooseTrack> tracks, int depth, std::vector<std::vector<LooseTrack>>& groups) {
   std::size_t best_bytes = bytes_of_group(tracks), best = 0;
   for (std::size_t i = 1; depth > 0 && i < kCutPlaces; ++i) {
@@ -211,7 +212,7 @@ const std::vector<float>& LooseTrack::times_s() const {
 
 std::vector<std::uint32_t> keys_needed(std::span<const LooseTrack> tracks, std::size_t key_count) {
   const std::vector<float>& times = tracks.front().times_s();
-  std::size_t strictest = 0;  // the track that stopped the last step will most often stop the next
+  std::size_t strictest = 0;  // test first the track that stopped the last step: it likely stops the next one too
   const auto all_can_skip = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       const std::size_t t = (strictest + i) % tracks.size();
@@ -246,12 +247,12 @@ void keep_keys(const LooseTrack& loose, std::span<const std::uint32_t> keys) {
       loose.track);
 }
 
-bool hold_still(const LooseTrack& loose) {
-  return std::visit([&](auto* track) { return hold_still(*track, loose); }, loose.track);
+bool flatten_to_constant(const LooseTrack& loose) {
+  return std::visit([&](auto* track) { return flatten_to_constant(*track, loose); }, loose.track);
 }
 
 std::vector<std::vector<LooseTrack>> split_into_time_groups(std::vector<LooseTrack> tracks) {
-  std::vector<std::pair<std::size_t, std::size_t>> order;  // keys that the track needs alone, its number
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // {keys that the track needs alone, index of the track}
   for (std::size_t i = 0; i < tracks.size(); ++i) order.emplace_back(count_keys_needed({&tracks[i], 1}), i);
   std::sort(order.begin(), order.end());
   std::vector<LooseTrack> by_need;

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "runtime/animation/track_sample.h"
-#include "runtime/math/stretch.h"
+#include "runtime/math/affine.h"
 
 namespace sinew {
 namespace {
 
-/// From mesh space to model space, whichever joint moves a vertex.
+/// The largest scale from mesh space to model space over all joints that move the instance.
 double stretch_of(const Scene& scene, const MeshInstance& instance, std::span<const Affined> model) {
   double stretch = 0.0;
   if (instance.skin == kNone) {

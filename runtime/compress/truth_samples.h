@@ -16,42 +16,43 @@ using BoxCorners = std::array<std::array<double, 8>, 3>;
 /// eq   M c for each corner c of corners_of(box); the same bits as transform_point
 BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 
-/// What forms of a clip are compared with at one time.
+/// The authoring form of a clip at one time, in the form that compiled clips are compared with.
 struct TruthSample {
   std::vector<BoxCorners> corners;  ///< [J] of the virtual vertices, model space
-  std::vector<double> weights;      ///< values of the animation's weight tracks, one track after the other
-  std::vector<double> stretch;      ///< [instances] longest image of a unit length of mesh space in model space; 0 for
-                                    ///< instances whose weights no track moves. Empty without weight tracks
+  std::vector<double> weights;      ///< values of the weight tracks, one track after the other.
+  /// [instances] Longest image in model space of a unit length of mesh space; 0 for instances without weight tracks.
+  /// Empty if the animation has no weight tracks.
+  std::vector<double> stretch;
 };
 
-/// The authoring form of a clip at the times at which its compiled forms are measured. A search for the smallest clip
-/// measures many forms at the same times, so samples are evaluated once and kept, up to a number of bytes. Those of
-/// later times are evaluated whenever they are looked at.
-/// The scene, the animation, the vertices and the times must outlive it. Any number of threads may read it.
+/// The authoring form of a clip, sampled at the times at which its compiled forms are measured. A search measures many
+/// forms at the same times, so the first samples are kept, up to a number of bytes. Later samples are evaluated on
+/// every use. The scene, the animation, the vertices and the times must outlive it. Any number of threads may read it.
 class TruthSamples {
  public:
-  static constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
 
   /// in   times_s  rising
   /// cost O(kept times x J), allocates
   TruthSamples(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
-               std::span<const double> times_s, std::size_t kept_bytes = kMostKeptBytes);
+               std::span<const double> times_s, std::size_t kept_bytes = kMaxKeptBytes);
 
-  /// Memory for samples that are not kept; one for each thread.
+  /// Memory for samples that are not kept. Each thread needs its own.
   struct Scratch {
     TruthPose pose;
     TruthSample sample;
-    std::uint64_t evaluated = 0;  ///< how many samples were not kept
+    std::uint64_t evaluated = 0;  ///< number of samples that were evaluated because they were not kept
   };
 
-  /// The sample of a time. It is valid until the next call with this scratch.
+  /// The sample at times_s()[time], valid until the next call with this scratch.
   const TruthSample& at(std::size_t time, Scratch& scratch) const;
 
   const Scene& scene() const noexcept { return scene_; }
   const Animation& truth() const noexcept { return truth_; }
   const VirtualVertices& vertices() const noexcept { return vertices_; }
   std::span<const double> times_s() const noexcept { return times_s_; }
-  std::size_t kept_count() const noexcept { return kept_.size(); }  ///< of the first times
+  /// The samples of the first kept_count() times are kept
+  std::size_t kept_count() const noexcept { return kept_.size(); }
 
  private:
   void evaluate(double time_s, TruthPose& pose, TruthSample& out) const;

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Calls `visit(vertex, position)` for every vertex, and again for each place that a morph target moves it to.
+/// Calls `visit(vertex, position)` for every vertex, and for each position to which a morph target moves it.
 template <class Visit>
 void each_place(const Primitive& primitive, const Visit& visit) {
   for (std::size_t v = 0; v < primitive.positions.size(); ++v) visit(v, primitive.positions[v]);
@@ -37,7 +37,7 @@ void add_rigid(const MeshInstance& instance, const Primitive& primitive, Aabb& b
 void add_skinned(const Skin& skin, const Primitive& primitive, std::vector<Aabb>& boxes) {
   const VertexInfluences& influences = primitive.influences;
   struct Run {
-    std::uint32_t begin, end;  // into influences.joints
+    std::uint32_t begin, end;  // indices into influences.joints
   };
   std::vector<Run> runs(primitive.vertex_count());
   for (const InfluenceGroup& group : influences.groups)
@@ -53,8 +53,8 @@ void add_skinned(const Skin& skin, const Primitive& primitive, std::vector<Aabb>
   });
 }
 
-/// Longest displacement of any vertex by each target; those that change only colours or normals count as if they moved
-/// some.
+/// Longest displacement of any vertex by each target. Targets that change only colours or normals count as if they
+/// moved vertices by kShell.
 void add_weights(const Mesh& mesh, std::vector<float>& metres) {
   const std::size_t first = metres.size();
   metres.resize(first + mesh.target_count(), 0.0f);

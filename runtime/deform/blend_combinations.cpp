@@ -15,7 +15,7 @@ namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// In the order of blend_matrix-inl.h: fused from the second on.
+/// Sums in the order of blend_matrix-inl.h, fused from the second influence on, to get the same bits.
 template <int kCount>
 void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group,
                  JointMatrix* out) {
@@ -46,7 +46,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 ErrorCode check(const BlendCombinationsJob& job) noexcept {
-  if (job.combinations == nullptr) return ErrorCode::size_mismatch;
+  if (job.combinations == nullptr || !have_memory(job.palette, job.blended)) return ErrorCode::size_mismatch;
   return check_influences(job.combinations, job.blended.size(), job.palette.size());
 }
 

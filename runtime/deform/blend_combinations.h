@@ -2,16 +2,16 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/skin.h"
 
 namespace sinew {
 
-/// Blended matrices of combinations of joints and weights. Vertices that share a combination then follow one matrix,
-/// with the bits that SkinLinearJob would blend for each of them (C06).
+/// Blended matrices of distinct combinations of joints and weights. Vertices that share a combination then follow one
+/// matrix. Its bits are those that SkinLinearJob would blend for each of these vertices.
 /// eq   M = sum(w_i * palette[joint_i])   (Real-Time Rendering, 4th ed., eq. 4.59)
-/// in   combinations  influences, one combination in place of each vertex;   palette[N]
+/// in   combinations  influences, one "vertex" per combination;   palette[N]
 /// out  blended[combinations]  may follow the palette in memory; must not overlap it
 /// err  size_mismatch, index_out_of_range     cost O(influences of the combinations), no allocation
 struct BlendCombinationsJob {
@@ -21,6 +21,6 @@ struct BlendCombinationsJob {
 };
 
 ErrorCode check(const BlendCombinationsJob& job) noexcept;
-void run(const BlendCombinationsJob& job) noexcept;
+void run_unchecked(const BlendCombinationsJob& job) noexcept;
 
 }  // namespace sinew

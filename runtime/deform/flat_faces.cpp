@@ -26,7 +26,7 @@ void append(const Triangle& triangle, std::vector<std::uint32_t>& to) {
   to.insert(to.end(), triangle.begin(), triangle.end());
 }
 
-/// Repeats triangles from the first one on until they fill the widest vectors.
+/// Repeats triangles from the start of the list until it fills the widest vectors.
 void fill_vectors(std::vector<std::uint32_t>& corners) {
   constexpr std::size_t kWhole = 3 * FlatStream::kFewest;
   const std::size_t count = (corners.size() + kWhole - 1) / kWhole * kWhole;
@@ -34,7 +34,7 @@ void fill_vectors(std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 0; corners.size() < count; ++i) corners.push_back(corners[i]);
 }
 
-/// The vertices of no triangle and of those in `alone`.
+/// The vertices of no triangle, and those of the triangles in `alone`.
 std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::span<const std::uint32_t> alone) {
   for (const std::uint32_t vertex : alone) has_face[vertex] = false;
   std::vector<std::uint32_t> at_rest;
@@ -43,8 +43,8 @@ std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::spa
   return at_rest;
 }
 
-/// Sorts triangles that share no vertex.
-void sort_apart(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
+/// Sorts triangles of which no two share a vertex.
+void sort_disjoint(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
   const auto has_last_vertex = [&](const Triangle& triangle) {
     return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();
   };
@@ -77,7 +77,7 @@ FlatFaces sort_flat_faces(std::span<const std::uint32_t> triangles, std::size_t 
   if (share_vertices)
     faces.alone.assign(triangles.begin(), triangles.end());
   else
-    sort_apart(triangles, vertex_count, faces);
+    sort_disjoint(triangles, vertex_count, faces);
   faces.at_rest = vertices_at_rest(std::move(has_face), faces.alone);
   return faces;
 }

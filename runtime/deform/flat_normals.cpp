@@ -23,14 +23,15 @@ struct FaceArrays {
   float sign;
 };
 
-/// Any three vertices a triangle.
+/// Triangles with arbitrary vertices, as lists of three indices.
 struct CornerFaces {
   const std::uint32_t* indices;
 
   HWY_INLINE std::size_t corner(std::size_t t, std::size_t c) const { return indices[3 * t + c]; }
 };
 
-/// The cross product in double, so that neither tiny, huge nor narrow triangles lose their normal. False without area.
+/// The scalar path: the cross product in double keeps the normal of tiny, huge and narrow triangles. False if the
+/// triangle has no area.
 bool write_careful_normal(const FaceArrays& arrays, std::size_t a, std::size_t b, std::size_t c) {
   const Vec3<double> from(arrays.positions[a]);
   const Vec3<double> u = Vec3<double>(arrays.positions[b]) - from, v = Vec3<double>(arrays.positions[c]) - from;
@@ -41,12 +42,12 @@ bool write_careful_normal(const FaceArrays& arrays, std::size_t a, std::size_t b
   return true;
 }
 
-/// From the second and the third corner to the first.
+/// Vectors from the second and third corner to the first.
 struct Edges {
   Lanes3 u, v;
 };
 
-/// Where the corners of a stream of triangles are, and where their normals go.
+/// Where the corners of a FlatStream lie, and where their normals go.
 struct FaceStream {
   const glm::vec3 *a, *b, *c;
   glm::vec3 *na, *nb, *nc;
@@ -88,7 +89,7 @@ void store_normals(const Lanes3& n, const FaceArrays& arrays, const CornerFaces&
 using BlockTag = hn::Full128<float>;
 using Block = hn::Vec<BlockTag>;
 
-/// Joins the vectors of a quarter tile, `block(b)` for its vertex b.
+/// Joins the 128-bit blocks of a quarter tile; `block(b)` is the one of its vertex b.
 template <class Load>
 HWY_INLINE Wide join_blocks(const Load& block) {
 #if HWY_MAX_BYTES >= 64
@@ -101,7 +102,7 @@ HWY_INLINE Wide join_blocks(const Load& block) {
 #endif
 }
 
-/// Calls `body(b, block)` for the blocks of a quarter tile.
+/// Calls `body(b, block)` for the 128-bit blocks of a quarter tile.
 template <class Body>
 HWY_INLINE void for_each_block(Wide quarter, const Body& body) {
 #if HWY_MAX_BYTES >= 64
@@ -118,8 +119,8 @@ HWY_INLINE void for_each_block(Wide quarter, const Body& body) {
 #endif
 }
 
-/// Corner `c` of the tile of triangles from `t` on. Reads four floats of each vertex, so never of the last one of a
-/// mesh.
+/// Corner `c` of the tile of triangles from `t` on. It reads four floats per vertex, so it must not be used for the
+/// last vertex of a mesh.
 HWY_INLINE Lanes3 load_corners(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t, std::size_t c) {
   const auto quarter = [&](std::size_t q) HWY_ATTR {
     return join_blocks([&](std::size_t b) HWY_ATTR {
@@ -142,7 +143,7 @@ HWY_INLINE void store_normal(Block xyz, glm::vec3& to) {
   hn::StoreU(hn::LowerHalf(one, hn::UpperHalf(two, xyz)), one, &to.z);
 }
 
-/// Where normals go is read first: compilers would read it again after every store.
+/// Stores normals at the corners. Addresses are read first, because compilers would reload them after every store.
 HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, const CornerFaces& faces, std::size_t t) {
   const Lanes4 all = transpose(n.x, n.y, n.z, n.x);
   const Wide quarters[4] = {all.x, all.y, all.z, all.w};
@@ -159,8 +160,8 @@ HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, const C
 
 #endif  // HWY_TARGET
 
-/// Triangles that are left to the careful path. They are done together: branches of a tile on its own would be
-/// mispredicted, and their square roots would not overlap.
+/// Triangles that are left to the scalar path. They are collected and computed together: handled tile by tile, their
+/// branches would be mispredicted and their square roots would not overlap.
 class CarefulList {
  public:
   CarefulList(const FaceArrays& arrays, CornerFaces corners) : arrays_(arrays), corners_(corners) {}
@@ -169,7 +170,8 @@ class CarefulList {
     add({&stream, first, lanes_of(unsound)});
   }
   HWY_INLINE void add(std::size_t first, hn::Mask<TileTag> unsound) { add({nullptr, first, lanes_of(unsound)}); }
-  /// Room for so many tiles; what they wrote before must be complete.
+  /// Makes room for `tile_count` more tiles, if needed by computing the collected ones. Their fast normals must be
+  /// stored by then.
   HWY_INLINE void make_room(std::size_t tile_count) {
     if (HWY_UNLIKELY(count_ + tile_count > kRoom)) clear();
   }
@@ -188,7 +190,7 @@ class CarefulList {
 
  private:
   struct Tile {
-    const FlatStream* stream;  ///< null = of the other triangles
+    const FlatStream* stream;  ///< null = a triangle outside of streams
     std::size_t first;         ///< triangle
     std::uint16_t lanes;
   };
@@ -222,8 +224,8 @@ class CarefulList {
   Tile tiles_[kRoom];
 };
 
-/// Lanes where float is exact enough: both edges and the area keep their digits, and the edges are not nearly parallel.
-/// An area that is too large fails as if the edges were parallel.
+/// Lanes where float is accurate enough. Edges and area must be in the range in which float keeps its digits, and the
+/// edges must not be nearly parallel. An area that overflows fails the test for parallel edges.
 HWY_INLINE hn::Mask<TileTag> is_sound(const Lanes3& u, const Lanes3& v, Wide squared_area) {
   const TileTag d;
   const Wide uu = dot(u, u), vv = dot(v, v);
@@ -232,7 +234,7 @@ HWY_INLINE hn::Mask<TileTag> is_sound(const Lanes3& u, const Lanes3& v, Wide squ
   return hn::And(keep_digits, hn::Gt(hn::Mul(area, hn::Set(d, 64.0f)), hn::Mul(uu, vv)));
 }
 
-/// Normals of a tile, kept in memory for later.
+/// Normals of a tile, kept in memory until they are stored.
 struct KeptNormals {
   HWY_ALIGN float x[kTileSize], y[kTileSize], z[kTileSize];
 
@@ -248,7 +250,7 @@ struct KeptNormals {
   }
 };
 
-/// Normals of the tile of triangles from `t` on. Returns the lanes that are left to the careful path.
+/// Computes the normals of the tile of triangles from `t` on. Returns the lanes that need the scalar path.
 HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t,
                                           KeptNormals& normals) {
   const TileTag d;
@@ -259,7 +261,7 @@ HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, const Corner
   return hn::Not(is_sound(u, v, squared));
 }
 
-/// The last tile ends with the stream, so that it may do triangles again.
+/// The last tile ends with the stream, so it may compute some triangles again.
 void flatten(const FaceArrays& arrays, const FlatStream& stream, CarefulList& careful) {
   const FaceStream faces(arrays, stream);
   const std::size_t count = stream.count, last = count - kTileSize;
@@ -275,8 +277,8 @@ void flatten(const FaceArrays& arrays, const FlatStream& stream, CarefulList& ca
   }
 }
 
-/// Normals are stored some tiles after they were found: with so many small stores, processors do not look far enough
-/// ahead to overlap a square root and a division with the next tile.
+/// Normals are stored a few tiles after they were computed. With so many small stores, processors do not look far
+/// enough ahead to overlap a square root and a division with the next tile.
 void flatten(const FaceArrays& arrays, CornerFaces faces, std::size_t count, CarefulList& careful) {
   constexpr std::size_t kKept = 4;
   KeptNormals kept[kKept];
@@ -309,6 +311,22 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+ErrorCode check(const FlatNormalsJob& job) noexcept {
+  const std::size_t count = job.positions.size();
+  if (job.faces == nullptr || job.rest_normals.size() != count || job.normals.size() != count)
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.positions, job.rest_normals, job.normals)) return ErrorCode::size_mismatch;
+  const auto all_below = [](std::span<const std::uint32_t> vertices, std::size_t limit) {
+    return std::all_of(vertices.begin(), vertices.end(), [limit](std::uint32_t v) { return v < limit; });
+  };
+  for (const FlatStream& stream : job.faces->streams)
+    for (const std::uint32_t first : stream.first)
+      if (std::size_t{first} + stream.count > count) return ErrorCode::index_out_of_range;
+  const bool inside = all_below(job.faces->corners, count > 0 ? count - 1 : 0) && all_below(job.faces->alone, count) &&
+                      all_below(job.faces->at_rest, count);
+  return inside ? ErrorCode::ok : ErrorCode::index_out_of_range;
+}
+
 SINEW_DISPATCH_RUN(FlatNormalsJob, flat_normals)
 }  // namespace sinew
 #endif

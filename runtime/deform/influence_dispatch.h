@@ -24,8 +24,8 @@ struct VertexJoints {
   }
 };
 
-/// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for others, so that the
-/// loop over influences is unrolled (P11).
+/// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for all others. The
+/// constant lets the compiler unroll the loop over influences.
 template <class Body>
 void with_influence_count(std::uint32_t count, const Body& body) noexcept {
   switch (count) {
@@ -38,7 +38,7 @@ void with_influence_count(std::uint32_t count, const Body& body) noexcept {
   }
 }
 
-/// Influences of vertex `v` of a group.
+/// Influences of the `v`-th vertex of a group.
 template <int kCount>
 VertexJoints<kCount> joints_of(const VertexInfluences& influences, const InfluenceGroup& group,
                                std::size_t v) noexcept {
@@ -46,7 +46,7 @@ VertexJoints<kCount> joints_of(const VertexInfluences& influences, const Influen
   return {&influences.joints[at], &influences.weights[at], group.influence_count};
 }
 
-/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex. The number of influences is chosen once per group.
+/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex. `kCount` is chosen once per group.
 template <class Body>
 void for_each_vertex(const VertexInfluences& influences, const Body& body) noexcept {
   for (const auto& group : influences.groups)
@@ -56,8 +56,8 @@ void for_each_vertex(const VertexInfluences& influences, const Body& body) noexc
     });
 }
 
-/// Calls `body(normals, tangents)` with std::true_type or std::false_type for each, so that an attribute that is not
-/// wanted costs nothing per vertex (P13).
+/// Calls `body(normals, tangents)`, each a std::true_type or std::false_type. An attribute that is not wanted then
+/// costs nothing per vertex.
 template <class Body>
 void with_attributes(AttributesPresent wanted, const Body& body) noexcept {
   if (wanted.normals && wanted.tangents)
@@ -77,8 +77,8 @@ void for_each_group(const InfluenceStreams& influences, const Body& body) noexce
     with_influence_count(group.influence_count, [&](auto count) { body(group, count); });
 }
 
-/// Calls `body(group, influence count, stretched)`; both are std::integral_constants, so that rigid joints cost nothing
-/// per vertex (P12).
+/// Calls `body(group, influence count, stretched)`; both are std::integral_constants. Skins with rigid joints alone
+/// then pay nothing for the stretch phase.
 template <class Body>
 void for_each_group(const InfluenceStreams& influences, bool any_stretch, const Body& body) noexcept {
   for_each_group(influences, [&](const InfluenceGroup& group, auto count) {

@@ -4,20 +4,21 @@
 #include <span>
 #include <variant>
 
+#include "runtime/base/run_job.h"
 #include "runtime/model/skin.h"
 
 namespace sinew {
 
-/// Influences for the skinning jobs, ordered as in VertexInfluences, in the integer types of a file or an engine. A
-/// job converts 8-bit joints and integer weights tile by tile; results are those of the converted numbers.
+/// Influences for the skinning jobs, ordered as in VertexInfluences, in the integer types of a file or an engine. Jobs
+/// convert 8-bit joints and integer weights tile by tile. The results are those of the converted numbers.
 struct InfluenceStreams {
-  /// Most influences of a vertex where numbers are converted.
-  static constexpr std::uint32_t kMostWidened = 32;
+  /// The largest number of influences per vertex that can be converted.
+  static constexpr std::uint32_t kMaxConverted = 32;
 
   std::span<const InfluenceGroup> groups;
   std::variant<std::span<const std::uint16_t>, std::span<const std::uint8_t>> joints;
   std::variant<std::span<const float>, std::span<const std::uint16_t>, std::span<const std::uint8_t>>
-      weights;  ///< the largest integer stands for 1
+      weights;  ///< integer weights are normalised: the largest integer means 1
 
   InfluenceStreams() = default;
   InfluenceStreams(decltype(groups) g, decltype(joints) j, decltype(weights) w) noexcept
@@ -36,6 +37,10 @@ struct InfluenceStreams {
   }
   std::size_t weight_count() const noexcept {
     return std::visit([](auto all) { return all.size(); }, weights);
+  }
+  bool have_memory() const noexcept {
+    const auto has = [](auto all) { return sinew::have_memory(all); };
+    return has(groups) && std::visit(has, joints) && std::visit(has, weights);
   }
 };
 

@@ -20,14 +20,14 @@ namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Single multiplications and additions, never fused: all targets give the same sums (N27).
+// Multiplications and additions are never fused, so all targets give the same sums.
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
-/// Vertices that are summed and finished before the next ones: their sums stay in the nearest cache.
+/// Vertices are summed and finished in chunks of this size, so that their sums stay in the first-level cache.
 constexpr std::size_t kChunk = 1024;
 
-/// Entries that are tested at once for following each other.
+/// Number of sparse entries that are tested at once for being consecutive.
 constexpr std::size_t kRun = 16;
 
 /// eq   sums += weight * deltas, `count` floats
@@ -38,7 +38,7 @@ HWY_INLINE void add_products(const float* deltas, Lanes weight, std::size_t coun
 }
 
 /// Adds the displacements of one target to the sums of the vertices from `first` on. Targets move patches, so entries
-/// are mostly consecutive: sixteen consecutive ones are added as one run of floats.
+/// are mostly consecutive: sixteen consecutive entries are added as one run of floats.
 HWY_INLINE void add_deltas(const SparseDeltas<glm::vec3>& sparse, SparseRange range, float weight, std::size_t first,
                            glm::vec3* sums) {
   const std::uint32_t* vertices = sparse.vertices.data();
@@ -62,8 +62,8 @@ HWY_INLINE void add_base(const float* base, const float* sums, std::size_t count
   for (; i < count; ++i) out[i] = base[i] + sums[i];
 }
 
-/// Normals or tangents of one vector of vertices after their displacements, in place. Those without displacement keep
-/// their bits.
+/// Adds displacements to the normals or tangents of one vector of vertices, in place. Vertices without displacement
+/// keep their bits.
 HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bool normalise,
                                 hn::Mask<Floats>& careful) {
   const Floats d;
@@ -82,8 +82,8 @@ HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bo
   direction[2] = hn::IfThenElse(still, direction[2], hn::Mul(z, scale));
 }
 
-/// The same for as many vertices as a vector has lanes. Vertices whose direction vanishes, or leaves the range in
-/// which float keeps its digits, are redone alone.
+/// Loads, moves and stores one vector of vertices. Directions that vanish, or leave the range in which float keeps its
+/// digits, are computed again one by one.
 template <class V>
 HWY_INLINE void move_vector(const V* base, const glm::vec3* sums, bool normalise, V* out) {
   const Floats d;
@@ -125,8 +125,8 @@ HWY_INLINE void move_all(const V* base, const glm::vec3* sums, std::size_t count
   std::copy_n(moved, count - v, out + v);
 }
 
-/// Sums one attribute chunk by chunk and calls `finish(first, count)` for each chunk. Returns false, with nothing
-/// done, where no active target moves the attribute.
+/// Sums the displacements of one attribute chunk by chunk and calls `finish(first, count)` for each chunk. Returns
+/// false, with nothing done, if no active target moves the attribute.
 template <class Finish>
 bool for_each_chunk(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget::*attribute,
                     const Finish& finish) {
@@ -188,7 +188,7 @@ ErrorCode check(const MorphVerticesJob& job) noexcept {
   if (!job.morphs || job.weights.size() < job.morphs->targets.size()) return ErrorCode::size_mismatch;
   if (const auto error = check_streams(job.vertices, job.out); error != ErrorCode::ok) return error;
   const std::size_t count = job.vertices.positions.size();
-  if (job.scratch.size() < count) return ErrorCode::size_mismatch;
+  if (job.scratch.size() < count || !have_memory(job.scratch, job.weights)) return ErrorCode::size_mismatch;
   for (const float weight : job.weights)
     if (!std::isfinite(weight)) return ErrorCode::not_finite;
   for (const auto& target : job.morphs->targets)

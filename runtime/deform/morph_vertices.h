@@ -3,19 +3,19 @@
 #include <cmath>
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/math/negligible.h"
 #include "runtime/model/morph_set.h"
 
 namespace sinew {
 
-/// Smaller weights count as zero: they would only make denormal numbers, which some processors add a hundred times
-/// slower (N26).
+/// Weights below kNegligible count as zero. They would only make denormal numbers, which some processors add a hundred
+/// times slower.
 inline bool is_active_weight(float weight) noexcept { return std::abs(weight) >= kNegligible; }
 
-/// Adds the displacements of all targets whose weight is not zero. Normals and tangents stay unnormalised where the
-/// vertices are skinned afterwards, and are normalised here otherwise (G45).
+/// Adds the displacements of all targets whose weight is not zero. Normals and tangents are normalised here unless
+/// `normalise` is false: vertices that are skinned afterwards are normalised there.
 /// eq   v' = v + sum(weight[i] * delta[i]). Displacements are summed first and the base is added last, so that small
 ///      displacements of a large base keep their digits.
 /// in   vertices[V], weights[T], any sign and size
@@ -31,10 +31,10 @@ struct MorphVerticesJob {
 };
 
 ErrorCode check(const MorphVerticesJob& job) noexcept;
-void run(const MorphVerticesJob& job) noexcept;
+void run_unchecked(const MorphVerticesJob& job) noexcept;
 
 /// Adds the COLOR_0 displacements of all targets whose weight is not zero.
-/// eq   c' = clamp(c + sum(weight[i] * delta[i]), 0, 1)   (glTF 2.0, "Morph Targets"; G47)
+/// eq   c' = clamp(c + sum(weight[i] * delta[i]), 0, 1)   (glTF 2.0, "Morph Targets")
 /// in   colors[V], weights[T], any sign and size
 /// out  out[V]     must not overlap `colors`
 /// cost O(V + active deltas), no allocation

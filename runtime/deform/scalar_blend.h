@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Blends of one vertex with every degenerate case: what the lanes of deform/simd leave undone.
+// Blends of one vertex at a time, in every degenerate case. The SIMD code in deform/simd leaves such vertices to this.
 #include <cmath>
 #include <span>
 
@@ -12,8 +12,8 @@
 
 namespace sinew {
 
-/// The factor that brings weights to a sum of 1 where they are tiny but in proportion, so that squares of their blend
-/// neither vanish nor look cancelled. 1 where they sum to 0.5 or more: those keep their bits.
+/// The factor that brings tiny weights to a sum of 1. Without it the squared length of their blend would underflow, or
+/// would look like a cancelled blend. Weights that sum to 0.5 or more keep their bits: the factor is 1.
 template <int kCount>
 double weight_scale(const VertexJoints<kCount>& vertex) noexcept {
   double sum = 0.0;
@@ -21,7 +21,7 @@ double weight_scale(const VertexJoints<kCount>& vertex) noexcept {
   return sum > 0.0 && sum < 0.5 ? 1.0 / sum : 1.0;
 }
 
-/// Weight `i` of a vertex, in double times `scale`.
+/// Weight `i` of a vertex times `scale`, multiplied in double.
 template <int kCount>
 float scaled_weight(const VertexJoints<kCount>& vertex, std::size_t i, double scale) noexcept {
   return static_cast<float>(static_cast<double>(vertex.weights[i]) * scale);
@@ -46,10 +46,9 @@ Affine blend_matrix(std::span<const JointMatrix> palette, const VertexJoints<kCo
 }
 
 /// Rigid motion blended from the joints of one vertex, unit.
-/// eq   d = sum(w sign(r . r_pivot) d_i) / |real part|   (Kavan et al. 2008, sec. 3.4). The pivot is the first
-/// influence:
-///      influences are ordered by falling weight, then by rising joint (VertexInfluences), so it has the largest weight
-///      (N17, N18). A blend whose real part cancels (squared length below 1e-12) follows the pivot alone.
+/// eq   d = sum(w sign(r . r_pivot) d_i) / |real part|   (Kavan et al. 2008, sec. 3.4)
+///      The pivot is the first influence: VertexInfluences orders them by falling weight, then by rising joint.
+///      If the real part cancels (squared length below 1e-12), the vertex follows the pivot alone.
 template <int kCount>
 DualQuat blend_dual_quaternion(std::span<const RigidStretch> split, const VertexJoints<kCount>& vertex,
                                double scale = 1.0) noexcept {
@@ -70,9 +69,9 @@ DualQuat blend_dual_quaternion(std::span<const RigidStretch> split, const Vertex
   return {sum.real / length, sum.dual / length};
 }
 
-/// eq   S = sum(w S_i): phase one of two-phase dual-quaternion skinning, in bind space (N19). A vertex with one
-/// influence
-///      takes the joint's stretch as it is.
+/// Blended stretch in bind space, the first phase of two-phase skinning. A vertex with one influence takes the joint's
+/// stretch as it is.
+/// eq   S = sum(w S_i)
 template <int kCount>
 Mat3<float> blend_stretch(std::span<const RigidStretch> split, const VertexJoints<kCount>& vertex,
                           double scale = 1.0) noexcept {

@@ -4,8 +4,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_center_of_rotation.cpp"
 #include <hwy/foreach_target.h>
+#include <cassert>
 
-#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/kept_splits-inl.h"
@@ -19,7 +19,7 @@
 namespace sinew {
 namespace {
 
-/// The scalar path: one vertex, with every degenerate case.
+/// The scalar path: skins one vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
 void skin_vertex(const SkinCenterOfRotationJob& job, const VertexJoints<kCount>& joints, const glm::vec3& center,
                  const In& in, const Out& out, std::size_t v) noexcept {
@@ -44,7 +44,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// eq   M c of a tile, M the blended matrices
+/// eq   M c for a tile, M the blended matrices
 template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
                                 [[maybe_unused]] bool share_joints, const glm::vec3* centers) {
@@ -65,7 +65,7 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
 #endif
 }
 
-/// Centers of a tile that is not full, filled up as its vertices are.
+/// Centers of an incomplete tile, padded like its vertices.
 struct CenterCopies {
   glm::vec3 centers[kTileSize];
 
@@ -80,7 +80,7 @@ struct SkinRow {
   using Row = TileRow<kCount>;
   const SkinCenterOfRotationJob& job;
   CenterCopies& copies;
-  bool one_side;
+  bool one_hemisphere;
 
   HWY_INLINE void operator()(const Row& row) const {
     const glm::vec3* centers = job.centers.data() + row.place.first_vertex;
@@ -88,7 +88,7 @@ struct SkinRow {
     KeptSplits<kStretch> kept[kTilesAhead];
     for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
       const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
-      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_hemisphere);
       auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t)
         sound = hn::And(sound, skin_tile(kept[t - first], row, t, centers + t * kTileSize));
@@ -99,7 +99,7 @@ struct SkinRow {
   }
 
  private:
-  /// Returns the vertices that are done.
+  /// Skins a tile. Returns the vertices that are done.
   HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
                                          const glm::vec3* centers) const {
     const Lanes3 moved = moved_centers(job.palette.data(), row.joints(t), kept.share_joints(), centers);
@@ -112,8 +112,7 @@ struct SkinRow {
     return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
   }
 
-  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
-  /// path.
+  /// Skins some vertices of a tile by the scalar path: their blend cancels or is tiny, or their directions lose digits.
   HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
                                  const glm::vec3* centers) const {
     for_each_lane_not_in(skin_tile(kept, row, t, centers), [&](std::size_t lane) {
@@ -125,11 +124,11 @@ struct SkinRow {
 
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
-  const bool one_side = are_on_one_side(job.pairs, job.split);
+  const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
     if constexpr (count != 1)
       for_each_row<count>(job.influences, group, job.vertices, job.out,
-                          SkinRow<count, stretched>{job, copies, one_side});
+                          SkinRow<count, stretched>{job, copies, one_hemisphere});
   });
 }
 
@@ -146,11 +145,13 @@ HWY_EXPORT(skin_center_of_rotation);
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   if (job.centers.size() != count || job.palette.size() != job.split.size()) return ErrorCode::size_mismatch;
-  if (!are_inside(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
+  if (!have_memory(job.centers, job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
+  if (!are_in_range(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-void run(const SkinCenterOfRotationJob& job) noexcept {
+void run_unchecked(const SkinCenterOfRotationJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
   HWY_DYNAMIC_DISPATCH(skin_center_of_rotation)(job);
 }

@@ -2,25 +2,25 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/pose/joint_palette.h"
 
 namespace sinew {
 
-/// Skinning around optimised centers of rotation: neither the collapse of linear blending nor the bulge of dual
-/// quaternions.
+/// Skinning around optimised centers of rotation. It shows neither the volume loss of linear blending nor the bulge of
+/// dual quaternions.
 /// eq   p' = R S (p - c) + M c;  M = sum(w J) as in linear blending;  R from the blended rotations, aligned to the
-///      hemisphere of the heaviest influence (N17, N21);  S = sum(w S_i), the identity for rigid joints;
+///      hemisphere of the heaviest influence;  S = sum(w S_i), the identity for rigid joints;
 ///      n' = R normalise(sign(det S) cof(S) n)
 ///      (Le and Hodgins 2016, algorithm 1; S extends it to scaled joints as in two-phase dual-quaternion skinning)
 /// in   palette[N], split[N]  the same joints, from JointPaletteJob and SplitPaletteJob;   any_stretch  false: S = 1
-///      centers[V]  rest-space centers (importer/topology/centers_of_rotation.h). A center equal to the vertex makes
-///      the vertex linear-blend skinned. Vertices with one influence are too, whatever their center
+///      centers[V]  in rest space (importer/topology/centers_of_rotation.h). A center equal to the vertex gives linear
+///      blending. Vertices with one influence are blended linearly whatever their center is.
 ///      influences, pairs[any]  as SkinDualQuaternionJob
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 /// cost O(V * influences), no allocation
 struct SkinCenterOfRotationJob {
   InfluenceStreams influences;
@@ -34,6 +34,6 @@ struct SkinCenterOfRotationJob {
 };
 
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;
-void run(const SkinCenterOfRotationJob& job) noexcept;
+void run_unchecked(const SkinCenterOfRotationJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,12 +2,12 @@
 #include "runtime/deform/skin_dual_quaternion.h"
 
 #include <algorithm>
+#include <cassert>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_dual_quaternion.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/kept_splits-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"
@@ -19,7 +19,7 @@
 namespace sinew {
 namespace {
 
-/// The scalar path: one vertex, with every degenerate case.
+/// The scalar path: skins one vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
 void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const In& in, const Out& out,
                  std::size_t v) noexcept {
@@ -47,13 +47,13 @@ template <int kCount, bool kStretch>
 struct SkinRow {
   using Row = TileRow<kCount>;
   const SkinDualQuaternionJob& job;
-  bool one_side;
+  bool one_hemisphere;
 
   HWY_INLINE void operator()(const Row& row) const {
     KeptSplits<kStretch> kept[kTilesAhead];
     for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
       const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
-      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_hemisphere);
       auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t) sound = hn::And(sound, skin_tile(kept[t - first], row, t));
       if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
@@ -62,7 +62,7 @@ struct SkinRow {
   }
 
  private:
-  /// Returns the vertices that are done.
+  /// Skins a tile. Returns the vertices that are done.
   HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
     const DualQuatLanes motion = kept.template motion<kCount>();
     StretchLanes stretch{};
@@ -73,8 +73,7 @@ struct SkinRow {
     return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
   }
 
-  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
-  /// path.
+  /// Skins some vertices of a tile by the scalar path: their blend cancels or is tiny, or their directions lose digits.
   HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
     for_each_lane_not_in(skin_tile(kept, row, t), [&](std::size_t lane) {
       const std::size_t v = vertex_of_lane(lane);
@@ -84,10 +83,10 @@ struct SkinRow {
 };
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
-  const bool one_side = are_on_one_side(job.pairs, job.split);
+  const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
     if (count == 1 && !job.palette.empty()) return;
-    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_side});
+    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_hemisphere});
   });
 }
 
@@ -104,11 +103,13 @@ HWY_EXPORT(skin_dual_quaternion);
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
   const std::size_t count = job.split.size();
   if (!job.palette.empty() && job.palette.size() < count) return ErrorCode::size_mismatch;
-  if (!are_inside(job.pairs, count)) return ErrorCode::index_out_of_range;
+  if (!have_memory(job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
+  if (!are_in_range(job.pairs, count)) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, count);
 }
 
-void run(const SkinDualQuaternionJob& job) noexcept {
+void run_unchecked(const SkinDualQuaternionJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   if (!job.palette.empty()) skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
   HWY_DYNAMIC_DISPATCH(skin_dual_quaternion)(job);
 }

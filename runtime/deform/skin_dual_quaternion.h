@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/pose/joint_palette.h"
@@ -10,21 +10,23 @@
 namespace sinew {
 
 /// Dual-quaternion skinning in two phases: stretch in bind space, then a rigid motion (Kavan et al. 2008).
-/// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i), pivot = the influence with the largest weight, lowest
-///      index on ties (N17, N18);  d = d / |real(d)|;  p' = d p1 d*;   n' = rotate(d, normalise(sign(det S) cof(S)
-///      n)), S = sum(w S_i): to the outside also where joints mirror (conventions.h). The side is that of the entries
-///      of S: it is that of the joints up to a condition of about 1e6 of S, which rounding to float limits.
-/// in   influences   weights sum to 1. Where the blend of a vertex is shorter than 1e-6, weights that sum to less
-///      than 0.5 are brought to a sum of 1: tiny weights in proportion skin as accurately as others. Between these
-///      limits S is not divided by the sum.
-///      split[N]     from SplitPaletteJob;   any_stretch  false skips the first phase (P12)
-///      pairs[any]   all distinct (heaviest joint, other joint) of the vertices. Where all are on one hemisphere,
-///      signs are not compared vertex by vertex; the bits are the same. Empty: not known
-///      palette[N or none]  the matrices that were split. Vertices with one influence are then moved by their joint's
-///      matrix, as linear blending does, for half the time
+/// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i);  d = d / |real(d)|;  p' = d p1 d*
+///      n' = rotate(d, normalise(sign(det S) cof(S) n)), S = sum(w S_i)
+///      The pivot is the influence with the largest weight, the lowest joint index on ties.
+///      Normals keep to the outside also where joints mirror (conventions.h). det S is taken from the rounded entries
+///      of S:
+///      its sign is right up to a condition number of S of about 1e6, the limit of float.
+/// in   influences   weights sum to 1. If the blend of a vertex is shorter than 1e-6 and its weights sum to less than
+///      0.5, they are brought to a sum of 1, so that tiny weights skin as accurately as others. Otherwise S is not
+///      divided by the sum of the weights.
+///      split[N]     from SplitPaletteJob;   any_stretch  false skips the stretch phase
+///      pairs[any]   all distinct (heaviest joint, other joint) pairs of the vertices (joint_pairs_of_vertices). If all
+///      pairs are on one hemisphere, signs are not compared per vertex; the bits are the same. Empty = not known.
+///      palette[N or none]  the matrices that were split. With it, vertices with one influence are moved by their
+///      joint's matrix as in linear blending, in half the time.
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
-///      A blend whose real part cancels (norm^2 < 1e-12) follows the pivot alone.
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
+///      If the real part of a blend cancels (norm^2 < 1e-12), the vertex follows the pivot alone.
 /// cost O(V * influences), no allocation
 struct SkinDualQuaternionJob {
   InfluenceStreams influences;
@@ -37,6 +39,6 @@ struct SkinDualQuaternionJob {
 };
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept;
-void run(const SkinDualQuaternionJob& job) noexcept;
+void run_unchecked(const SkinDualQuaternionJob& job) noexcept;
 
 }  // namespace sinew

@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// The normal of vertex `v` of a tile, where squares leave the range of float, the side of the normal is in doubt, or
-/// the normal vanishes. Its matrix is the one that moves the position, to the last bit.
+/// The scalar path for the normal of vertex `v` of a tile. Needed if squares leave the range of float, the side of the
+/// normal is in doubt, or the normal vanishes. Its matrix has the bits of the one that moves the position.
 template <int kCount>
 glm::vec3 careful_normal(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t v,
                          const glm::vec3& n, bool cofactor) {
@@ -30,8 +30,8 @@ glm::vec3 careful_normal(const PaletteBases& palette, const TileInfluences<kCoun
   return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
 }
 
-/// Skins rows of tiles. Normals and tangents are normalised some tiles later: a square root and a division take as
-/// long as the rest of a tile, and processors do not look far enough ahead to overlap them with the next tile.
+/// Skins rows of tiles. Normals and tangents are normalised a few tiles later: a square root and a division take as
+/// long as the rest of a tile. Processors do not look far enough ahead to overlap them with the next tile.
 template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
 struct SkinRow {
   using Row = TileRow<kCount>;
@@ -92,26 +92,27 @@ struct SkinRow {
   static constexpr std::size_t kKept =
       kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
 
-  /// Vertices that follow one joint need no matrix of their own. The importer puts them in a row. Fewer than these are
-  /// not worth twelve broadcasts and a branch that is mispredicted.
-  static constexpr std::size_t kFewestFollowers = 16;
+  /// Consecutive vertices with one and the same joint are moved by its matrix directly. Shorter runs do not pay for
+  /// twelve broadcasts and a mispredicted branch. The importer orders such vertices one after another.
+  static constexpr std::size_t kMinFollowers = 16;
 
-  /// Tiles in lanes write tangents, and four lanes anything, through the caches.
+  /// Kernels with one vertex per lane have no non-temporal stores for tangents, and with four lanes for no attribute at
+  /// all.
   static HWY_INLINE bool may_run_in_lanes(const Row& row) { return (kInTriples && !kTangents) || !row.past_caches; }
 
   static HWY_INLINE bool shares_joints(const Row& row, std::size_t t) {
     if constexpr (kMayShareJoints<kCount>) {
-      constexpr std::size_t kFewest = SharedMatrices<kCount>::kFewestTiles;
+      constexpr std::size_t kFewest = SharedMatrices<kCount>::kMinTiles;
       return may_run_in_lanes(row) && row.place.whole && row.tile_count - t >= kFewest &&
              share_joints<kCount, kFewest * kTileSize>(row.joints(t).first.joints);
     } else {
       return false;
     }
   }
-  /// The end of the tiles from `t` on that share joints, with those of the first tile.
+  /// The end of the tiles from `t` on whose vertices all share the joints of the first tile.
   static HWY_INLINE std::size_t end_of_shared(const Row& row, std::size_t t) {
     const std::uint16_t* first = row.joints(t).first.joints;
-    for (t += SharedMatrices<kCount>::kFewestTiles; t < row.tile_count; ++t) {
+    for (t += SharedMatrices<kCount>::kMinTiles; t < row.tile_count; ++t) {
       const std::uint16_t* joints = row.joints(t).first.joints;
       if (!std::equal(first, first + kCount, joints) || !share_joints<kCount>(joints)) break;
     }
@@ -126,21 +127,22 @@ struct SkinRow {
     return hn::AllTrue(d, same);
   }
   static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
-    constexpr bool kPays = kCount == 1 && (kTileSize > 4 || kNormals);  // positions alone take 19 instructions for 17
-    if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kFewestFollowers / kTileSize) return false;
+    constexpr bool kPays =
+        kCount == 1 && (kTileSize > 4 || kNormals);  // without normals it would take 19 instructions instead of 17
+    if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kMinFollowers / kTileSize) return false;
     const std::uint16_t* joints = row.joints(t).first.joints;
-    return joints[0] == joints[kFewestFollowers - 1] && have_one_joint(joints, kFewestFollowers);
+    return joints[0] == joints[kMinFollowers - 1] && have_one_joint(joints, kMinFollowers);
   }
-  /// The end of the tiles from `t` on that follow the joint of the first one.
+  /// The end of the tiles from `t` on that follow the joint of the first tile.
   static HWY_INLINE std::size_t end_of_run(const Row& row, std::size_t t) {
     const std::uint16_t joint = *row.joints(t).first.joints;
-    for (t += kFewestFollowers / kTileSize; t < row.tile_count; ++t) {
+    for (t += kMinFollowers / kTileSize; t < row.tile_count; ++t) {
       const std::uint16_t* joints = row.joints(t).first.joints;
       if (*joints != joint || !have_one_joint(joints, kTileSize)) break;
     }
     return t;
   }
-  /// The end of the tiles from `t` on, one at least, that begin no run; at most those that are kept.
+  /// The end of the tiles from `t` on that start no run and share no joints. At least one tile, at most kKept.
   static HWY_INLINE std::size_t end_of_others(const Row& row, std::size_t t) {
     const std::size_t most = std::min(row.tile_count, t + kKept);
     for (++t; t < most && !begins_run(row, t) && !shares_joints(row, t);) ++t;
@@ -170,7 +172,7 @@ struct SkinRow {
     }
   }
 
-  /// Blends column by column, so that all fits into sixteen registers.
+  /// Blends column by column, so that everything fits into sixteen registers.
   HWY_NOINLINE void follow_shared_joints(const Row& row, std::size_t begin, std::size_t end) const
       requires(kMayShareJoints<kCount>) {
     const SharedMatrices<kCount> shared(palette.palette, row.joints(begin).first.joints);
@@ -273,8 +275,8 @@ struct SkinRow {
     return sound;
   }
 
-  /// Redoes the lanes of a tile that are not sound. Not inlined, and called with copies of what the loops keep in
-  /// registers, which would otherwise be spilled around the call.
+  /// Computes the lanes of a tile that are not sound by the scalar path. Not inlined, and called with copies: otherwise
+  /// the loops would spill their registers around the call.
   HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row,
                                   std::size_t t) const {
     if constexpr (kNormals)
@@ -325,10 +327,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 ErrorCode check(const SkinLinearJob& job) noexcept {
+  if (!have_memory(job.palette)) return ErrorCode::size_mismatch;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-SINEW_DISPATCH_RUN(SkinLinearJob, skin_linear)
+namespace {
+HWY_EXPORT(skin_linear);
+}
+
+void skin_linear_groups(const SkinLinearJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_linear)(job); }
+
+void run_unchecked(const SkinLinearJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  skin_linear_groups(job);
+}
 
 }  // namespace sinew
 #endif

@@ -4,15 +4,18 @@
 
 namespace sinew {
 
-/// Vertices with one influence move with their joint: R S p + t = J p, for every kind of skinning. Linear blending of
-/// one matrix does them, with the normals of the two-phase kinds.
+/// SkinLinearJob without the rule that groups cover all vertices: only the vertices of its groups are written.
+void skin_linear_groups(const SkinLinearJob& job) noexcept;
+
+/// Skins the vertices with one influence by linear blending, for every kind of skinning: R S p + t = J p for one joint.
+/// Normals are those of two-phase skinning.
 /// in   any_stretch  normals need cofactors
 inline void skin_single_influences(const InfluenceStreams& influences, std::span<const JointMatrix> palette,
                                    bool any_stretch, const VertexInput& in, const VertexOutput& out) noexcept {
   for (const InfluenceGroup& group : influences.groups)
     if (group.influence_count == 1)
-      run(SkinLinearJob{InfluenceStreams({&group, 1}, influences.joints, influences.weights), palette, in, out,
-                        any_stretch ? NormalRule::cofactor : NormalRule::linear});
+      skin_linear_groups(SkinLinearJob{InfluenceStreams({&group, 1}, influences.joints, influences.weights), palette,
+                                       in, out, any_stretch ? NormalRule::cofactor : NormalRule::linear});
 }
 
 }  // namespace sinew

@@ -13,8 +13,8 @@ struct SparseRange {
 };
 
 /// First entry whose vertex is not below `vertex`. Vertices strictly increase, so entry i lies between front + i and
-/// back - (n - 1 - i): only the entries that this leaves are searched, which are none when the entries are one run.
-/// in   vertices  strictly increasing     cost O(log n), O(1) for one run
+/// back - (n - 1 - i). Only the entries within these limits are searched: none if the vertices are consecutive.
+/// in   vertices  strictly increasing     cost O(log n), O(1) for consecutive vertices
 inline std::size_t first_entry_from(std::span<const std::uint32_t> vertices, std::size_t vertex) noexcept {
   if (vertices.empty() || vertex <= vertices.front()) return 0;
   if (vertex > vertices.back()) return vertices.size();

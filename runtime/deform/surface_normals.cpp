@@ -34,9 +34,9 @@ Block difference(const Block& a, const Block& b, const Block& c, const Block& e)
 using BlockTag = hn::Full128<float>;
 using Block = hn::Vec<BlockTag>;
 
-/// Reads four floats.
+/// Reads four floats, one more than the vector has.
 HWY_INLINE Block load_vector(const glm::vec3* p) { return hn::LoadU(BlockTag(), &p->x); }
-/// Reads three.
+/// Reads only three floats, for the last vertex of a mesh.
 HWY_INLINE Block load_last_vector(const glm::vec3* p) {
   HWY_ALIGN const float lanes[4] = {p->x, p->y, p->z, 0.0f};
   return hn::Load(BlockTag(), lanes);
@@ -56,10 +56,10 @@ HWY_INLINE Block difference(Block a, Block b, Block c, Block e) { return hn::Neg
 
 #endif
 
-/// eq   (z x y -) of u x v
+/// eq   u x v, with its components in the order (z x y -)
 HWY_INLINE Block rotated_cross(const Block& u, const Block& v) { return difference(u, rotated(v), rotated(u), v); }
 
-/// Adds the cross products of triangles to their points.
+/// Adds the cross products of triangles to the sums of their points.
 class TriangleSums {
  public:
   explicit TriangleSums(const SurfaceNormalsJob& job)
@@ -90,8 +90,8 @@ class TriangleSums {
   glm::vec4* sums_;
 };
 
-/// Neighbours in the list share points, and each sum would wait for the one before: triangles of four parts of the list
-/// are added in turns.
+/// Neighbouring triangles share points, so each sum would wait for the one before. The list is therefore cut into four
+/// parts, whose triangles are added in turns.
 void add_triangles(const SurfaceNormalsJob& job) {
   const std::size_t count = job.faces->count(), part = count / 4;
   if (count == 0) return;
@@ -101,13 +101,13 @@ void add_triangles(const SurfaceNormalsJob& job) {
   for (std::size_t t = 4 * part; t < count; ++t) sums.add(t);
 }
 
-/// A sum as the sums hold it, made unit in double; zero where there is no area.
+/// Normalises a rotated sum in double; zero if the point has no area.
 glm::vec4 careful_normal(const glm::vec4& rotated_sum, float sign) {
   const Vec3<double> n = normalised_or(Vec3<double>(rotated_sum.y, rotated_sum.z, rotated_sum.x), Vec3<double>(0.0));
   return glm::vec4(glm::vec3(static_cast<double>(sign) * n), 0.0f);
 }
 
-/// Makes a tile of sums unit normals, (x y z -); zero where there is no area.
+/// Normalises a tile of sums in place, to (x y z -); zero for points without area.
 void normalise_tile(glm::vec4* tile, float sign) {
   const TileTag d;
   const Lanes4 sums = load4(tile);
@@ -142,6 +142,15 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+ErrorCode check(const SurfaceNormalsJob& job) noexcept {
+  const std::size_t count = job.positions.size();
+  if (job.faces == nullptr || job.faces->point_of_vertex.size() != count) return ErrorCode::size_mismatch;
+  if (job.rest_normals.size() != count || job.normals.size() != count || job.sums.size() < surface_sums(*job.faces))
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.positions, job.rest_normals, job.sums, job.normals)) return ErrorCode::size_mismatch;
+  return check_indices(*job.faces, count);
+}
+
 SINEW_DISPATCH_RUN(SurfaceNormalsJob, surface_normals)
 }  // namespace sinew
 #endif

@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <span>
+#include <vector>
 
-#include "runtime/deform/surface_faces.h"
-#include "runtime/math/conventions.h"
+#include "runtime/base/run_job.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 
-/// Elements of SurfaceNormalsJob::sums: the points in tiles of up to 16.
+/// The triangles of a mesh whose vertices come from elsewhere (a geometry cache), prepared for normals and tangents
+/// that follow the vertices.
+struct SurfaceFaces {
+  std::vector<std::uint32_t> corners;  ///< [3T] vertices of the triangles
+  /// [V] Vertices with equal rest position and rest normal are one point. Normals are thus smooth over texture seams
+  /// and sharp at sharp edges.
+  std::vector<std::uint32_t> point_of_vertex;
+  std::uint32_t point_count = 0;  ///< points are numbered in the order of their first vertices
+  /// [3T] or empty. Each corner's rest tangent in coordinates along the edges b - a and c - a of its triangle, times
+  /// the length of their cross product.
+  std::vector<glm::vec2> tangents;
+
+  std::size_t count() const noexcept { return corners.size() / 3; }
+};
+
+/// Checks that corners form triangles and are below `vertex_count`, and that points are below point_count.
+/// err  size_mismatch, index_out_of_range     cost O(V + T)
+ErrorCode check_indices(const SurfaceFaces& faces, std::size_t vertex_count) noexcept;
+
+/// in   primitive     of triangles;   with_tangents  if the primitive has tangents
+/// cost O(V log V + T), allocates
+SurfaceFaces join_surface(const Primitive& primitive, bool with_tangents);
+
+/// Elements of SurfaceNormalsJob::sums: one per point, rounded up to tiles of 16.
 constexpr std::size_t surface_sums(const SurfaceFaces& faces) noexcept {
   return (std::size_t{faces.point_count} + 15) / 16 * 16;
 }
 
 /// Smooth normals of a surface from its positions alone.
-/// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned`. Weighted by area
-///      the sum is the vector area of the ring around the point: it does not depend on how the ring is cut into
-///      triangles, and small triangles, which the step of a geometry cache disturbs most, count least
-/// in   faces        of the mesh (join_surface);   positions[V];   turned  the triangles wind around the inside
+/// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned`
+///      The sum weights triangles by area. It does not depend on how the ring around the point is cut into triangles.
+///      Small triangles, which the quantisation step of a geometry cache disturbs most, count least.
+/// in   faces        of the mesh (join_surface);   positions[V];   turned  the triangles wind the other way round
 ///      rest_normals[V]  kept by points without area
 ///      sums[surface_sums(faces)]  scratch
-/// out  normals[V]   unit. Edges and sums are float: off by at most 8 u sum |b - a| |c - a| / |sum of the cross
-/// products|
-///      radians, u = 2^-24, for edges of 1e-9 to 1e9 m
-/// cost O(V + T), no allocation
+/// out  normals[V]   unit. Edges and sums are float: for edges of 1e-9 to 1e9 m the error in radians is at most 8 u sum
+///      |b - a| |c - a| / |sum of the cross products|, u = 2^-24
+/// err  size_mismatch, index_out_of_range     cost O(V + T), no allocation
 struct SurfaceNormalsJob {
   const SurfaceFaces* faces = nullptr;
   std::span<const glm::vec3> positions;
@@ -31,23 +55,25 @@ struct SurfaceNormalsJob {
   std::span<glm::vec4> sums;
   std::span<glm::vec3> normals;
 };
-void run(const SurfaceNormalsJob& job) noexcept;
+ErrorCode check(const SurfaceNormalsJob& job) noexcept;
+void run_unchecked(const SurfaceNormalsJob& job) noexcept;
 
 /// Tangents that follow a surface.
-/// eq   t = normalise(sum of |n0| (x (b - a) + y (c - a)) over the triangles at a vertex), where x and y give the
-/// tangent
-///      at rest along the edges at rest and n0 is their cross product: an affine map M of the surface gives
-///      normalise(M t0), as skinning does
+/// eq   t = normalise(sum of |n0| (x (b - a) + y (c - a)) over the triangles at a vertex)
+///      x and y are the coordinates of the rest tangent along the rest edges, and n0 is the cross product of these
+///      edges.
+///      An affine map M of the surface gives normalise(M t0), as skinning does.
 /// in   faces        with tangents;   positions[V]
-///      rest_tangents[V]  w is kept, and all of it by vertices without area
+///      rest_tangents[V]  w is kept; vertices without area keep the whole tangent
 /// out  tangents[V]  xyz unit
-/// cost O(V + T), no allocation
+/// err  size_mismatch, index_out_of_range     cost O(V + T), no allocation
 struct SurfaceTangentsJob {
   const SurfaceFaces* faces = nullptr;
   std::span<const glm::vec3> positions;
   std::span<const glm::vec4> rest_tangents;
   std::span<glm::vec4> tangents;
 };
-void run(const SurfaceTangentsJob& job) noexcept;
+ErrorCode check(const SurfaceTangentsJob& job) noexcept;
+void run_unchecked(const SurfaceTangentsJob& job) noexcept;
 
 }  // namespace sinew

@@ -6,15 +6,14 @@
 
 namespace sinew {
 
-/// Vertex attributes that deformation reads. Empty normals or tangents = not there.
+/// Vertex attributes that deformation reads. Empty normals or tangents = the mesh has none.
 struct VertexInput {
   std::span<const glm::vec3> positions;
   std::span<const glm::vec3> normals;
   std::span<const glm::vec4> tangents;  ///< w = handedness, copied through
 };
 
-/// Vertex attributes that deformation writes. An attribute is written where the input has it and it is not empty
-/// here.
+/// Vertex attributes that deformation writes: those that the input has and that are not empty here.
 struct VertexOutput {
   std::span<glm::vec3> positions;
   std::span<glm::vec3> normals;   ///< unit

@@ -10,14 +10,14 @@
 namespace sinew {
 namespace {
 
-/// As `sinew bake` names it.
+/// The name that `sinew bake` gives the mesh.
 std::string name_of(const Mesh& mesh, std::size_t primitive) {
   return mesh.primitives.size() == 1 ? mesh.name : mesh.name + " " + std::to_string(primitive);
 }
 
 std::string in_quotes(const std::string& name) { return "\"" + name + "\""; }
 
-/// Binds one instance after another; each mesh of the cache is taken once.
+/// Binds one instance after another; each mesh of the cache is bound at most once.
 class NameBinder {
  public:
   NameBinder(const GeometryCache& cache, const Scene& scene)
@@ -33,13 +33,13 @@ class NameBinder {
       if (match_vertices(cache_.meshes()[found], mesh.primitives[p]))
         bindings.push_back({instance, p, found});
       else
-        unfit(instance, "the triangles of " + in_quotes(cache_.meshes()[found].name) + " are others");
+        report_unbound(instance, "the triangles of " + in_quotes(cache_.meshes()[found].name) + " are others");
     }
     if (bindings.empty()) return;
     if (bindings.size() == mesh.primitives.size())
       out_.bound.insert(out_.bound.end(), bindings.begin(), bindings.end());
     else
-      unfit(instance, "the cache has some of its primitives only");
+      report_unbound(instance, "the cache has some of its primitives only");
   }
 
   GeometryBindings finish() {
@@ -56,7 +56,7 @@ class NameBinder {
     return kNone;
   }
 
-  void unfit(std::uint32_t instance, const std::string& why) {
+  void report_unbound(std::uint32_t instance, const std::string& why) {
     out_.unbound.push_back("mesh instance " + std::to_string(instance) + " " +
                            in_quotes(scene_.meshes[scene_.instances[instance].mesh].name) + ": " + why);
   }
@@ -91,7 +91,7 @@ Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& mesh, cons
     vertex = mesh.triangles[c];
   }
   for (std::uint32_t& vertex : taken)
-    if (vertex == kNone) vertex = 0;  // of no triangle, so never seen
+    if (vertex == kNone) vertex = 0;  // part of no triangle, so never visible
   return taken;
 }
 

@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// The mesh of a cache that a primitive of a mesh instance takes its vertices from.
+/// A primitive of a mesh instance, and the mesh of a cache that it takes its vertices from.
 struct GeometryBinding {
   std::uint32_t instance = 0, primitive = 0;
   std::uint32_t mesh = 0;  ///< of the cache
@@ -19,25 +19,26 @@ struct GeometryBinding {
 
 struct GeometryBindings {
   std::vector<GeometryBinding> bound;  ///< all primitives of each instance that plays, in the order of the scene
-  std::vector<std::string> unbound;  ///< meshes of the cache and instances of the scene that share a name with one and
-                                     ///< do not fit, a sentence each
+  std::vector<std::string> unbound;    ///< a sentence for each mesh and instance that share a name but do not fit
 };
 
-/// Binds by name, as `sinew bake` names meshes: the mesh's own name, or name and index of the primitive where it has
-/// several. Of several instances with one name the first takes the first mesh of that name, and so on.
+/// Binds meshes of the cache to instances by name, as `sinew bake` names meshes. That is the name of the scene's mesh,
+/// with the index of the primitive added if there are several. Instances of equal name take the meshes of that name in
+/// order.
 /// cost O(meshes * instances + corners), allocates
 GeometryBindings bind_by_name(const GeometryCache& cache, const Scene& scene);
 
-/// The vertex of the cache that each vertex of a primitive takes. Where the cache keeps triangles, corner for corner:
-/// so vertices may be in another order, and split at seams. Else both have the same vertices in the same order.
-/// err  size_mismatch  another number of triangles, or of vertices
-///      unsupported    a vertex would take several; cost O(corners), allocates
+/// For each vertex of a primitive, the vertex of the cache mesh that moves it. If the cache stores triangles, corners
+/// are matched one by one, so the scene may order vertices differently and split them at seams. Otherwise both must
+/// have the same vertices in the same order.
+/// err  size_mismatch  the numbers of triangles or vertices differ
+///      unsupported    a vertex would match several; cost O(corners), allocates
 Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& mesh, const Primitive& primitive);
 
-/// Whether a player may use them.
+/// Checks that a player can use these bindings.
 /// err  index_out_of_range   no such instance, primitive or mesh
-///      unsupported          an instance of which only some primitives are bound, or one twice
-///      those of match_vertices
+///      unsupported          an instance has unbound primitives, or one that is bound twice
+///      and those of match_vertices
 ErrorCode check(const GeometryCache& cache, const Scene& scene, std::span<const GeometryBinding> bindings);
 
 }  // namespace sinew

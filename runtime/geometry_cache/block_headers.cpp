@@ -10,7 +10,8 @@ namespace {
 
 std::uint32_t byte_of(std::uint32_t number, unsigned byte) { return number >> (8 * byte) & 0xffu; }
 
-/// Offsets of key frames are stored as differences from the block before: blocks that follow each other are near.
+/// Offsets of key frames are stored as differences to the previous block, because consecutive blocks are near each
+/// other.
 std::vector<std::array<std::uint32_t, 3>> stored_offsets(std::span<const BlockMotion> blocks) {
   std::vector<std::array<std::uint32_t, 3>> stored;
   std::array<std::int32_t, 3> before{};
@@ -29,18 +30,18 @@ bool may_follow(FramePlace place, BlockBase base) noexcept {
   return place == FramePlace::later || base == BlockBase::last;
 }
 
-/// The planes of both sections: byte `b` of plane `p` is at p * (bytes of a plane) + b.
+/// The byte planes of both sections. Byte `b` of plane `p` is at p * (bytes of a plane) + b.
 struct Planes {
   const std::uint8_t *kinds, *widths, *upper_offsets, *shifts, *upper_matrices;  // coarse
   const std::uint8_t *offsets, *matrices;                                        // fine
-  unsigned offset_planes;                                                        // above the lowest byte
+  unsigned offset_planes;  // number of planes above the lowest byte
   std::size_t blocks, turning;
 };
 
-/// Lays the planes over the sections; false where these are of another size.
+/// Finds the planes in the sections; false if the sizes do not fit.
 bool find_planes(std::span<const std::uint8_t> coarse, std::span<const std::uint8_t> fine, std::size_t blocks,
                  Planes& out) noexcept {
-  if (coarse.size() < 1 + blocks || coarse[0] > kMostOffsetPlanes) return false;
+  if (coarse.size() < 1 + blocks || coarse[0] > kMaxOffsetPlanes) return false;
   out.offset_planes = coarse[0];
   out.blocks = blocks;
   out.kinds = coarse.data() + 1;
@@ -66,7 +67,7 @@ std::uint32_t offset_at(const Planes& planes, std::size_t axis, std::size_t bloc
 }  // namespace
 
 std::size_t most_coarse_bytes(std::size_t blocks) noexcept {
-  return 1 + blocks * (1 + 3 + 3 * kMostOffsetPlanes + 1 + 9);
+  return 1 + blocks * (1 + 3 + 3 * kMaxOffsetPlanes + 1 + 9);
 }
 std::size_t most_fine_bytes(std::size_t blocks) noexcept { return blocks * (3 + 9); }
 
@@ -118,7 +119,7 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
             !((block.turns || block.spreads) && block.base == BlockBase::space);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       block.width[axis] = planes.widths[axis * blocks.size() + b];
-      sound = sound && block.width[axis] <= kMostWidth;
+      sound = sound && block.width[axis] <= kMaxWidth;
       const std::uint32_t offset = before[axis] + static_cast<std::uint32_t>(unzigzag(offset_at(planes, axis, b)));
       block.offset[axis] = static_cast<std::int32_t>(offset);
       if (block.base == BlockBase::space) before[axis] = offset;
@@ -126,7 +127,7 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
     block.shift = 0;
     if (!block.turns) continue;
     block.shift = planes.shifts[turning];
-    sound = sound && block.shift <= kMostShift;
+    sound = sound && block.shift <= kMaxShift;
     for (std::size_t k = 0; k < 9; ++k) {
       const std::size_t at = k * planes.turning + turning;
       block.matrix[k] =

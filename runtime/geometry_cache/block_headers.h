@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// The motions of all blocks of a frame as bytes, in planes that a general compressor takes well (geometry_format.h).
+/// Motions of all blocks of a frame as byte planes, which general compressors pack well (geometry_format.h).
 struct BlockHeaderBytes {
   std::vector<std::uint8_t> coarse, fine;
 };
@@ -17,15 +17,15 @@ BlockHeaderBytes write_block_headers(std::span<const BlockMotion> blocks);
 
 enum class FramePlace : std::uint8_t { key, second, later };
 
-/// Reads them again. Any bytes may be passed.
-/// in   place   of the frame in its segment: blocks of the first one follow from space, those of others from time, of
-///              the second one from one frame before only
+/// Reads what write_block_headers wrote. Any bytes may be passed.
+/// in   place   of the frame in its segment. Blocks of a key frame are predicted in space, later ones in time. The
+///      second frame may only use one earlier frame.
 /// out  blocks  [blocks]
-/// err  false: sizes that do not fit, kinds, shifts or widths that do not exist
+/// err  false: sizes that do not fit; kinds, shifts or widths that do not exist
 bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const std::uint8_t> fine, FramePlace place,
                         std::span<BlockMotion> blocks) noexcept;
 
-/// The most bytes that blocks take in either section.
+/// Largest sizes of the two sections.
 std::size_t most_coarse_bytes(std::size_t blocks) noexcept;
 std::size_t most_fine_bytes(std::size_t blocks) noexcept;
 

@@ -22,7 +22,7 @@ using Floats = hn::CappedTag<float, 16>;
 
 constexpr std::size_t kLanes = hn::MaxLanes(Ints());
 
-/// Eight residuals of `width` bits: eight values take `width` bytes.
+/// Unpacks eight residuals of `width` bits, which take `width` bytes.
 HWY_INLINE void unpack_wide(const std::uint8_t* from, unsigned width, std::int32_t* out) {
   const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
   for (unsigned i = 0; i < 8; ++i) {
@@ -40,8 +40,7 @@ HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* o
 
 #else
 
-/// Where each of eight values of up to 16 bits begins in 16 bytes: the four bytes that go into its lane, and the bits
-/// of them to drop.
+/// Positions of eight values of up to 16 bits in 16 bytes: for each lane the four bytes to load and the bits to drop.
 struct UnpackTable {
   alignas(32) std::uint8_t bytes[32];
   alignas(32) std::uint32_t drop[8];
@@ -54,14 +53,14 @@ constexpr UnpackTables make_tables() {
   for (unsigned width = 0; width <= kTableWidths; ++width)
     for (unsigned i = 0; i < 8; ++i) {
       tables[width].drop[i] = i * width % 8;
-      for (unsigned b = 0; b < 4; ++b)  // bits of later bytes are masked off
+      for (unsigned b = 0; b < 4; ++b)  // bits of later bytes are masked off afterwards
         tables[width].bytes[4 * i + b] = static_cast<std::uint8_t>(std::min(i * width / 8 + b, 15u));
     }
   return tables;
 }
 constexpr UnpackTables kTables = make_tables();
 
-/// 64 residuals.
+/// Unpacks 64 residuals.
 HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* out) {
   if (HWY_UNLIKELY(width > kTableWidths)) {
     for (std::size_t first = 0; first < kBlockPoints; first += 8, from += width) unpack_wide(from, width, out + first);
@@ -119,7 +118,7 @@ HWY_INLINE void spread(const std::uint8_t* corners, std::int32_t* residuals) {
 #endif
 }
 
-/// Key frame: offset and residuals alone.
+/// Key frame: only offset and residuals.
 HWY_INLINE void move_in_space(const BlockMotion& motion, const std::int32_t* residuals, std::int32_t* x) {
   const Ints d;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -129,7 +128,7 @@ HWY_INLINE void move_in_space(const BlockMotion& motion, const std::int32_t* res
   }
 }
 
-/// Base of one axis.
+/// The prediction for one axis.
 template <BlockBase kBase>
 HWY_INLINE IntLanes base_of(IntLanes x1, const std::int32_t* x2) {
   if constexpr (kBase == BlockBase::last) return x1;
@@ -213,7 +212,7 @@ HWY_INLINE hn::Vec<Floats> metres(const std::int32_t* numbers, hn::Vec<Floats> s
   return hn::Mul(hn::ConvertTo(Floats(), hn::LoadU(Ints(), numbers)), scale);
 }
 
-/// The points of one block.
+/// Converts the points of one block.
 HWY_INLINE void emit_block(const EmitPointsJob& job, std::size_t block, glm::vec3* out) {
   const Floats d;
   const auto step = hn::Set(d, job.step), part = hn::Set(d, job.part), rest = hn::Set(d, 1.0f - job.part);
@@ -244,6 +243,27 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+
+ErrorCode check(const MoveBlocksJob& job) noexcept {
+  const std::size_t numbers = job.blocks.size() * kBlockNumbers;
+  if (job.x1.size() != numbers || job.x2.size() != numbers || job.x.size() != numbers || job.corners.size() != numbers)
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.blocks, job.payload, job.corners, job.x1, job.x2, job.x)) return ErrorCode::size_mismatch;
+  std::size_t bytes = kPayloadPadding;
+  for (const BlockMotion& block : job.blocks)
+    for (const std::uint8_t width : block.width) {
+      if (width > kMaxWidth) return ErrorCode::index_out_of_range;
+      bytes += kBlockPoints / 8 * std::size_t{width};
+    }
+  return job.payload.size() < bytes ? ErrorCode::size_mismatch : ErrorCode::ok;
+}
+
+ErrorCode check(const EmitPointsJob& job) noexcept {
+  const std::size_t blocks = job.from.size() / kBlockNumbers;
+  const bool whole = job.from.size() == blocks * kBlockNumbers && job.to.size() == job.from.size();
+  const bool fits = whole && job.out.size() <= blocks * kBlockPoints && have_memory(job.from, job.to, job.out);
+  return fits ? ErrorCode::ok : ErrorCode::size_mismatch;
+}
 
 SINEW_DISPATCH_RUN(MoveBlocksJob, move_blocks)
 SINEW_DISPATCH_RUN(EmitPointsJob, emit_points)

@@ -28,7 +28,7 @@ bool FrameWindow::is_ahead(std::uint32_t frame) const noexcept {
   return frame < count && ahead < slot_count_;
 }
 
-/// Starts to read a frame where there is room for it.
+/// Starts to read a frame if a slot is free for it.
 FrameRead* FrameWindow::ask(std::uint32_t frame) noexcept {
   for (std::uint32_t s = 0; s < slot_count_; ++s) {
     FrameRead& slot = slots_[s];
@@ -39,7 +39,7 @@ FrameRead* FrameWindow::ask(std::uint32_t frame) noexcept {
     const GeometryFrame& at = cache_.frames()[frame];
     slot.frame_ = frame;
     slot.state_.store(FrameRead::State::reading, std::memory_order_relaxed);
-    bytes_asked_ += at.size;
+    bytes_requested_ += at.size;
     const ReadOutcome outcome = reader_.read(reader_.context, at.offset, slot.room_.first(at.size), slot);
     if (outcome != ReadOutcome::pending) slot.finish(outcome == ReadOutcome::done);
     return &slot;
@@ -58,7 +58,7 @@ void FrameWindow::prefetch(std::uint32_t next) noexcept {
 std::span<const std::byte> FrameWindow::bytes(std::uint32_t frame) noexcept {
   FrameRead* slot = find(frame);
   if (slot == nullptr) {
-    next_ = frame;  // frames before this one have been decoded
+    next_ = frame;  // earlier frames have been decoded and make room
     slot = ask(frame);
   }
   if (slot == nullptr || slot->state_.load(std::memory_order_acquire) != FrameRead::State::ready) return {};
@@ -75,7 +75,7 @@ FrameWindow::operator FrameSource() noexcept {
   return {bytes_of, this, prefetch};
 }
 
-std::uint32_t FrameWindow::frames_there() const noexcept {
+std::uint32_t FrameWindow::frames_loaded() const noexcept {
   std::uint32_t count = 0;
   for (std::uint32_t s = 0; s < slot_count_; ++s)
     count += slots_[s].state_.load(std::memory_order_acquire) == FrameRead::State::ready;

@@ -11,10 +11,11 @@
 
 namespace sinew {
 
-/// A read that the engine was asked for and has not finished yet.
+/// A read that the engine has been asked for and has not finished yet.
 class FrameRead {
  public:
-  /// The bytes are there, or could not be read (then the window asks again). Once per read, from any thread.
+  /// Call once per read, from any thread. `ok` = the bytes have arrived; otherwise the window asks again when it needs
+  /// them.
   void finish(bool ok) noexcept { state_.store(ok ? State::ready : State::empty, std::memory_order_release); }
 
  private:
@@ -26,40 +27,43 @@ class FrameRead {
 };
 
 enum class ReadOutcome : std::uint8_t {
-  done,     ///< the bytes are there
-  pending,  ///< FrameRead::finish will say when
-  failed,   ///< asked again when the frame is wanted again
+  done,     ///< the bytes have arrived
+  pending,  ///< the engine will call FrameRead::finish
+  failed,   ///< the window asks again when it needs the frame
 };
 
-/// How the engine reads a file. Several caches may share one: each has its own context, or the reads tell them apart.
+/// How the engine reads a file. Several caches may share one reader if `context` or the FrameRead tells their reads
+/// apart.
 struct FrameReader {
-  /// Reads into[...] from `offset` of the file, now or later.
+  /// Reads `into.size()` bytes from `offset` of the file, now or later.
   ReadOutcome (*read)(void* context, std::uint64_t offset, std::span<std::byte> into,
                       FrameRead& read) noexcept = nullptr;
   void* context = nullptr;
 };
 
-/// A window over the frames of a file that is not in memory: the next ones in the order of play. Its memory is a number
-/// of frames, however long the file is.
+/// A sliding window over the frames of a file that is not in memory. It holds the next frames in play order; its memory
+/// does not depend on the length of the file.
 ///
-///     window.prefetch(decoder.next_for(frame));   // asks for what is missing of the next frames
-///     decoder.decode(frame, window);              // not_there: shows the newest frame that is
+///     window.prefetch(decoder.next_for(frame));   // requests missing frames among the next ones
+///     decoder.decode(frame, window);              // not_loaded: the decoder holds the newest loaded frame
 class FrameWindow {
  public:
-  /// The cache must outlive this, and every read must be finished before this ends (pending_reads).
+  /// The cache must outlive this. Every read must have finished before this is destroyed (pending_reads).
   /// in   frames  1 or more
   FrameWindow(const GeometryCache& cache, FrameReader reader, std::uint32_t frames);
 
-  /// Asks for frames that are missing, from `next` on. After the last frame comes the first one, so that a loop goes on
-  /// without waiting. Frames that are no longer ahead make room.
+  /// Requests the missing frames of the window, starting at `next`. After the last frame comes the first one, so that
+  /// loops play on without waiting. Frames that are no longer ahead make room.
   /// cost O(frames^2) of the window, and the reads;  no allocation
   void prefetch(std::uint32_t next) noexcept;
 
-  operator FrameSource() noexcept;  ///< valid as long as this; a frame that is missing is asked for
+  operator FrameSource() noexcept;  ///< valid as long as this; requests a frame that is missing
 
   std::size_t pending_reads() const noexcept;
-  std::uint32_t frames_there() const noexcept;                         ///< also while another thread plays
-  std::uint64_t bytes_asked() const noexcept { return bytes_asked_; }  ///< of the reader, since this was made
+  std::uint32_t frames_loaded() const noexcept;  ///< loaded frames; may be called while another thread plays
+  std::uint64_t bytes_requested() const noexcept {
+    return bytes_requested_;
+  }  ///< bytes requested from the reader so far
   std::size_t memory_bytes() const noexcept { return memory_.size(); }
 
  private:
@@ -73,7 +77,7 @@ class FrameWindow {
   std::vector<std::byte> memory_;
   std::unique_ptr<FrameRead[]> slots_;
   std::uint32_t slot_count_ = 0, next_ = 0;
-  std::uint64_t bytes_asked_ = 0;
+  std::uint64_t bytes_requested_ = 0;
 };
 
 }  // namespace sinew

@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-/// Limit of the memory that the tables of a directory take: kMadeBytes, and kMadeTimes the head.
+/// Tables of a directory may take at most this much memory: kMadeBytes plus kMadeTimes the size of the head.
 constexpr std::uint64_t kMadeBytes = std::uint64_t{16} << 20, kMadeTimes = 64;
 
 tl::unexpected<GeometryCacheError> refuse(const char* rule, std::uint64_t offset, const char* detail) {
@@ -24,7 +24,7 @@ tl::unexpected<GeometryCacheError> refuse(const char* rule, std::uint64_t offset
 
 }  // namespace
 
-/// Reads a directory until it breaks a rule; the first broken rule is kept.
+/// Reads a directory. The first broken rule is kept.
 class GeometryHeadReader {
  public:
   explicit GeometryHeadReader(std::span<const std::byte> head)
@@ -44,7 +44,7 @@ class GeometryHeadReader {
     if (ok() && in_.left() > 0) error_ = {"cache-size", in_.offset(), "bytes follow the directory"};
   }
 
-  /// False, with the first rule that was broken, also when bytes are missing.
+  /// False if a rule was broken or bytes are missing.
   bool ok() {
     if (in_.ended() && error_.rule.empty()) error_ = {"cache-size", in_.offset(), "the directory ends too early"};
     return error_.rule.empty();
@@ -62,7 +62,7 @@ class GeometryHeadReader {
     return number;
   }
 
-  /// Bytes that must be `size` when they are unpacked.
+  /// Reads a section that must have `size` bytes when unpacked.
   std::vector<std::uint8_t> bytes(std::uint64_t size) {
     const auto head = in_.number<std::uint32_t>();
     const std::uint32_t stored = head & ~kStoredByZstd;
@@ -95,7 +95,7 @@ class GeometryHeadReader {
     mesh.name.assign(name.begin(), name.end());
     mesh.vertex_count = in_.number<std::uint32_t>();
     const auto corners = in_.number<std::uint32_t>();
-    require(mesh.vertex_count <= kMostPoints && corners % 3 == 0, "a mesh is too large, or not of triangles");
+    require(mesh.vertex_count <= kMaxPoints && corners % 3 == 0, "a mesh is too large, or not of triangles");
     mesh.triangles = numbers(corners, mesh.vertex_count, "a triangle names a vertex that is not there");
     mesh.certificate.between_m = finite();
     for (int axis = 0; axis < 3; ++axis) mesh.bounds.lower[axis] = in_.number<float>();
@@ -157,7 +157,7 @@ class GeometryHeadReader {
 
   std::span<const std::byte> head_;
   ByteReader in_;
-  std::optional<Unpacker> unpacker_;  // made for the first table that needs it
+  std::optional<Unpacker> unpacker_;  // created on first use
   std::uint64_t left_;
   GeometryCacheError error_;
 };
@@ -200,7 +200,7 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
 
 FrameTime GeometryCache::frame_time(double time_s) const noexcept {
   const double at = (time_s - start_s_) / frame_s_, last = frame_count() - 1.0;
-  const double clamped = at > 0.0 ? std::min(at, last) : 0.0;  // also where it is NaN
+  const double clamped = at > 0.0 ? std::min(at, last) : 0.0;  // NaN becomes 0
   const double nearest = std::round(clamped);
   if (std::abs(clamped - nearest) <= 1e-6) return {static_cast<std::uint32_t>(nearest), 0.0f};
   const auto frame = static_cast<std::uint32_t>(clamped);

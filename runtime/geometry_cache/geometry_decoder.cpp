@@ -29,7 +29,7 @@ struct GeometryDecoder::Stream {
   std::vector<std::int32_t> now, before;
 };
 
-/// What decoding one frame of a stream takes, enough for the largest stream.
+/// Scratch memory for decoding one frame of a stream, large enough for all streams.
 struct GeometryDecoder::Memory {
   Unpacker unpacker;
   std::vector<std::uint8_t> coarse, fine, payload;
@@ -59,12 +59,12 @@ struct GeometryDecoder::Memory {
 
 namespace {
 
-/// Takes the sections of the streams of a frame from its bytes, one after another.
+/// Iterates over the sections of a frame, stream by stream.
 class Sections {
  public:
   explicit Sections(std::span<const std::byte> bytes) : left_(bytes) {}
 
-  /// The heads of the three sections of the next stream.
+  /// Reads the heads of the three sections of the next stream.
   bool next_stream() noexcept {
     if (left_.size() < kSectionHeads) return false;
     std::memcpy(heads_, left_.data(), kSectionHeads);
@@ -72,7 +72,7 @@ class Sections {
     return true;
   }
 
-  /// Unpacks a section into the first bytes of `out`; SIZE_MAX where that fails.
+  /// Unpacks a section into the first bytes of `out`; SIZE_MAX on failure.
   std::size_t unpack(std::size_t section, Unpacker& unpacker, std::span<std::uint8_t> out) noexcept {
     const std::uint32_t size = heads_[section] & ~kStoredByZstd;
     if (size > left_.size()) return static_cast<std::size_t>(-1);
@@ -118,12 +118,12 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
       return false;
     if (payload_bytes(blocks) != payload) return false;
     std::swap(stream.now, stream.before);
-    run(MoveBlocksJob{.blocks = blocks,
-                      .payload = m.payload,
-                      .corners = stream.info->corners,
-                      .x1 = stream.before,
-                      .x2 = stream.now,
-                      .x = stream.now});
+    run_unchecked(MoveBlocksJob{.blocks = blocks,
+                                .payload = m.payload,
+                                .corners = stream.info->corners,
+                                .x1 = stream.before,
+                                .x2 = stream.now,
+                                .x = stream.now});
   }
   return sections.ended();
 }
@@ -131,7 +131,7 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
 GeometryStatus GeometryDecoder::advance(std::uint32_t frame, FrameSource source) noexcept {
   const std::span<const std::byte> bytes = source.bytes(source.context, frame);
   const GeometryFrame& expected = cache_.frames()[frame];
-  if (bytes.empty() && expected.size > 0) return GeometryStatus::not_there;
+  if (bytes.empty() && expected.size > 0) return GeometryStatus::not_loaded;
   const std::uint32_t from_key = frame - cache_.key_frame_of(frame);
   const FramePlace place = from_key == 0 ? FramePlace::key : from_key == 1 ? FramePlace::second : FramePlace::later;
   const bool follows = frame_ != kNone && frame_ + 1 == frame;
@@ -157,7 +157,7 @@ GeometryStatus GeometryDecoder::decode(std::uint32_t frame, FrameSource source) 
   const bool is_ahead = frame_ != kNone && frame_ < frame;
   if (const std::uint32_t next = next_for(frame); !is_ahead || next != frame_ + 1) {
     const GeometryStatus status = advance(next, source);
-    const bool frames_before_may_help = status == GeometryStatus::not_there && is_ahead;
+    const bool frames_before_may_help = status == GeometryStatus::not_loaded && is_ahead;
     if (status != GeometryStatus::ok && !frames_before_may_help) return status;
   }
   while (frame_ != frame)
@@ -190,7 +190,7 @@ GeometryStatus GeometryDecoder::write_points(std::size_t stream, std::span<glm::
   if (stream >= streams_.size() || frame_ == kNone) return GeometryStatus::out_of_range;
   const Stream& s = streams_[stream];
   if (out.size() != s.info->point_count) return GeometryStatus::size_mismatch;
-  run(EmitPointsJob{.from = s.before, .to = s.now, .part = part_, .step = s.info->step, .out = out});
+  run_unchecked(EmitPointsJob{.from = s.before, .to = s.now, .part = part_, .step = s.info->step, .out = out});
   return GeometryStatus::ok;
 }
 

@@ -10,17 +10,17 @@
 
 namespace sinew {
 
-/// Where the bytes of frames come from: a file in memory (MappedFrames), or a window that is filled while the cache
+/// Where a decoder gets the bytes of frames: a file in memory (MappedFrames), or a window that loads while the cache
 /// plays (FrameWindow).
 struct FrameSource {
-  /// The bytes of a frame, valid until the next call; empty = not there yet.
+  /// The bytes of a frame, valid until the next call; empty = not loaded yet.
   std::span<const std::byte> (*bytes)(void* context, std::uint32_t frame) noexcept = nullptr;
   void* context = nullptr;
-  /// Asks for frames before they are wanted, from `next` on; null = they are all there.
+  /// Requests frames before they are needed, starting at `next`; null = all frames are loaded.
   void (*prefetch)(void* context, std::uint32_t next) noexcept = nullptr;
 };
 
-/// The whole file in memory, or mapped into it. The cache and the bytes must outlive this.
+/// A whole file in memory, or mapped into it. The cache and the bytes must outlive this.
 struct MappedFrames {
   const GeometryCache& cache;
   std::span<const std::byte> file;
@@ -32,48 +32,47 @@ enum class FramePlace : std::uint8_t;
 
 enum class GeometryStatus : std::uint8_t {
   ok,
-  not_there,     ///< the source has not all bytes yet; the decoder holds the newest frame that it could reach
-  damaged,       ///< a frame is not as it was written; nothing is held
+  not_loaded,    ///< the source has not loaded all bytes yet; the decoder holds the newest frame that it could reach
+  damaged,       ///< the bytes of a frame have changed since they were written; the decoder holds no frame
   out_of_range,  ///< no such frame, stream or time; nothing has changed
-  size_mismatch  ///< the buffer is not of the stream's size; nothing has changed
+  size_mismatch  ///< the buffer has not the size of the stream; nothing has changed
 };
 
-/// Decodes the frames of a geometry cache. Holds two frames: the one that was asked for, and the one before it. The
-/// next frame takes one frame of work, any other at most one segment (GeometryCache::segment_frames).
-/// Bytes of any origin may be passed: their checksums are compared, and what could read or write outside of buffers is
+/// Decodes the frames of a geometry cache. It holds two frames: the last decoded one and the one before it. Decoding
+/// the next frame costs one frame of work; any other frame costs at most one segment (GeometryCache::segment_frames).
+/// Bytes of any origin may be passed: checksums are compared, and data that would read or write outside of buffers is
 /// refused.
 class GeometryDecoder {
  public:
-  /// The cache must outlive this. Allocates all memory that decoding takes.
+  /// The cache must outlive this. Allocates all memory that decoding needs.
   explicit GeometryDecoder(const GeometryCache& cache);
   ~GeometryDecoder();
   GeometryDecoder(GeometryDecoder&&) noexcept;
 
   /// Decodes a frame into the decoder.
-  /// cost  one frame after the frame before, nothing for the frame that is held, else at most one segment; no
-  /// allocation
+  /// cost  one frame if it follows the held frame, nothing if it is held, else at most one segment; no allocation
   GeometryStatus decode(std::uint32_t frame, FrameSource source) noexcept;
 
-  /// Decodes what positions between two frames need: the frames around `time_s` on the clock of the cache (start_s,
-  /// clamped to its ends), for write_points with `part()`.
+  /// Decodes the two frames around `time_s`, for write_points to interpolate by `part()`. `time_s` is on the cache's
+  /// clock (start_s), clamped to its ends.
   GeometryStatus decode_time(double time_s, FrameSource source) noexcept;
 
-  /// The frame whose bytes are needed first to get to `frame`: for FrameWindow::prefetch.
+  /// The first frame whose bytes decode(frame) needs: for FrameWindow::prefetch.
   std::uint32_t next_for(std::uint32_t frame) const noexcept;
 
-  /// The frame whose bytes are needed next to get to `time_s`, or after it where it is held already. After the last
-  /// frame comes the first one, as in a loop.
+  /// The next frame whose bytes decode_time(time_s) needs, or the frame after it if `time_s` can be shown already.
+  /// After the last frame comes the first one, as in a loop.
   std::uint32_t next_for_time(double time_s) const noexcept;
 
-  /// The frame that is held; kNone = none.
+  /// The held frame; kNone = none.
   std::uint32_t frame() const noexcept { return frame_; }
-  /// The place of `time_s` between the frame before the held one (0) and the held one (1); 1 after `decode`.
+  /// Place of `time_s` between the previous frame (0) and the held frame (1); 1 after `decode`.
   float part() const noexcept { return part_; }
 
-  /// Writes the points of a stream, in the order of the file: for the index buffer of a mesh that was reordered by
+  /// Writes the points of a stream in file order, for meshes whose index buffer was reordered by
   /// GeometryStream::point_of_vertex.
-  /// in   stream  of all meshes, one mesh after another
-  /// out  [point_count]  metres;   err  out_of_range (also when nothing is held), size_mismatch
+  /// in   stream  counts over all meshes, one mesh after another
+  /// out  [point_count]  metres;   err  out_of_range (also if no frame is held), size_mismatch
   /// cost O(points), no allocation
   GeometryStatus write_points(std::size_t stream, std::span<glm::vec3> out) const noexcept;
 
@@ -81,8 +80,8 @@ class GeometryDecoder {
   /// out  [vertex_count];   cost  O(points + vertices), no allocation
   GeometryStatus write_vertices(std::size_t stream, std::span<glm::vec3> out) noexcept;
 
-  std::uint64_t frames_decoded() const noexcept { return frames_decoded_; }  ///< since it was made: work counter
-  std::size_t memory_bytes() const noexcept;  ///< all that it has allocated, without the cache
+  std::uint64_t frames_decoded() const noexcept { return frames_decoded_; }  ///< work counter, since construction
+  std::size_t memory_bytes() const noexcept;  ///< all memory that the decoder allocated; the cache is not included
 
  private:
   struct Stream;
@@ -95,7 +94,7 @@ class GeometryDecoder {
   std::unique_ptr<Memory> memory_;
   std::uint32_t frame_ = kNone;
   float part_ = 1.0f;
-  bool has_before_ = false;  // the frame before the held one is held too
+  bool has_before_ = false;  // the frame before the held one is valid too
   std::uint64_t frames_decoded_ = 0;
 };
 

@@ -22,20 +22,20 @@ namespace sinew {
 
 inline constexpr char kGeometryMagic[8] = {'S', 'I', 'N', 'E', 'W', 'G', 'E', 'O'};
 
-/// First byte of a section's size: how it is stored.
+/// Bit of a section's size field: the section is packed by zstd.
 inline constexpr std::uint32_t kStoredByZstd = 0x80000000u;
 inline constexpr std::size_t kSections = 3;
 inline constexpr std::size_t kSectionHeads = kSections * sizeof(std::uint32_t);
 
-/// Kind of a block in one byte: its base, a bit for the matrix, and one for residuals that spread.
+/// A block's kind is one byte: its BlockBase, a bit for the matrix and a bit for spreading residuals.
 inline constexpr std::uint8_t kTurnsBit = 4, kSpreadsBit = 8;
 
-/// Planes of bytes of the offsets above the lowest one; their number is the first byte of the coarse section.
-inline constexpr unsigned kMostOffsetPlanes = 3;
-inline constexpr std::uint8_t kMostShift = 30;
+/// Byte planes of the offsets above the lowest byte. The first byte of the coarse section says how many there are.
+inline constexpr unsigned kMaxOffsetPlanes = 3;
+inline constexpr std::uint8_t kMaxShift = 30;
 
-/// Limits of one cache, so that sizes stay below what their types hold.
-inline constexpr std::uint32_t kMostPoints = 1u << 26;
+/// Limit for one cache, so that sizes fit their types.
+inline constexpr std::uint32_t kMaxPoints = 1u << 26;
 
 /// Bytes of the packed residuals of these blocks.
 inline std::size_t payload_bytes(std::span<const BlockMotion> blocks) noexcept {

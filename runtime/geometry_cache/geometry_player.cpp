@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// The first stream of a mesh among those of all meshes.
+/// Index of the first stream of a mesh among the streams of all meshes.
 std::size_t first_stream(const GeometryCache& cache, std::size_t mesh) noexcept {
   std::size_t first = 0;
   for (std::size_t m = 0; m < mesh; ++m) first += cache.meshes()[m].streams.size();
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> points_of(const GeometryStream& stream, std::span<con
   return points;
 }
 
-/// What the sources of two players have in common: the same file in the same instances.
+/// Identifies the content: equal for two players that play the same file in the same instances.
 std::uint64_t content_of(const GeometryCache& cache, std::span<const GeometryBinding> bindings) noexcept {
   const std::uint64_t content = cache.content();
   BitHash hash;
@@ -114,7 +114,7 @@ Aabb GeometryPlayer::bounds_of_frame(const Instance& instance, std::uint32_t fra
   return box;
 }
 
-/// in   part  of the way from the frame before `frame` to it, as in GeometryDecoder
+/// in   part  fraction of the way from the previous frame to `frame`, as in GeometryDecoder
 Aabb GeometryPlayer::bounds_between(const Instance& instance, std::uint32_t frame, float part) const noexcept {
   Aabb box = bounds_of_frame(instance, frame);
   if (part < 1.0f) {

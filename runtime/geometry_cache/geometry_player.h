@@ -10,8 +10,8 @@
 
 namespace sinew {
 
-/// Plays a geometry cache in the mesh instances of a character. One for each character: a frame that runs decodes into
-/// it, so nothing else may be called meanwhile.
+/// Plays a geometry cache in the mesh instances of one character. A running frame decodes into the player, so do not
+/// call it at the same time. Each character needs its own player.
 ///
 ///     const GeometryBindings bindings = bind_by_name(cache, scene);
 ///     GeometryPlayer player(cache, window, scene, bindings.bound);
@@ -22,36 +22,36 @@ namespace sinew {
 ///     run_plan(plan, {.geometry = geometry}, frame);
 class GeometryPlayer {
  public:
-  /// The cache and what is behind `frames` must outlive this, at their addresses; the scene need not.
+  /// The cache and the object behind `frames` must outlive this and must not move; the scene need not live on.
   /// in   bindings  must have passed check(cache, scene, bindings)
-  ///      space     where the vertices of the cache are: those of a whole scene (`sinew bake` of a clip) in the scene,
-  ///                those of one mesh (point caches) in the mesh
-  /// cost allocates all memory that playing takes
+  ///      space     space of the cache's vertices: VertexSpace::scene for a baked scene (`sinew bake`),
+  ///      VertexSpace::mesh for point caches of a single mesh
+  /// cost allocates all memory that playing needs
   GeometryPlayer(const GeometryCache& cache, FrameSource frames, const Scene& scene,
                  std::span<const GeometryBinding> bindings, VertexSpace space = VertexSpace::scene);
   GeometryPlayer(const GeometryPlayer&) = delete;
   GeometryPlayer& operator=(const GeometryPlayer&) = delete;
 
-  /// Mesh instances that it plays, rising: for Needs::cached_instances.
+  /// Mesh instances that the player moves, rising: for Needs::cached_instances.
   std::vector<std::uint32_t> instances() const;
 
-  /// What to put into FrameInput::geometry for each of them.
-  /// in   time_s  on the clock of the cache (GeometryCache::start_s), clamped to its ends; for a loop wrap it
-  ///              (playback_clock.h): a window reads on from the last frame to the first
+  /// The FrameInput::geometry entry for each of these instances.
+  /// in   time_s  on the cache's clock (GeometryCache::start_s), clamped to its ends. To loop, wrap the time first
+  ///      (playback_clock.h); a window prefetches from the last frame on to the first
   GeometryInput at(double time_s, float weight = 1.0f) noexcept { return {source(), time_s, weight}; }
   VertexSource source() noexcept;  ///< valid as long as this
 
-  /// Holds the vertices of an instance at a time, in the space of the cache. Nothing is decoded: an instance that is
-  /// culled by it stays out of view.
+  /// Contains the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so instances can be
+  /// culled before they play.
   /// in   instance  one of instances()
   Aabb bounds(std::uint32_t instance, double time_s) const noexcept;
 
   const GeometryCache& cache() const noexcept { return cache_; }
   const GeometryDecoder& decoder() const noexcept { return decoder_; }
-  GeometryStatus status() const noexcept { return status_; }  ///< of the last frame that was decoded
+  GeometryStatus status() const noexcept { return status_; }  ///< of the last decoded frame
 
  private:
-  /// A primitive that plays.
+  /// A primitive that the player moves.
   struct Played {
     std::uint32_t primitive = 0;
     std::uint32_t mesh = 0;
@@ -77,7 +77,7 @@ class GeometryPlayer {
   GeometryDecoder decoder_;
   VertexSpace space_;
   std::vector<Instance> instances_;  // rising
-  std::vector<glm::vec3> points_;    // of one stream
+  std::vector<glm::vec3> points_;    // scratch for one stream
   std::uint64_t content_ = 0;
   GeometryStatus status_ = GeometryStatus::ok;
 };

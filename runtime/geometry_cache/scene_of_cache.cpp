@@ -20,18 +20,18 @@ std::vector<glm::vec3> values_of(GeometryDecoder& decoder, std::size_t stream, s
   return values;
 }
 
-/// Smooth over the points of the positions.
+/// Vertices with a common position share their normal.
 std::vector<glm::vec3> smooth_normals(const Primitive& primitive, const GeometryStream& positions) {
   const SurfaceFaces faces{primitive.indices, positions.point_of_vertex, positions.point_count, {}};
   std::vector<glm::vec4> sums(surface_sums(faces));
   std::vector<glm::vec3> normals(primitive.vertex_count());
   const std::vector<glm::vec3> up(primitive.vertex_count(), kUp);
-  run(SurfaceNormalsJob{
+  run_unchecked(SurfaceNormalsJob{
       .faces = &faces, .positions = primitive.positions, .rest_normals = up, .sums = sums, .normals = normals});
   return normals;
 }
 
-/// in   stream  the first one of the mesh
+/// in   stream  index of the first stream of the mesh
 Primitive primitive_of(const GeometryMesh& mesh, std::size_t stream, GeometryDecoder& decoder) {
   Primitive out;
   out.indices = mesh.triangles;

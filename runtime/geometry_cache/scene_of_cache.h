@@ -8,15 +8,16 @@
 
 namespace sinew {
 
-/// A cache as a scene of its own, for programs that have no other file of it.
+/// A scene made from a cache alone, for programs that have no other file of it.
 struct CacheScene {
-  Scene scene;  ///< for each mesh of the cache a node, a mesh, an instance and a double-sided material, with its name;
-                ///< at rest as in the first frame. Without triangles a mesh is shown as points
+  /// For each mesh of the cache: a node, a mesh, an instance and a double-sided material of its name. Its rest shape is
+  /// the first frame. A mesh without triangles is shown as points.
+  Scene scene;
   std::vector<GeometryBinding> bindings;  ///< for GeometryPlayer: mesh i plays in instance i
 };
 
-/// Normals are those of the cache, else smooth over the points of its positions; colours are those of the first frame.
-/// in   frames  has the first frame
+/// Normals are those of the cache, or else smooth over points of equal position. Colours are those of the first frame.
+/// in   frames  must have the first frame loaded
 /// err  GeometryStatus of that frame;   cost O(vertices), allocates
 tl::expected<CacheScene, GeometryStatus> scene_of(const GeometryCache& cache, FrameSource frames);
 

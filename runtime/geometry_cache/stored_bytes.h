@@ -10,14 +10,14 @@ struct ZSTD_DCtx_s;
 
 namespace sinew {
 
-/// Undoes zstd with memory that is taken once.
+/// Unpacks zstd with memory that is allocated once.
 class Unpacker {
  public:
   Unpacker();
 
-  /// in   stored  bytes as they are in the file, by zstd or plain
-  /// out  the first bytes of `out`, overwritten: exactly `out` or fewer
-  /// err  SIZE_MAX: the bytes are no zstd frame, or give more than `out` holds
+  /// in   stored  bytes of the file, packed by zstd or plain
+  /// out  the first bytes of `out` are overwritten; returns how many
+  /// err  SIZE_MAX: the bytes are no zstd frame, or unpack to more than `out` holds
   /// cost O(out), no allocation
   std::size_t unpack(std::span<const std::byte> stored, bool by_zstd, std::span<std::uint8_t> out) noexcept;
 
@@ -30,7 +30,7 @@ class Unpacker {
   std::unique_ptr<ZSTD_DCtx_s, Free> context_;
 };
 
-/// Numbers as four planes of bytes of their zigzag differences: what write_numbers of the encoder wrote.
+/// Decodes numbers from four byte planes of their zigzag differences; planes_of_numbers encodes them.
 /// in   planes  [4 * numbers]
 std::vector<std::uint32_t> numbers_of_planes(std::span<const std::uint8_t> planes);
 std::vector<std::uint8_t> planes_of_numbers(std::span<const std::uint32_t> numbers);

@@ -8,22 +8,22 @@
 #include "runtime/base/contract.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/lod/pose_drift.h"
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 #include "runtime/plan/plan_assets.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t kPieces = 8;  // of a key interval, fewer where there are many
+constexpr std::size_t kPieces = 8;  // per key interval; fewer if there are many intervals
 constexpr std::size_t kPosesPerPiece = 5;
-constexpr double kRounding = 3e-5;  // of floats, against the box's size and its distance
+constexpr double kRounding = 3e-5;  // rounding of float, relative to the size of the box and its distance
 
 /// Vertices that follow one joint.
 struct Part {
   std::uint32_t joint = 0;
   Aabb box;                 // in the joint's space
-  double farthest_m = 0.0;  // of its corners from the joint
+  double farthest_m = 0.0;  // largest distance of a corner from the joint
 };
 
 void grow(Aabb& box, double by_m) {
@@ -36,8 +36,8 @@ void grow(Aabb& box, double by_m) {
 
 double diagonal(const Aabb& box) { return safe_length(Vec3<double>(box.upper) - Vec3<double>(box.lower)); }
 
-/// Largest magnitude that each weight of a track reaches: of its keys, for cubics of their control points, which
-/// enclose them.
+/// Largest magnitude of each weight of a track. For cubic tracks it includes the control points, whose hull encloses
+/// the curve.
 void raise(const WeightTrack& track, std::span<double> largest) {
   const std::size_t targets = track.target_count, keys = track.key_count();
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
@@ -119,8 +119,8 @@ void add_skinned_parts(const Scene& scene, const MeshInstance& instance, double 
     add_part(parts, skin.joints[j], boxes[j], morphed_m * largest_stretch(affine_cast<double>(skin.inverse_bind[j])));
 }
 
-/// Parts of joints that are left out hang on those above.
-void hang(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
+/// Attaches the parts of left-out joints to their nearest kept ancestors.
+void attach_left_out_parts(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
   std::vector<Part> hung;
   for (const Part& part : parts) {
     const JointMapping& mapped = joint_map[part.joint];
@@ -132,7 +132,7 @@ void hang(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
   parts = std::move(hung);
 }
 
-/// What makes up an instance; nothing where that is not known.
+/// The parts of an instance; empty if they are not known.
 std::vector<Part> parts_of(const Scene& scene, const Animation* animation, std::uint32_t i) {
   const MeshInstance& instance = scene.instances[i];
   const std::vector<Primitive>& primitives = scene.meshes[instance.mesh].primitives;
@@ -162,7 +162,7 @@ void add_piece(const PoseDrift& drift, std::span<const Part> parts, Aabb& box) {
   }
 }
 
-/// What the middle and the strays of the pieces leave out.
+/// Adds the margins that the pieces do not cover: bulging of the skinning, rounding and the error of the clip.
 void add_margins(const Clip* clip, Skinning skinning, bool skinned, Aabb& box) {
   if (box.empty()) return;
   const double far = std::max(safe_length(Vec3<double>(box.lower)), safe_length(Vec3<double>(box.upper)));
@@ -172,7 +172,7 @@ void add_margins(const Clip* clip, Skinning skinning, bool skinned, Aabb& box) {
   grow(box, more);
 }
 
-/// Boxes over all times of a clip, from its keys.
+/// Boxes over all times of a clip, computed from its keys.
 std::vector<Aabb> boxes_over(const Scene& scene, std::span<const JointMapping> joint_map, std::uint32_t clip) {
   const Animation rest;
   const Animation* animation = clip < scene.animations.size() ? &scene.animations[clip] : nullptr;
@@ -182,24 +182,25 @@ std::vector<Aabb> boxes_over(const Scene& scene, std::span<const JointMapping> j
   if (keys.size() > kMaxBoundsPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMaxBoundsPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    attach_left_out_parts(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);
-  const auto look_at = [&](double begin_s, double end_s) {
-    drift.look_at(begin_s, end_s);
+  const auto bound_interval = [&](double begin_s, double end_s) {
+    drift.bound_interval(begin_s, end_s);
     for (std::size_t i = 0; i < boxes.size(); ++i) add_piece(drift, parts[i], boxes[i]);
   };
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
     const double begin_s = static_cast<double>(keys[k]),
-                 end_s =
-                     std::nextafter(static_cast<double>(keys[k + 1]), begin_s);  // a jump at the next key is not yet
+                 end_s = std::nextafter(static_cast<double>(keys[k + 1]),
+                                        begin_s);  // ends just before the next key, which may jump
     for (std::size_t p = 0; p < pieces; ++p) {
       const double step_s = (end_s - begin_s) / static_cast<double>(pieces);
-      look_at(begin_s + static_cast<double>(p) * step_s,
-              p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
+      bound_interval(begin_s + static_cast<double>(p) * step_s,
+                     p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
     }
   }
-  look_at(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
+  bound_interval(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
   return boxes;
 }
 

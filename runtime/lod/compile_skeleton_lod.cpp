@@ -41,16 +41,17 @@ std::vector<Moment> moments_of(const Scene& scene, std::span<const std::uint32_t
   return some;
 }
 
-/// The scene's poses as frames have them, in double from the local transforms on.
+/// Poses of the scene as frames compute them; in double from the local transforms on.
 class Poses {
  public:
   explicit Poses(const Scene& scene)
       : local(scene.skeleton.joint_count()), model(local.size()), scene_(scene), memory_(local.size()) {}
 
-  void look_at(const Moment& moment) {
+  void evaluate(const Moment& moment) {
     const PoseSpan pose = memory_.span();
     if (moment.clip != kNone)
-      run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
+      run_unchecked(
+          SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
     for (std::size_t j = 0; j < local.size(); ++j)
       local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
     model_from_local(scene_.skeleton, local, model);
@@ -64,12 +65,12 @@ class Poses {
   PoseMemory memory_;
 };
 
-/// The mean of each joint's local transforms; of one that never changes, that one.
+/// Mean local transform of each joint. A joint that never changes keeps its transform bit for bit.
 std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> moments, Poses& poses) {
   std::vector<Transformd> first, sum;
   std::vector<bool> changes(scene.skeleton.joint_count(), false);
   for (const Moment& moment : moments) {
-    poses.look_at(moment);
+    poses.evaluate(moment);
     if (first.empty()) {
       first = sum = poses.local;
       continue;
@@ -93,10 +94,10 @@ std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> m
   return means;
 }
 
-/// A joint that may go, with all below it.
+/// A joint that may be left out together with its descendants.
 struct Branch {
   std::vector<std::uint32_t> joints;  // parents first
-  std::size_t moments = 0;            // at which it was seen to be within the tolerance
+  std::size_t moments = 0;            // number of moments at which it was within the tolerance
   double worst_m = 0.0;
   std::uint32_t worst_joint = kNone;
 };
@@ -131,7 +132,7 @@ class Pruner {
     out.detail = {std::vector<bool>(children_.size(), true), held_};
     for (std::uint32_t j = 0; j < children_.size(); ++j)
       if (scene_.skeleton.parents[j] == kNone) open_below(j);
-    for (std::size_t i = 0; !open_.empty(); i = (i + stride()) % moments_.size()) look_at(moments_[i]);
+    for (std::size_t i = 0; !open_.empty(); i = (i + stride()) % moments_.size()) test_branches_at(moments_[i]);
     for (const Branch& branch : accepted_) {
       out.left_out += static_cast<std::uint32_t>(branch.joints.size());
       for (const std::uint32_t j : branch.joints) out.detail.kept[j] = false;
@@ -155,14 +156,14 @@ class Pruner {
     return affines;
   }
 
-  /// Moments are taken far apart, so that a branch that moves is seen to do so soon.
+  /// Moments are visited in large strides, so that a moving branch is noticed early.
   std::size_t stride() const {
     std::size_t stride = moments_.size() * 5 / 8;
     while (stride == 0 || std::gcd(stride, moments_.size()) != 1) ++stride;
     return stride;
   }
 
-  /// What hangs on a joint that stays may go by itself.
+  /// The branches below a joint that stays become candidates of their own.
   void open_below(std::uint32_t joint) {
     for (const std::uint32_t child : children_[joint]) {
       Branch branch{{child}};
@@ -179,14 +180,14 @@ class Pruner {
     }
   }
 
-  void look_at(const Moment& moment) {
-    poses_.look_at(moment);
-    std::vector<Branch> looked_at = std::move(open_);
+  void test_branches_at(const Moment& moment) {
+    poses_.evaluate(moment);
+    std::vector<Branch> tested = std::move(open_);
     open_.clear();
-    for (Branch& branch : looked_at) {
+    for (Branch& branch : tested) {
       measure(branch);
       if (branch.worst_m > tolerance_m_)
-        open_below(branch.joints.front());  // to be seen at all moments from the next one on
+        open_below(branch.joints.front());  // they are tested at all moments, starting with the next
       else if (++branch.moments == moments_.size())
         accepted_.push_back(std::move(branch));
       else
@@ -217,28 +218,29 @@ class Pruner {
   VirtualVertices vertices_;
   Poses poses_;
   std::vector<std::vector<std::uint32_t>> children_;  // [J]
-  std::vector<bool> needed_;                          // [J] by a camera, a light or a corrective
+  std::vector<bool> needed_;                          // [J] used by a camera, a light or a corrective
   std::vector<Transform> held_;                       // [J]
   std::vector<Affined> held_affines_, held_model_;    // [J]
   std::vector<Branch> open_, accepted_;
 };
 
-/// Of the tolerance, tried one after the other where linear blending says too little of what vertices do.
+/// Fractions of the tolerance, tried in turn if linear blending does not predict the vertices of other kinds of
+/// skinning.
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
-constexpr double kRounding = 3e-6;  // of floats, against the distance from the origin
+constexpr double kRelativeRounding = 3e-6;  // rounding of float, relative to the distance from the origin
 
-bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
+bool uses_other_skinning(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (scene.instances[i].skin != kNone && needs.skinning_of(i) != Skinning::linear) return true;
   return false;
 }
 
 struct FramesApart {
-  double worst_m = 0.0;     // from a vertex to where it is with all joints
-  double farthest_m = 0.0;  // of a vertex from the origin
+  double worst_m = 0.0;     // largest distance of a vertex from its place with all joints
+  double farthest_m = 0.0;  // largest distance of a vertex from the origin
 };
 
-/// Skinned vertices of frames with and without the joints that a detail leaves out; these are in world space.
+/// Compares skinned vertices, in world space, of frames with and without the joints that a detail leaves out.
 FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& detail,
                            std::span<const Moment> moments) {
   needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
@@ -275,13 +277,13 @@ CompiledSkeletonLod find_lod(const Scene& scene, double tolerance_m, std::span<c
   if (scene.skeleton.joint_count() == 0) return {};
   const std::vector<Moment> moments = moments_of(scene, clips);
   Pruner pruner(scene, moments);
-  if (!bends_otherwise(scene, needs)) return pruner.prune(tolerance_m);
+  if (!uses_other_skinning(scene, needs)) return pruner.prune(tolerance_m);
   for (const double share : kShares) {
     CompiledSkeletonLod within = pruner.prune(share * tolerance_m);
     if (within.left_out == 0) return within;
     const FramesApart apart = compare_frames(scene, needs, within.detail, moments);
     within.measured_m = std::max(within.measured_m, apart.worst_m);
-    if (apart.worst_m <= tolerance_m + kRounding * apart.farthest_m) return within;
+    if (apart.worst_m <= tolerance_m + kRelativeRounding * apart.farthest_m) return within;
   }
   return {};
 }

@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 
 namespace sinew {
 namespace {
 
-constexpr double kCubic = 1.64;  // Lebesgue constant of four even places is 1.631
+constexpr double kCubic = 1.64;  // the Lebesgue constant of four even places is 1.631
 constexpr double kBent = 2.0, kMuch = 0.5;
-constexpr double kAnyRotation = 2.0;  // of a unit vector
+constexpr double kAnyRotation = 2.0;  // no rotation moves a unit vector farther
 
 double largest(const Vec3<double>& v) noexcept { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// eq   |R(q) - R(r)| = 2 sin(angle / 2), the sine without cancelling from the difference of the quaternions
+/// eq   |R(q) - R(r)| = 2 sin(angle / 2), computed from the difference of the quaternions to avoid cancellation
 double rotation_between_m(const Quat<double>& q, const Quat<double>& r) noexcept {
   const double side = quat_dot(q, r) < 0.0 ? -1.0 : 1.0;
   const double x = q.x - side * r.x, y = q.y - side * r.y, z = q.z - side * r.z, w = q.w - side * r.w;
@@ -58,7 +58,7 @@ PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
   return stray;
 }
 
-void PoseDrift::look_at(double begin_s, double end_s) {
+void PoseDrift::bound_interval(double begin_s, double end_s) {
   const double length_s = end_s - begin_s;
   evaluate_truth(animation_, skeleton_, begin_s + 0.5 * length_s, middle_);
   for (int i = 0; i < 4; ++i)

@@ -7,27 +7,28 @@
 
 namespace sinew {
 
-/// How far points that hang on a joint can stray from where they are at the middle of a piece of time.
+/// How far points attached to a joint can move from their places at the middle of a time interval.
 struct Drift {
   double fixed_m = 0.0;    ///< of the joint's origin
-  double per_metre = 0.0;  ///< more for each metre from the origin, in the joint's space
+  double per_metre = 0.0;  ///< added for each metre of distance from the origin, in the joint's space
 };
 
-/// Bounds the movement of all joints within a piece of time. No track has a key inside the piece, so every track is one
-/// curve there.
-/// eq   M = M[parent] L:  |M(t) p - M(m) p| <= E[parent](|L(t) p|) + |M(m)[parent]| (dT + (dR s + dS) |p|),
-///      E(r) = fixed + per_metre r;  s is the largest scale; dT, dR, dS are how far the joint's own translation,
-///      rotation (as a matrix) and scale stray. A cubic strays at most 1.64 times as far as it does at four even places
-///      (their Lebesgue constant). A rotation along a curve that is no arc is taken for twice what those places show,
-///      and for any rotation where they show much.
+/// Bounds the movement of all joints within a time interval. No track may have a key inside the interval, so every
+/// track is a single curve there.
+/// eq   M = M[parent] L:  |M(t) p - M(m) p| <= E[parent](|L(t) p|) + |M(m)[parent]| (dT + (dR s + dS) |p|)
+///      E(r) = fixed + per_metre r, m is the middle of the interval, s is the largest scale. dT, dR and dS bound the
+///      change of the joint's own translation, rotation (as a matrix) and scale.
+///      A cubic moves at most 1.64 times as far as it does at four evenly spaced times (their Lebesgue constant).
+///      For a rotation curve that is no arc, the bound is twice the movement at those times. Where they show a large
+///      movement, it is the bound for any rotation.
 class PoseDrift {
  public:
   PoseDrift(const Skeleton& skeleton, const Animation& animation);
 
-  /// Looks at the piece [begin_s, end_s].    cost O(5 poses)
-  void look_at(double begin_s, double end_s);
+  /// Evaluates the interval [begin_s, end_s].    cost O(5 poses)
+  void bound_interval(double begin_s, double end_s);
 
-  /// [J] model matrices at the middle of the piece.
+  /// [J] Model matrices at the middle of the interval.
   std::span<const Affined> middle() const noexcept { return middle_.model; }
   /// [J]
   std::span<const Drift> drifts() const noexcept { return drifts_; }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
 #include "runtime/math/conventions.h"
 
 namespace sinew {
@@ -16,7 +18,7 @@ using Affine = AffineT<float>;
 using Affined = AffineT<double>;
 
 /// Product of two affine matrices.
-/// eq   C = A * B: B is applied first. Each row is summed in the order x, y, z, translation (N28).
+/// eq   C = A * B: B is applied first. Each row is summed in the order x, y, z, translation.
 template <class T>
 AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
   AffineT<T> c;
@@ -27,7 +29,7 @@ AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
   return c;
 }
 
-/// A point, moved by the whole matrix.
+/// Transforms a point, by the whole matrix.
 /// eq   p' = M * (p, 1)
 template <class T>
 Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
@@ -35,7 +37,7 @@ Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
   return {component(m.row[0]), component(m.row[1]), component(m.row[2])};
 }
 
-/// A direction or difference, moved by the linear part alone.
+/// Transforms a direction or a difference, by the linear part only.
 /// eq   v' = M * (v, 0)
 template <class T>
 Vec3<T> transform_vector(const AffineT<T>& m, const Vec3<T>& v) noexcept {
@@ -75,11 +77,27 @@ AffineT<To> affine_cast(const AffineT<From>& m) noexcept {
   return {{Vec4<To>(m.row[0]), Vec4<To>(m.row[1]), Vec4<To>(m.row[2])}};
 }
 
-/// Determinant of the linear part, rounded: use determinant_sign.h for its sign.
+/// Determinant of the linear part, with rounding errors. Use determinant_sign for an exact sign.
 template <class T>
 T determinant(const AffineT<T>& m) noexcept {
   const auto &a = m.row[0], &b = m.row[1], &c = m.row[2];
   return a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
+}
+
+/// Upper bound of the factor by which a matrix lengthens a vector; exact for rotations with uniform scale.
+/// eq   sqrt(m + sqrt 2 s), m the mean and s the standard deviation of the eigenvalues of A^T A, from its trace and
+///      Frobenius norm   (Wolkowicz and Styan 1980)
+template <class T>
+T largest_stretch(const AffineT<T>& a) noexcept {
+  T trace = T(0), squares = T(0);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const T g = a.row[0][i] * a.row[0][k] + a.row[1][i] * a.row[1][k] + a.row[2][i] * a.row[2][k];
+      squares += g * g;
+      if (i == k) trace += g;
+    }
+  const T mean = trace / T(3), variance = squares / T(3) - mean * mean;
+  return std::sqrt(mean + std::sqrt(T(2) * (variance > T(0) ? variance : T(0))));
 }
 
 }  // namespace sinew

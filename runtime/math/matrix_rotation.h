@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
+#include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
@@ -18,7 +21,8 @@ Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
 }
 
 /// Rotation matrix of a quaternion of any finite length; the identity for length zero.
-/// eq   Real-Time Rendering, eq. 4.45; the length enters only as s = 2 / |q|^2: nothing is rounded by normalising first
+/// eq   Real-Time Rendering, eq. 4.45; the length enters only as s = 2 / |q|^2, so the rounding of a normalisation is
+///      saved
 template <class T>
 Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
   const Quat<T> q = is_safe_square(square_of(any)) ? any : normalised(any);
@@ -34,11 +38,11 @@ Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
 }
 
 /// Unit quaternion of a rotation matrix.
-/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1,
-///      so that half turns lose no digits
-/// in   m  orthonormal with positive determinant up to rounding: take scale and mirroring out first (decompose.h).
-///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. The
-///      zero matrix gives the identity.
+/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor (at least 1), so half
+///      turns lose no digits
+/// in   m  orthonormal with positive determinant up to rounding: remove scale and mirroring first (decompose.h).
+///      An error d of the matrix gives an error of at most about 4 d of the quaternion. The zero matrix gives the
+///      identity.
 template <class T>
 Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   const T xx = m[0][0], yy = m[1][1], zz = m[2][2];
@@ -49,6 +53,27 @@ Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   if (xx >= yy && xx >= zz) return normalised(quat_xyzw(T(1) + (xx - yy - zz), xy, xz, x_of));
   if (yy >= zz) return normalised(quat_xyzw(xy, T(1) + (yy - xx - zz), yz, y_of));
   return normalised(quat_xyzw(xz, yz, T(1) + (zz - xx - yy), z_of));
+}
+
+/// Rotation about a coordinate axis: 0 x, 1 y, 2 z, counter-clockwise seen from the tip of the axis.
+/// eq   Real-Time Rendering, eqs. 4.5-4.7
+template <class T>
+Mat3<T> rotation_about_axis(int axis, T angle_rad) noexcept {
+  const T c = std::cos(angle_rad), s = std::sin(angle_rad);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  Mat3<T> m(T(1));
+  m[j][j] = c;
+  m[j][k] = s;
+  m[k][j] = -s;
+  m[k][k] = c;
+  return m;
+}
+
+/// Rotation about a point.
+/// eq   X = T(p) R T(-p)   (Real-Time Rendering, eq. 4.8); p is the fixed point
+template <class T>
+AffineT<T> about_point(const Mat3<T>& rotation, const Vec3<T>& point) noexcept {
+  return affine_from(rotation, point - rotation * point);
 }
 
 }  // namespace sinew

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
     for (std::size_t i = 0; i < rest.planes.size() && (compared == nullptr || *compared != shared); ++i)
       compare(i, (*shared)[i]);
     compared = &shared;
-    for (const BaseNumbers::Own& own : layout.base_pose.own()) compare(own.at, own.value);
+    for (const BaseNumbers::Override& value : layout.base_pose.overrides()) compare(value.at, value.value);
     for (const TimeGroup& group : layout.groups)
       for (const TrackBlock& block : group.blocks)
         if (block.property != Property::weight && block.property != Property::number)

@@ -8,7 +8,7 @@
 
 #include "runtime/deform/combine_influences.h"
 #include "runtime/deform/flat_faces.h"
-#include "runtime/deform/surface_faces.h"
+#include "runtime/deform/surface_normals.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_layout.h"
 #include "runtime/plan/joint_scales.h"

@@ -27,7 +27,7 @@ struct DeformedPrimitive {
 /// One mesh instance in this frame.
 struct InstanceResult {
   Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already.
-                                      ///< MeshInstance::copies are relative to it (mesh_copies.h)
+                                      ///< MeshInstance::copies are relative to it (model/scene.h)
   std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
   bool mirrored = false;  ///< front faces wind clockwise: the determinant of world_from_mesh is negative, for a skinned
                           ///< mesh the determinant of the first joint's skinning matrix (G48)

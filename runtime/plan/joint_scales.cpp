@@ -79,10 +79,10 @@ void add_constants(const BaseNumbers& base, bool with_shared, std::vector<SeenSc
     const std::vector<float>& rest = *base.rest();
     scales[j].add({rest[first + j], rest[first + stride + j], rest[first + 2 * stride + j]});
   }
-  for (const BaseNumbers::Own& own : base.own()) {
-    if (own.at < first) continue;
-    const std::size_t at = first + own.at % stride;
-    scales[own.at % stride].add({base[at], base[at + stride], base[at + 2 * stride]});
+  for (const BaseNumbers::Override& value : base.overrides()) {
+    if (value.at < first) continue;
+    const std::size_t at = first + value.at % stride;
+    scales[value.at % stride].add({base[at], base[at + stride], base[at + 2 * stride]});
   }
 }
 

@@ -169,7 +169,7 @@ void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t
   plan.palette[skin] = true;
   if (planned.skinning != Skinning::linear) {
     plan.split[skin] = true;
-    skinning.pairs = sharing_pairs(primitive.influences, plan.scene->skins[skin].joints.size());
+    skinning.pairs = joint_pairs_of_vertices(primitive.influences, plan.scene->skins[skin].joints.size());
     return;
   }
   skinning.combined = combinations.of(primitive, skin);

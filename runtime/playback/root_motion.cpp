@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/playback/root_motion.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "runtime/math/swing_twist.h"
+#include "runtime/playback/carried_motion.h"
 
 namespace sinew {
 namespace {
@@ -19,22 +17,25 @@ Quatd turn_of(const Quatd& turn, RootTurn kind) noexcept {
   return normalised(quat_xyzw(0.0, half.sine, 0.0, half.cosine));
 }
 
-/// eq   m^count by repeated squaring; a negative count is the power of the inverse
-DualQuatd power(DualQuatd m, double count) noexcept {
-  constexpr double kMostTurns = 9.0e15;
-  if (count < 0.0) m = dual_quat_conjugate(m);
-  DualQuatd result;
-  for (auto left = static_cast<std::uint64_t>(std::min(std::fabs(count), kMostTurns)); left > 0; left /= 2) {
-    if (left % 2 != 0) result = normalised(result * m);
-    m = normalised(m * m);
+/// Weighted mean of rigid motions as poses are blended: translations linearly, rotations as quaternions of one
+/// hemisphere.
+class RigidMean {
+ public:
+  void add(const DualQuatd& motion, double weight) noexcept {
+    translation_ += translation_of(motion) * weight;
+    rotation_ = rotation_ + aligned_with(rotation_, motion.real) * weight;
+    weight_ += weight;
   }
-  return result;
-}
+  DualQuatd mean() const noexcept {
+    if (!(weight_ > 0.0) || !(safe_length(rotation_) > 0.0)) return {};
+    return dual_quat_from(normalised(rotation_), translation_ / weight_);
+  }
 
-/// Clip time of a phase: the way back of ping-pong runs from the end to the start.
-double clip_time_s(const PlaybackStep& step, double phase_s) noexcept {
-  return phase_s <= step.duration_s ? phase_s : 2.0 * step.duration_s - phase_s;
-}
+ private:
+  Vec3d translation_{0.0};
+  Quatd rotation_ = quat_xyzw(0.0, 0.0, 0.0, 0.0);
+  double weight_ = 0.0;
+};
 
 }  // namespace
 
@@ -50,12 +51,16 @@ DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const Roo
 
 DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                       const PlaybackStep& step) noexcept {
-  const auto place = [&](double time_s) { return root_place(root, rest, parts, time_s); };
-  const DualQuatd back = dual_quat_conjugate(place(clip_time_s(step, step.from_s)));
-  const DualQuatd to = place(clip_time_s(step, step.to_s));
-  if (step.mode != PlayMode::loop || step.to_turns == step.from_turns) return normalised(back * to);
-  const DualQuatd round = place(step.duration_s) * dual_quat_conjugate(place(0.0));
-  return normalised(back * power(round, step.to_turns - step.from_turns) * to);
+  return carried_motion([&](double time_s) { return root_place(root, rest, parts, time_s); }, step);
+}
+
+BlendedRoot blend_root_motion(std::span<const RootShare> shares) noexcept {
+  RigidMean motion, place;
+  for (const RootShare& share : shares) {
+    motion.add(share.motion, share.weight);
+    place.add(share.place, share.weight);
+  }
+  return {motion.mean(), place.mean()};
 }
 
 DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept {

@@ -42,7 +42,7 @@ HWY_INLINE auto same_rotation(const TransformLanes& a, const TransformLanes& b) 
   return hn::And(hn::And(hn::Eq(a.rx, b.rx), hn::Eq(a.ry, b.ry)), hn::And(hn::Eq(a.rz, b.rz), hn::Eq(a.rw, b.rw)));
 }
 
-/// Adds one vector of joints from `j` on.
+/// Adds the layer for one vector of joints, starting at joint `j`.
 HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
   const Floats d;
   const TransformLanes pose = load(job.pose, j), layer = load(job.layer, j), reference = load(job.reference, j);

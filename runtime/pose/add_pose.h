@@ -2,17 +2,17 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
 
-/// Additive layer: adds to a pose the difference of a layer from a reference pose (breathing, aiming, a limp).
+/// Adds an additive layer (breathing, aiming, a limp) to a pose. The delta is the layer minus its reference pose.
 /// eq   t' = t + w (t_l - t_r);  q' = normalise(((1 - w) 1 + w d) q), d = q_l conj(q_r), negated where its w < 0;
 ///      s' = s (1 + w (s_l / s_r - 1)), per component, s_l / s_r = 1 where s_r = 0
-/// in   layer, reference  of the same joints as `pose`;   weight  finite, >= 0: 1 adds the whole difference
+/// in   layer, reference  poses of the same joints as `pose`;   weight  finite, >= 0; 1 adds the whole delta
 ///      joint_weights[J]  multiply `weight` per joint; empty = all ones
-/// out  pose  in place. Joints of weight 0 keep their bits; so does every joint where layer and reference are equal.
+/// out  pose  changed in place. Joints of weight 0 keep their bits, and so do joints whose layer equals the reference.
 /// err  size_mismatch, not_finite, negative_weight     cost O(J), no allocation
 struct AddPoseJob {
   PoseSpan layer, reference;
@@ -22,6 +22,6 @@ struct AddPoseJob {
 };
 
 ErrorCode check(const AddPoseJob& job) noexcept;
-void run(const AddPoseJob& job) noexcept;
+void run_unchecked(const AddPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #include "runtime/pose/blend_poses.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -10,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/blend_poses.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/math/negligible.h"
 #include "runtime/pose/simd/pose_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,14 +22,14 @@ HWY_INLINE void add(Rotations& sum, const Rotations& q) {
   sum = {hn::Add(sum.x, q.x), hn::Add(sum.y, q.y), hn::Add(sum.z, q.z), hn::Add(sum.w, q.w)};
 }
 
-/// The weight, negated where a rotation is not on the side of the pivot; sign(0) = +1.
+/// The weight, negated in lanes where the rotation is in the hemisphere opposite to the pivot; sign(0) = +1.
 HWY_INLINE Lanes turned(Lanes weight, const Rotations& q, const Rotations& pivot) {
   const Floats d;
   return hn::Xor(weight, hn::IfThenElseZero(hn::Lt(dot4(pivot, q), hn::Zero(d)), hn::SignBit(d)));
 }
 
-/// The mean of the rotations from joint `j` on: the aligned sum by the total weight and by its length. The sum has at
-/// least the pivot's share of the total as length, so there is always a direction.
+/// Mean rotations of the joints from `j` on: the hemisphere-aligned sum, divided by the total weight and made unit. The
+/// sum is at least as long as the pivot's share of the weight, so it always has a direction.
 template <class Terms>
 HWY_INLINE Rotations mean_rotation(const Terms& terms, const Rotations& pivot, std::size_t stride, std::size_t j) {
   const auto weighted = [&](std::size_t i) HWY_ATTR {
@@ -60,8 +62,8 @@ HWY_INLINE void add(Vectors& sum, const Vectors& v) {
          hn::Add(sum.sx, v.sx), hn::Add(sum.sy, v.sy), hn::Add(sum.sz, v.sz)};
 }
 
-/// The mean of the translations and scales from joint `j` on. Apart from the rotations: the sums of whole transforms
-/// would not fit into sixteen registers.
+/// Mean translations and scales of the joints from `j` on. Computed apart from the rotations, because sums of whole
+/// transforms do not fit into sixteen registers.
 template <class Terms>
 HWY_INLINE Vectors mean_vectors(const Terms& terms, std::size_t stride, std::size_t j) {
   const auto weighted = [&](std::size_t i)
@@ -82,7 +84,7 @@ HWY_INLINE void store(const Vectors& v, float* planes, std::size_t stride, std::
   hn::StoreU(v.sz, d, s + 2 * stride);
 }
 
-/// Poses and weights of one vector of joints, whose weights differ from joint to joint.
+/// Poses and weights for one vector of joints. Each lane may have its own weights.
 class LaneTerms {
  public:
   HWY_INLINE LaneTerms(const BlendPosesJob& job, std::size_t j)
@@ -120,15 +122,15 @@ class LaneTerms {
     if (i == job_.layers.size()) return rest_weight_;
     return i < kKept ? kept_[i] : weight_of(job_.layers[i], j_);
   }
-  bool is_pivot(std::size_t) const { return false; }  // of all lanes
+  bool is_pivot(std::size_t) const { return false; }  // each lane has its own pivot
   bool sums_to_one() const { return false; }
   HWY_INLINE Lanes by_total() const { return hn::Div(hn::Set(Floats(), 1.0f), total_); }
   const Rotations& pivot() const { return pivot_; }
-  /// Where nothing is to be blended: one layer counts, or none, and rest takes its place.
+  /// Lanes without blending: a single layer has all the weight, or no layer has any and the rest pose is used.
   hn::Mask<Floats> alone() const { return alone_; }
 
  private:
-  static constexpr std::size_t kKept = 8;  ///< weights that are worked out once
+  static constexpr std::size_t kKept = 8;  ///< weights computed once; those of further layers are computed on each use
 
   const BlendPosesJob& job_;
   std::size_t j_;
@@ -137,7 +139,7 @@ class LaneTerms {
   hn::Mask<Floats> alone_;
 };
 
-/// The transform of the layer with the largest weight, of rest where no layer has any.
+/// The transform of the layer with the largest weight; the rest pose if no layer has weight.
 HWY_INLINE TransformLanes heaviest(const BlendPosesJob& job, std::size_t j) {
   TransformLanes found = load(job.rest, j);
   Lanes largest = hn::Zero(Floats());
@@ -149,8 +151,7 @@ HWY_INLINE TransformLanes heaviest(const BlendPosesJob& job, std::size_t j) {
   return found;
 }
 
-/// Blends one vector of joints from `j` on. Where nothing is to be blended, the one transform that counts comes out bit
-/// for bit.
+/// Blends one vector of joints, starting at joint `j`. Joints without blending copy their one transform bit for bit.
 void blend_lanes(const BlendPosesJob& job, std::size_t j) {
   const Floats d;
   const LaneTerms terms(job, j);
@@ -162,7 +163,7 @@ void blend_lanes(const BlendPosesJob& job, std::size_t j) {
   store(hn::AllFalse(d, terms.alone()) ? blended : choose(terms.alone(), heaviest(job, j), blended), job.pose, j);
 }
 
-/// Poses and weights that are the same for all joints: of layers without masks, at most kMost poses with rest.
+/// Poses and weights that are the same for all joints, for layers without masks. At most kMost poses including rest.
 class EqualTerms {
  public:
   static constexpr std::size_t kMost = 16;
@@ -185,7 +186,7 @@ class EqualTerms {
     if (rest_weight > largest) pivot_ = count_;
     if (rest_weight > 0.0f) put(job.rest.planes, rest_weight);
     if (count_ != 2 || pivot_ == 0) return;
-    std::swap(planes_[0], planes_[1]);  // sums of two are the same either way
+    std::swap(planes_[0], planes_[1]);  // a sum of two terms does not depend on their order
     std::swap(weights_[0], weights_[1]);
     pivot_ = 0;
   }
@@ -210,12 +211,12 @@ class EqualTerms {
   std::size_t count_ = 0, pivot_ = 0;
 };
 
-/// The same of a known number of poses, and which of them is the pivot: loops over them are unrolled, and what they
-/// need stays in registers.
+/// EqualTerms with the number of poses and the pivot known at compile time. Loops over poses are unrolled, and their
+/// operands stay in registers.
 template <std::size_t kCount, std::size_t kPivot>
 class CountedTerms {
  public:
-  static constexpr bool kPlanesAtOnce = kCount < 4;  ///< their addresses fit into registers
+  static constexpr bool kPlanesAtOnce = kCount < 4;  ///< the addresses of all planes then fit into registers
 
   HWY_INLINE explicit CountedTerms(const EqualTerms& terms)
       : sums_to_one_(terms.sums_to_one()), by_total_(terms.by_total()) {
@@ -239,7 +240,7 @@ class CountedTerms {
   Lanes weights_[kCount], by_total_;
 };
 
-/// The mean of the floats from `begin` to `end` of each pose; short vectors go in pairs.
+/// The mean of the floats [begin, end) of each pose. Short vectors are processed in pairs.
 template <class Terms>
 HWY_INLINE void blend_floats(const Terms& terms, std::size_t begin, std::size_t end, float* out) {
   const Floats d;
@@ -257,8 +258,8 @@ HWY_INLINE void blend_floats(const Terms& terms, std::size_t begin, std::size_t 
   }
 }
 
-/// The means of all translations and scales: all planes in one loop, or plane after plane where each plane of each pose
-/// would take more addresses than there are registers.
+/// The means of all translations and scales. All planes are blended in one loop if their addresses fit into registers;
+/// otherwise plane after plane.
 template <class Terms>
 HWY_INLINE void blend_vectors(const Terms& terms, float* out, std::size_t stride, std::size_t joints) {
   using P = PoseSpan;
@@ -285,7 +286,7 @@ HWY_NOINLINE void blend_counted(const BlendPosesJob& job, const EqualTerms& term
   blend_equally(job, CountedTerms<kCount, kPivot>(terms));
 }
 
-/// The same means as blend_lanes, reading each pose once.
+/// The same means as blend_lanes, but each pose is read only once.
 void blend_without_masks(const BlendPosesJob& job) {
   using Blend = void (*)(const BlendPosesJob&, const EqualTerms&);
   constexpr Blend three[] = {blend_counted<3, 0>, blend_counted<3, 1>, blend_counted<3, 2>},
@@ -328,12 +329,10 @@ ErrorCode check_weight(float w) noexcept {
 
 ErrorCode check(const BlendPosesJob& job) noexcept {
   const std::size_t joints = job.pose.joint_count;
-  const auto fits = [&](const PoseSpan& p) {
-    return p.joint_count == joints && p.stride == PoseSpan::stride_for(joints) && (joints == 0 || p.planes != nullptr);
-  };
-  if (!fits(job.pose) || !fits(job.rest)) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, joints) || !is_pose_of(job.rest, joints)) return ErrorCode::size_mismatch;
+  if (!have_memory(job.layers)) return ErrorCode::size_mismatch;
   for (const BlendLayer& layer : job.layers) {
-    if (!fits(layer.pose)) return ErrorCode::size_mismatch;
+    if (!is_pose_of(layer.pose, joints) || !have_memory(layer.joint_weights)) return ErrorCode::size_mismatch;
     if (!layer.joint_weights.empty() && layer.joint_weights.size() != joints) return ErrorCode::size_mismatch;
     if (const ErrorCode error = check_weight(layer.weight); error != ErrorCode::ok) return error;
     for (const float weight : layer.joint_weights)
@@ -342,7 +341,25 @@ ErrorCode check(const BlendPosesJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const BlendPosesJob& job) noexcept { HWY_DYNAMIC_DISPATCH(blend_all)(job); }
+void run_unchecked(const BlendPosesJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  HWY_DYNAMIC_DISPATCH(blend_all)(job);
+}
+
+void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,
+                   std::span<const float> others) noexcept {
+  double total = 0.0;
+  for (const BlendLayer& layer : layers) total += static_cast<double>(layer.weight);
+  const double rest_share = std::max(0.0, 1.0 - total);
+  const std::size_t count = first.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = static_cast<double>(layers[0].weight) * static_cast<double>(first[i]);
+    for (std::size_t l = 1; l < layers.size(); ++l)
+      sum += static_cast<double>(layers[l].weight) * static_cast<double>(others[(l - 1) * count + i]);
+    const double mean = (sum + rest_share * static_cast<double>(rest[i])) / (total + rest_share);
+    first[i] = flushed(static_cast<float>(mean));
+  }
+}
 
 }  // namespace sinew
 #endif  // HWY_ONCE

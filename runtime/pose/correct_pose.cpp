@@ -2,6 +2,7 @@
 #include "runtime/pose/correct_pose.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "runtime/math/negligible.h"
 #include "runtime/model/pose_basis.h"
@@ -15,7 +16,7 @@ void add(float& weight, double correction) noexcept {
   weight = flushed(static_cast<float>(static_cast<double>(weight) + correction));
 }
 
-/// eq   s' = clamp(s, 0, 1) / sum, where the sum is large enough
+/// eq   s' = clamp(s, 0, 1) / sum; fades out where the sum is below 0.01 (CorrectPoseJob)
 void make_partition(std::span<double> shares) noexcept {
   double sum = 0.0;
   for (double& share : shares) sum += share = std::clamp(share, 0.0, 1.0);
@@ -48,10 +49,13 @@ std::size_t scratch_size(const PoseCorrective& corrective) noexcept {
 
 ErrorCode check(const CorrectPoseJob& job) noexcept {
   if (!job.corrective || job.scratch.size() < scratch_size(*job.corrective)) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, job.pose.joint_count) || !have_memory(job.scratch, job.weights))
+    return ErrorCode::size_mismatch;
   return check(*job.corrective, job.pose.joint_count, job.weights.size());
 }
 
-void run(const CorrectPoseJob& job) noexcept {
+void run_unchecked(const CorrectPoseJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const PoseSamples& samples = job.corrective->samples;
   const std::size_t count = samples.sample_count(), weights = samples.weights.size();
   const std::span<double> basis = job.scratch.first(basis_size(samples));

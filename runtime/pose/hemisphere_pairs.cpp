@@ -7,13 +7,13 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kMostJoints = 4096;     ///< for which a table of all pairs is small
-constexpr std::size_t kMostEntries = 65'536;  ///< that vertices can name
+constexpr std::size_t kMaxJoints = 4096;     ///< limit for the table of all pairs of joints
+constexpr std::size_t kMaxEntries = 65'536;  ///< number of joints that 16-bit indices can name
 
 }  // namespace
 
 std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& skin) {
-  if (skin.joints.size() > kMostEntries) return {};
+  if (skin.joints.size() > kMaxEntries) return {};
   std::vector<std::uint32_t> entry_of(skeleton.joint_count(), kNone);
   std::vector<std::uint16_t> order(skin.joints.size());
   std::iota(order.begin(), order.end(), std::uint16_t{0});
@@ -22,7 +22,7 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
   std::vector<JointPair> edges;
   for (const std::uint16_t entry : order) {
     const std::uint32_t joint = skin.joints[entry];
-    std::uint32_t above = entry_of[joint] != kNone ? joint : skeleton.parents[joint];  // a joint may be there twice
+    std::uint32_t above = entry_of[joint] != kNone ? joint : skeleton.parents[joint];  // a skin may list a joint twice
     while (above != kNone && entry_of[above] == kNone) above = skeleton.parents[above];
     if (above != kNone) edges.push_back({static_cast<std::uint16_t>(entry_of[above]), entry});
     if (entry_of[joint] == kNone) entry_of[joint] = entry;
@@ -30,8 +30,8 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
   return edges;
 }
 
-std::vector<JointPair> sharing_pairs(const VertexInfluences& influences, std::size_t joint_count) {
-  if (joint_count > kMostJoints) return {};
+std::vector<JointPair> joint_pairs_of_vertices(const VertexInfluences& influences, std::size_t joint_count) {
+  if (joint_count > kMaxJoints) return {};
   std::vector<bool> seen(joint_count * joint_count, false);
   std::vector<JointPair> pairs;
   std::size_t vertices = 0;

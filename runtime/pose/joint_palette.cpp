@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -22,7 +23,7 @@
 namespace sinew {
 namespace {
 
-/// Splits a matrix that may have any degenerate case. Returns whether it stretches.
+/// The scalar path: splits any matrix, however degenerate. Returns true if it stretches.
 bool split_any_matrix(const JointMatrix& matrix, RigidStretch& out) noexcept;
 
 /// A stretch this close to the identity is rounding, not scale.
@@ -36,7 +37,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// The columns of a product of affine matrices, and its last row.
+/// Stores the columns of an affine matrix, and its last row.
 HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
 #if HWY_TARGET == HWY_SCALAR
   out = joint_matrix_from(m);
@@ -64,7 +65,7 @@ HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
 
 #if HWY_MAX_BYTES == 32 && HWY_TARGET != HWY_SCALAR
 
-/// Two skinning matrices at once, one a block.
+/// Two skinning matrices at once, one in each half of the vectors.
 HWY_INLINE void store_two_products(const Affine& model0, const Affine& bind0, const Affine& model1, const Affine& bind1,
                                    JointMatrix* out) {
   const TwoRowsTag d;
@@ -84,7 +85,7 @@ HWY_INLINE void store_two_products(const Affine& model0, const Affine& bind0, co
 
 #endif
 
-/// Returns whether all are as before.
+/// Returns true if all matrices equal `before` bit for bit.
 bool skinning_matrices(const JointPaletteJob& job) {
   const std::span<const std::uint32_t> joints = job.skin->joints;
   const auto matrix = [&](std::size_t i)
@@ -106,7 +107,7 @@ bool skinning_matrices(const JointPaletteJob& job) {
   return unchanged;
 }
 
-/// Matrices and their parts as planes: one float of each joint in a row.
+/// Matrices and their parts as planes: each row has one float of every joint.
 struct SplitPlanes {
   static constexpr std::size_t kJoints = 16;
   HWY_ALIGN float linear[9][kJoints];  ///< columns of the matrices
@@ -156,7 +157,7 @@ HWY_INLINE void load_planes(const JointMatrix* const (&from)[4], std::size_t j, 
   hn::Store(t.z, d, to.translation[2] + j);
 }
 
-/// Dual parts, by the operations of dual_quat_from in their order.
+/// Dual parts, by the operations of dual_quat_from in the same order.
 /// eq   (t, 0) q / 2
 HWY_INLINE FourVectors<Four> dual_parts(const FourVectors<Four>& q, Four tx, Four ty, Four tz) {
   const FourTag d;
@@ -189,12 +190,12 @@ HWY_INLINE void store_planes(const SplitPlanes& from, std::size_t j, RigidStretc
 
 #endif
 
-/// What is known of the joints of one vector.
+/// Lanes whose decomposition was found, and lanes that are rigid.
 struct SplitLanes {
   DoubleMask found, rigid;
 };
 
-/// Splits the joints of one vector, from plane to plane.
+/// Splits the joints of one vector; reads and writes planes.
 HWY_INLINE SplitLanes split_lanes(SplitPlanes& planes, std::size_t j) {
   const Doubles d;
   const hn::Rebind<float, Doubles> f;
@@ -221,15 +222,14 @@ HWY_INLINE SplitLanes split_lanes(SplitPlanes& planes, std::size_t j) {
   return {polar.found, is_near_identity(s, kStretchTolerance)};
 }
 
-/// Bits of the lanes that are not in the mask.
+/// One bit for each lane that is not in the mask.
 HWY_INLINE std::uint32_t bits_not_in(DoubleMask mask) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(Doubles(), hn::Not(mask), bits);
   return bits[0];
 }
 
-/// Splits up to SplitPlanes::kJoints joints, and repeats the last one in the lanes past it. Returns whether one
-/// stretches.
+/// Splits up to SplitPlanes::kJoints joints; unused lanes repeat the last joint. Returns true if any joint stretches.
 HWY_INLINE bool split_block(const JointMatrix* palette, std::size_t count, RigidStretch* split) {
   constexpr std::size_t kLanes = hn::MaxLanes(Doubles()), kStep = std::max<std::size_t>(kLanes, 4);
   SplitPlanes planes;
@@ -298,24 +298,28 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
   const std::size_t count = job.skin->joints.size();
   if (job.skin->inverse_bind.size() != count || job.palette.size() < count) return ErrorCode::size_mismatch;
   if (!job.before.empty() && job.before.size() < count) return ErrorCode::size_mismatch;
+  if (!have_memory(job.model, job.palette, job.before)) return ErrorCode::size_mismatch;
   for (const std::uint32_t joint : job.skin->joints)
     if (joint >= job.model.size()) return ErrorCode::index_out_of_range;
   return ErrorCode::ok;
 }
 
-void run(const JointPaletteJob& job) noexcept {
+void run_unchecked(const JointPaletteJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const bool unchanged = HWY_DYNAMIC_DISPATCH(skinning_matrices)(job);
   if (job.unchanged) *job.unchanged = unchanged;
 }
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
+  if (!have_memory(job.palette, job.split, job.follow)) return ErrorCode::size_mismatch;
   const std::size_t count = job.palette.size();
   const auto outside = [count](const JointPair& pair) { return pair.first >= count || pair.second >= count; };
   if (std::any_of(job.follow.begin(), job.follow.end(), outside)) return ErrorCode::index_out_of_range;
   return job.split.size() < count ? ErrorCode::size_mismatch : ErrorCode::ok;
 }
 
-void run(const SplitPaletteJob& job) noexcept {
+void run_unchecked(const SplitPaletteJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const bool any_stretch = HWY_DYNAMIC_DISPATCH(split_palette)(job);
   for (const JointPair& pair : job.follow) {
     DualQuat& motion = job.split[pair.second].rigid;

@@ -18,19 +18,19 @@ namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The stride of a pose is a multiple of 16 joints, so that no vector reaches past its planes.
+/// The stride of a pose is a multiple of 16 joints, so vectors of up to 16 lanes stay within its planes.
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
-/// Joints are composed in chunks; one bit per joint of a chunk says whether to compose it.
+/// Joints are composed in chunks. A chunk has one bit per joint that says if it is composed.
 constexpr std::size_t kChunk = 64;
 using Chosen = std::uint64_t;
 
-/// Local matrices of a chunk, in the order in which transposing within blocks leaves them.
+/// Local matrices of a chunk, in the order that transposing within 128-bit blocks produces.
 struct LocalMatrices {
   HWY_ALIGN float rows[3][kChunk * 4];
 
-  /// place(i + k) = place(i) + place(k) for i a multiple of 4 and k < 4; with 16 lanes, of 8 and k < 8 as well.
+  /// place(i + k) = place(i) + place(k) for i a multiple of 4 and k < 4. With 16 lanes also for 8.
   static constexpr std::size_t place(std::size_t joint) {
     constexpr std::size_t kLanes = hn::MaxLanes(Floats());
     return kLanes < 4 ? 4 * joint : joint / kLanes * kLanes * 4 + joint % 4 * kLanes + joint % kLanes / 4 * 4;
@@ -38,7 +38,7 @@ struct LocalMatrices {
   RowsAt at(std::size_t place) const { return {rows[0] + place, rows[1] + place, rows[2] + place}; }
 };
 
-/// One row of every joint, from its components.
+/// Stores one matrix row of every joint, given its components.
 HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
   const Floats d;
 #if HWY_TARGET == HWY_SCALAR
@@ -53,8 +53,8 @@ HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
 #endif
 }
 
-/// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28);
-///      doubled factors give the same bits as doubled products
+/// eq   T * R * S as affine_from_transform, one joint per lane, with separate multiplications and additions so that all
+///      targets give the same bits. Doubling factors gives the same bits as doubling products.
 HWY_INLINE void store_matrices(const float* translations, std::size_t stride, float* x_row) {
   const Floats d;
   const auto plane = [&](std::size_t p) HWY_ATTR { return hn::LoadU(d, translations + p * stride); };
@@ -73,8 +73,8 @@ HWY_INLINE void store_matrices(const float* translations, std::size_t stride, fl
             plane(P::tz), x_row + 8 * kChunk);
 }
 
-/// Replaces T * R * S by the matrices that the file gives (G50). A row is written with one store, since it is loaded
-/// back at once.
+/// Replaces T * R * S by the fixed matrices of the file. Each row is written by one store, because it is loaded back at
+/// once and the processor can then forward it.
 HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
   const hn::RebindToUnsigned<Floats> whole;
   const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
@@ -90,11 +90,11 @@ HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin
   }
 }
 
-/// Local matrices of a chunk. Not inlined: within another function some of its vectors would be spilled.
+/// Computes the local matrices of a chunk. Not inlined: inside another function some of its vectors would be spilled.
 HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen chosen, LocalMatrices& locals) {
   const std::size_t lanes = hn::Lanes(Floats());
   const Chosen of_vector = (Chosen{2} << (lanes - 1)) - 1;
-  const std::size_t stride = job.local.stride;  // copied: the stores might be to `job` for all that compilers know
+  const std::size_t stride = job.local.stride;  // a copy: the compiler must assume that stores could change `job`
   const float* translations = job.local.planes + begin;
   float* row = locals.rows[0];
   for (std::size_t i = 0; i < kChunk && chosen != 0; i += lanes, translations += lanes, row += 4 * lanes) {
@@ -148,7 +148,7 @@ class Composer {
 #else
 
 /// Composes joints chunk by chunk, parents first. The last eight matrices stay in registers and are selected by a
-/// predicted jump: reloading the matrix of the parent from memory would take nearly as long as the product.
+/// predicted jump. Loading the parent's matrix from memory would take nearly as long as the product.
 template <bool kSome>
 class Composer {
  public:
@@ -166,7 +166,7 @@ class Composer {
   }
 
  private:
-  /// in   composed  bit j % kChunk of joint j, of these joints and of the eight before
+  /// in   composed  bit j % kChunk is set for joint j if it is composed; covers these joints and the eight before them
   HWY_INLINE void compose_eight(const RowsAt& local, std::size_t joint, std::uint32_t chosen, Chosen composed) {
     const std::uint32_t* parents = parents_ + joint;
     Affine* model = model_ + joint;
@@ -201,13 +201,14 @@ class Composer {
 
   const std::uint32_t* parents_;
   Affine* model_;
-  Rows root_, last_[8];  // last_[j % 8] of joint j
-  Chosen before_ = 0;    // what was chosen of the chunk before
+  Rows root_, last_[8];  // last_[j % 8] is the matrix of joint j
+  Chosen before_ = 0;    // the bits of the previous chunk
 };
 
 #endif
 
-/// Bits of the joints of `only` from `next` on and below `end`, all of one chunk; `next` moves past them.
+/// The bits of the joints in `only`, from index `next` on, that are below `end`; all are of one chunk. `next` moves
+/// past them.
 Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::size_t& next) {
   const auto last = only.back() < end
                         ? only.end()
@@ -218,7 +219,7 @@ Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::
   return chosen;
 }
 
-/// Local matrices are made one chunk ahead of the chains of joints, which wait for the products of their parents.
+/// Local matrices are made one chunk ahead, so that this work overlaps with products that wait for their parents.
 template <bool kSome>
 HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
   LocalMatrices locals;
@@ -247,8 +248,8 @@ ErrorCode check(const LocalToModelJob& job) noexcept {
   if (!job.skeleton) return ErrorCode::size_mismatch;
   const std::size_t count = job.skeleton->joint_count();
   if (job.local.joint_count < count || job.model.size() < count) return ErrorCode::size_mismatch;
-  if (job.local.stride != PoseSpan::stride_for(job.local.joint_count)) return ErrorCode::size_mismatch;
-  if (count > 0 && !job.local.planes) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.local, job.local.joint_count) || !have_memory(job.model, job.only))
+    return ErrorCode::size_mismatch;
   if (!job.only.empty() && job.only.back() >= count) return ErrorCode::index_out_of_range;
   const auto* pose_begin = reinterpret_cast<const std::byte*>(job.local.planes);
   const auto* pose_end = pose_begin + PoseSpan::plane_count * job.local.stride * sizeof(float);

@@ -4,16 +4,17 @@
 #include <span>
 
 #include "runtime/animation/skeleton.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
 
 /// Model-space transform of every joint, parents first.
 /// eq   M[j] = M[parent(j)] * T(j) * R(j) * S(j); roots start from `root`   (glTF 2.0, "Transformations")
-///      A joint with a fixed matrix uses that matrix in place of T * R * S (G50).
+///      A joint with a fixed matrix (a glTF node with `matrix`) uses that matrix in place of T * R * S.
 /// in   skeleton   parents[j] < j;   local[J]  unit quaternions
-///      only       increasing indices of the joints to compose; `model` holds the others already. Empty = all joints
+///      only       increasing indices of the joints to compose; `model` already holds the other joints. Empty = all
+///      joints
 /// out  model[J]   must not overlap `local`
 /// err  size_mismatch, index_out_of_range, overlapping_buffers     cost O(J), or O(joints of `only`); no allocation
 struct LocalToModelJob {
@@ -25,6 +26,6 @@ struct LocalToModelJob {
 };
 
 ErrorCode check(const LocalToModelJob& job) noexcept;
-void run(const LocalToModelJob& job) noexcept;
+void run_unchecked(const LocalToModelJob& job) noexcept;
 
 }  // namespace sinew

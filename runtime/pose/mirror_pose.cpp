@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Copies every float from its place, negated where the highest bit says so.
+/// Copies every float from its source, negated if the highest bit of its index is set.
 HWY_INLINE void copy_all(const MirrorPoseJob& job) {
   const Floats d;
   const Indices of_index;
@@ -28,7 +28,7 @@ HWY_INLINE void copy_all(const MirrorPoseJob& job) {
   }
 }
 
-/// The sum of a row's products, in single multiplications and additions (N27).
+/// The sum of a row's products. Separate multiplications and additions: all targets give the same bits.
 template <std::size_t kCount>
 HWY_INLINE Lanes row_sum(const float* factors, std::size_t plane, const Lanes (&in)[kCount]) {
   const Floats d;
@@ -37,8 +37,8 @@ HWY_INLINE Lanes row_sum(const float* factors, std::size_t plane, const Lanes (&
   return sum;
 }
 
-/// Replaces `kCount` planes from `first` on of the joints that copies are not enough for.
-/// in   finish(out)  what is done with the sums of a vector of joints
+/// Recomputes `kCount` planes, starting at `first`, for the joints that need sums of products.
+/// in   finish(out)  postprocesses the sums of one vector of joints
 template <std::size_t kCount, class Finish>
 HWY_INLINE void sum_all(const MirrorPoseJob& job, const MirroredSums& sums, PoseSpan::Plane first,
                         const Finish& finish) {
@@ -88,13 +88,13 @@ bool all_copied(const std::array<MirrorRow<kCount>, kCount>& rows) noexcept {
   return std::all_of(rows.begin(), rows.end(), [](const MirrorRow<kCount>& row) { return copied_entry(row) != 0; });
 }
 
-/// Where one property of a pose lies, and the joints that its sums are for.
+/// Where one property of a pose lies, and the joints that need sums for it.
 struct PropertyTables {
   std::size_t stride, first_plane;
   std::vector<std::uint32_t>& copies;
   MirroredSums& sums;
 
-  /// The property of joint `p` is copied from its source, or is one of the sums.
+  /// Adds joint `p`: its property is copied from the source, or becomes one of the sums.
   template <std::size_t kCount>
   void add(std::uint32_t p, std::uint32_t source, const std::array<MirrorRow<kCount>, kCount>& rows, bool has_offset) {
     if (has_offset || !all_copied(rows)) {
@@ -110,7 +110,7 @@ struct PropertyTables {
     }
   }
 
-  /// Fills the groups up and writes `entry_count` planes of factors.
+  /// Pads the groups and writes `entry_count` planes of factors.
   template <class Entry>
   void finish(std::size_t entry_count, const Entry& entry) {
     while (sums.joints.size() % kGroup != 0) {
@@ -149,10 +149,8 @@ MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints) {
 
 ErrorCode check(const MirrorPoseJob& job) noexcept {
   if (job.tables == nullptr) return ErrorCode::size_mismatch;
-  const std::size_t joints = job.tables->joint_count, stride = PoseSpan::stride_for(joints);
-  for (const PoseSpan* pose : {&job.pose, &job.mirrored})
-    if (pose->joint_count != joints || pose->stride != stride || (joints > 0 && pose->planes == nullptr))
-      return ErrorCode::size_mismatch;
+  const std::size_t joints = job.tables->joint_count;
+  if (!is_pose_of(job.pose, joints) || !is_pose_of(job.mirrored, joints)) return ErrorCode::size_mismatch;
   return joints > 0 && job.pose.planes == job.mirrored.planes ? ErrorCode::size_mismatch : ErrorCode::ok;
 }
 

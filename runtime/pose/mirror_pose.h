@@ -5,33 +5,33 @@
 #include <vector>
 
 #include "runtime/animation/mirror_map.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
 
-/// Joints of which one property is a sum of products, in groups of 16 for the lanes of a kernel.
+/// Joints whose mirrored translation, rotation or scale needs sums of products. Padded to groups of 16 for SIMD lanes.
 struct MirroredSums {
-  std::vector<std::uint32_t> joints, sources;  ///< [count] padded to a multiple of 16 by the last one
-  std::vector<float> factors;                  ///< a plane of [count] for each entry: rows, then offsets
+  std::vector<std::uint32_t> joints, sources;  ///< [count] padded to a multiple of 16 by repeating the last one
+  std::vector<float> factors;  ///< one plane of [count] floats per matrix entry: the rows, then the offsets
 };
 
-/// A MirrorMap as mirror_pose reads it. Made once; immutable.
+/// A MirrorMap prepared for MirrorPoseJob. Made once; immutable.
 struct MirrorTables {
   std::size_t joint_count = 0;
-  /// [floats of a pose] for each float of the mirrored pose the index of the float that it copies; the highest bit
+  /// [floats of a pose] For each float of the mirrored pose, the index of the source float to copy. The highest bit
   /// negates it.
   std::vector<std::uint32_t> copies;
-  MirroredSums translation, rotation, scale;  ///< of joints that copies are not enough for
+  MirroredSums translation, rotation, scale;  ///< joints for which copying and negating is not enough
 };
 
-/// in   joints  of MirrorMap, or of some joints alone with sources among them
+/// in   joints  of a MirrorMap, or a subset that contains its own sources
 /// cost O(J), allocates
 MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints);
 
-/// The mirrored pose: each joint gets what its partner has, reflected.
-/// eq   that of make_mirror_map (mirror_map.h), in float. Rotations that are sums of products are normalised; the
-///      others, and all that copies and negates, keep their bits.
+/// Mirrors a pose: each joint gets the reflected transform of its partner on the other side.
+/// eq   as make_mirror_map (mirror_map.h), in float. Rotations that are sums of products are normalised. Values that
+///      are only copied or negated keep their bits.
 /// in   pose  of the tables' joint count
 /// out  mirrored  the same shape; must not overlap pose
 /// err  size_mismatch     cost O(J), no allocation
@@ -42,6 +42,6 @@ struct MirrorPoseJob {
 };
 
 ErrorCode check(const MirrorPoseJob& job) noexcept;
-void run(const MirrorPoseJob& job) noexcept;
+void run_unchecked(const MirrorPoseJob& job) noexcept;
 
 }  // namespace sinew

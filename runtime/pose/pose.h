@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// View of the local transforms of J joints as structure of arrays: ten planes (translation xyz, rotation xyzw, scale
-/// xyz) of `stride` floats each. `stride` is J rounded up to a multiple of 16, so that vectors may reach past the
-/// last joint. Planes start on 64-byte boundaries. Owns nothing.
+/// View of the local transforms of J joints as structure of arrays. Owns nothing. There are ten planes (translation
+/// xyz, rotation xyzw, scale xyz) of `stride` floats each. `stride` is J rounded up to a multiple of 16, so that SIMD
+/// code may read and write past the last joint. Planes start on 64-byte boundaries.
 struct PoseSpan {
   enum Plane : std::size_t { tx, ty, tz, rx, ry, rz, rw, sx, sy, sz, plane_count };
 
@@ -18,7 +18,7 @@ struct PoseSpan {
   std::size_t stride = 0;
 
   static constexpr std::size_t stride_for(std::size_t joint_count) noexcept { return (joint_count + 15) / 16 * 16; }
-  /// Floats that a buffer of `joint_count` joints takes.
+  /// Number of floats in a buffer for `joint_count` joints.
   static constexpr std::size_t floats_for(std::size_t joint_count) noexcept {
     return plane_count * stride_for(joint_count);
   }
@@ -45,6 +45,12 @@ struct PoseSpan {
     plane(rw)[j] = rotation.w;
   }
 };
+
+/// True if `pose` is a usable view of `joint_count` joints: it has memory and the stride of that count.
+inline bool is_pose_of(const PoseSpan& pose, std::size_t joint_count) noexcept {
+  return pose.joint_count == joint_count && pose.stride == PoseSpan::stride_for(joint_count) &&
+         (joint_count == 0 || pose.planes != nullptr);
+}
 
 /// A view over `memory`, which must be 64-byte aligned and hold PoseSpan::floats_for(joint_count) floats.
 inline PoseSpan pose_over(std::span<float> memory, std::size_t joint_count) noexcept {

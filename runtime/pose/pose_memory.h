@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// Owns the memory of one pose, for code outside of frames, and gives a view of it.
+/// Owns the memory of one pose. For code outside of frames: frame buffers hold their poses themselves.
 class PoseMemory {
  public:
   explicit PoseMemory(std::size_t joint_count)

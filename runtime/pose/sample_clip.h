@@ -2,18 +2,19 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
 
-/// Local pose of every joint, all morph weights and all animated properties at one time of a clip. What the clip does
-/// not animate gets its rest value (G22). Times outside the clip clamp per track (G10).
+/// Samples a clip at one time: the local pose of every joint, all morph weights and all animated properties. Joints,
+/// weights and properties that the clip does not animate get their rest values. Each track clamps to its own first and
+/// last key.
 /// eq   as BoneAnimation::interpolate, in float
 /// in   time_s         seconds in the clip
-///      holds_clip     `pose` holds a sample of this clip already: joints that it does not animate are not written
-///      (P01)
+///      holds_clip     `pose` already holds a sample of this clip, so joints that it does not animate are not written
+///      again
 /// out  pose           of the clip's joint count;   weights[W]  of the clip's weight count; empty = not wanted
 ///      properties[P]  of the clip's property count; empty = not wanted
 /// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation
@@ -27,6 +28,6 @@ struct SampleClipJob {
 };
 
 ErrorCode check(const SampleClipJob& job) noexcept;
-void run(const SampleClipJob& job) noexcept;
+void run_unchecked(const SampleClipJob& job) noexcept;
 
 }  // namespace sinew

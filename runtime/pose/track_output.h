@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Output of one block of tracks: planes `plane_stride` floats apart; the target of a track is its index in each
+/// Where one block of tracks is written: planes `plane_stride` floats apart. A track writes to its target index in each
 /// plane.
 struct TrackOutput {
   float* first_plane = nullptr;
@@ -15,11 +15,11 @@ struct TrackOutput {
   float* plane(std::size_t component) const noexcept { return first_plane + component * plane_stride; }
 };
 
-/// Position between two keys, shared by all tracks of a group.
+/// Position between two keys. All tracks of a group share it.
 struct BetweenKeys {
   std::size_t key;
   double fraction, interval_s;
-  float s, r;  ///< fraction of the interval, and 1 - s
+  float s, r;  ///< fraction of the interval, and 1 - fraction
 
   explicit BetweenKeys(const KeyPosition& at) noexcept
       : key(at.key),
@@ -29,14 +29,15 @@ struct BetweenKeys {
         r(static_cast<float>(1.0 - at.fraction)) {}
 };
 
-/// Rows of the two packed keys that enclose a time; at a key, both are the row of that key.
+/// Rows of the two packed keys around a time; exactly at a key, both are the row of that key.
 struct PackedKeys {
   const std::uint8_t *begin, *end;
   float s, r;
-  std::size_t power;  ///< of the series of slerp (slerp_series.h)
+  std::size_t power;  ///< the highest power of the slerp series that these keys need (slerp_series.h)
 };
 
-/// Weights of the Hermite form; those of tangents include the interval. Computed in double (N24).
+/// Weights of the cubic Hermite form. Tangent weights include the interval. Computed in double and rounded to float
+/// once.
 struct HermiteWeights {
   float value0, out0, value1, in1;
 
@@ -49,7 +50,8 @@ struct HermiteWeights {
   }
 };
 
-/// Whether a property is one of joints. The targets of other blocks are consecutive.
+/// True for translation, rotation and scale tracks. Their targets are joint indices; targets of weights and properties
+/// are consecutive.
 inline bool moves_joints(Property property) noexcept { return property < Property::weight; }
 
 inline std::size_t component_count(Property property) noexcept {

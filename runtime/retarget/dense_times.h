@@ -6,12 +6,12 @@
 
 namespace sinew {
 
-/// Times at which a motion is looked at that is no key: the given ones, each once, and between two of them equal steps
-/// of at most a 60th of a second. Internal to retarget/
-/// in   keys  one at least, in any order
+/// Sample times for motions that have no keys of their own: the given times, each once and rising. Gaps are filled in
+/// equal steps of at most 1/60 s. Internal to retarget/
+/// in   keys  at least one, in any order
 std::vector<double> dense_times(std::vector<double> keys);
 
-/// Those of all keys of joints, and of both ends.
+/// Same, from the key times of all joints and both ends of the animation.
 std::vector<double> dense_times(const Animation& animation);
 
 }  // namespace sinew

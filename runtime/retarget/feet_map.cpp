@@ -29,7 +29,7 @@ std::size_t place_in(const std::vector<LegJoint>& joints, std::uint32_t joint) {
   return static_cast<std::size_t>(found - joints.begin());
 }
 
-/// The chain of a leg whose joints lie one below another; nothing for other joints.
+/// The chain of a leg; nothing if its joints are not descendants of each other.
 std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg) {
   const auto chain_to = [&](std::uint32_t tip) {
     std::vector<LegJoint> joints;
@@ -52,7 +52,7 @@ std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg)
   return chain;
 }
 
-/// Where a knee goes that is straight: as it is bent at rest, else to where the toes point.
+/// Direction of the knee of a straight leg: as it is bent at rest, or else where the toes point.
 Vec3d bend_of(const LegPose<double>& rest, bool has_toes) {
   constexpr double kBent = 0.01;  // of the leg's length
   const Vec3d whole = rest.foot.place - rest.upper.place, along = normalised_or(whole, Vec3d(0, -1, 0));
@@ -63,7 +63,7 @@ Vec3d bend_of(const LegPose<double>& rest, bool has_toes) {
   return rotate_vector(quat_conjugate(rest.upper.rotation), normalised_or(bend, Vec3d(0, 0, 1)));
 }
 
-/// The hips: a joint at the top of the map that lies above all legs, and its place in their chains.
+/// Finds the hips, a joint at the top of the map and above all legs, and its index in their chains.
 void find_hips(const SkeletonMap& map, FeetMap& feet) {
   for (const MappedJoint& joint : map.joints) {
     if (joint.above_target != kNone) continue;

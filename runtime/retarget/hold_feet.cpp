@@ -3,29 +3,29 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 #include <vector>
 
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/two_bones.h"
 #include "runtime/retarget/dense_times.h"
-#include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/leg_pose.h"
 
 namespace sinew {
 namespace {
 
-/// The two poses that a foot is held between: how their joints are read, and how those of the target are written.
+/// Access to the two poses: reads joints of source and target, writes rotations of the target.
 template <class SourceLocal, class TargetLocal, class Set>
 struct FootPoses {
   SourceLocal source;  ///< (joint) -> TransformT<T>
   TargetLocal target;
-  Set set_rotation;  ///< (joint, rotation), of the target
+  Set set_rotation;  ///< (joint, rotation) of the target
 };
-template <class SourceLocal, class TargetLocal, class Set>  // clang deduces these of aggregates from version 17 on
+template <class SourceLocal, class TargetLocal, class Set>  // deduction guide, which clang before version 17 needs
 FootPoses(SourceLocal, TargetLocal, Set)->FootPoses<SourceLocal, TargetLocal, Set>;
 
-/// A leg of the target before it is held, and where its ankle goes.
+/// A leg of the target before it is held, and the goal of its ankle.
 template <class T>
 struct LegGoal {
   LegPose<T> pose;
@@ -42,10 +42,10 @@ LegGoal<T> leg_goal(const LegPair& leg, T ratio, T ground, const Poses& poses) {
   return goal;
 }
 
-/// How far the hips come down so that the leg reaches its goal, at most a fourth of its length. 0 below a parent that
-/// flattens space, in which no offset is that far.
+/// How far the hips must come down so that the leg reaches its goal, at most a fourth of its length. 0 if the parent of
+/// the hips flattens space, because no offset reaches that far.
 template <class T>
-T drop_of(const LegPair& leg, const LegGoal<T>& goal) {
+T hips_drop(const LegPair& leg, const LegGoal<T>& goal) {
   if (determinant(goal.pose.above_hips) == T(0)) return T(0);
   const TwoBonesT<T> bones{goal.pose.upper.place, goal.pose.lower.place, goal.pose.foot.place};
   const Vec3<T> way = bones.root - goal.ankle;
@@ -68,7 +68,8 @@ void hold_leg(const LegPair& leg, const LegGoal<T>& goal, const Vec3<T>& hips_of
   set(leg.target.foot, turns.lower * pose.foot.above, pose.foot.rotation);
 }
 
-/// The goals of all legs. Those of the first legs are kept, so that each is placed once; a leg is no part of another.
+/// The goals of all legs. The first legs' goals are stored, so that each leg is evaluated only once. Legs share no
+/// joint.
 template <class T, class Poses>
 class LegGoals {
  public:
@@ -90,13 +91,13 @@ class LegGoals {
   std::array<LegGoal<T>, kKept> kept_;
 };
 
-/// out  how far the hips go, in the space of their parent
+/// out  returns the offset of the hips, in the space of their parent
 template <class T, class Poses>
 Vec3<T> hold_all(const FeetMap& feet, T ground, const Poses& poses) {
   const LegGoals<T, Poses> goals(feet, ground, poses);
   T drop = T(0);
   for (std::size_t i = 0; feet.hips != kNone && i < feet.legs.size(); ++i)
-    drop = std::max(drop, drop_of(feet.legs[i], goals[i]));
+    drop = std::max(drop, hips_drop(feet.legs[i], goals[i]));
   Vec3<T> hips_offset(T(0));
   for (std::size_t i = 0; i < feet.legs.size(); ++i) {
     const LegPair& leg = feet.legs[i];
@@ -120,6 +121,8 @@ void hold_feet(const FeetMap& feet, double ground, std::span<const Transformd> p
 
 ErrorCode check(const HoldFeetJob& job) noexcept {
   if (job.feet == nullptr) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, job.pose.joint_count) || !is_pose_of(job.held, job.held.joint_count))
+    return ErrorCode::size_mismatch;
   const auto fits = [](const LegChain& chain, const PoseSpan& pose) {
     return std::all_of(chain.joints.begin(), chain.joints.end(),
                        [&](const LegJoint& joint) { return joint.joint < pose.joint_count; });
@@ -127,10 +130,12 @@ ErrorCode check(const HoldFeetJob& job) noexcept {
   const bool all_fit = std::all_of(job.feet->legs.begin(), job.feet->legs.end(), [&](const LegPair& leg) {
     return fits(leg.source, job.pose) && fits(leg.target, job.held);
   });
-  return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
+  const bool hips_fit = job.feet->hips == kNone || job.feet->hips < job.held.joint_count;
+  return all_fit && hips_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
-void run(const HoldFeetJob& job) noexcept {
+void run_unchecked(const HoldFeetJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const PoseSpan held = job.held;
   const FootPoses poses{[&](std::uint32_t j) { return job.pose.get(j); }, [&](std::uint32_t j) { return held.get(j); },
                         [&](std::uint32_t j, const glm::quat& rotation) { held.set_rotation(j, rotation); }};

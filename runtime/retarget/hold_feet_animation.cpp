@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/retarget/hold_feet_animation.h"
 
 #include <algorithm>
 #include <array>
@@ -7,13 +6,13 @@
 #include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/truth_pose.h"
 #include "runtime/retarget/dense_times.h"
-#include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/hold_feet.h"
+#include "runtime/retarget/leg_pose.h"
 
 namespace sinew {
 namespace {
 
-/// Keys of the joints that hold_feet writes, at each time.
+/// Collects the keys of the joints that hold_feet writes.
 class HeldKeys {
  public:
   explicit HeldKeys(const FeetMap& feet) : hips_(feet.hips) {
@@ -51,7 +50,7 @@ class HeldKeys {
   struct Leg {
     std::array<std::uint32_t, 3> joints;
     std::array<QuatTrack, 3> tracks;
-    bool turns = false;  ///< one of them differs from what the pose had
+    bool turns = false;  ///< any of them differs from the retargeted pose
   };
 
   std::vector<Leg> legs_;
@@ -60,10 +59,10 @@ class HeldKeys {
   bool hips_move_ = false;
 };
 
-/// One contact of an ankle or of toes while it lasts: how far it strays from where it came down.
+/// One ground contact of an ankle or of toes: measures how far it strays from where it came down.
 class Contact {
  public:
-  /// in   off  the part of its place that is not of the source's path
+  /// in   off  its place minus the source's scaled path
   void add(bool is_on, const Vec3<double>& off, FootSlide& slide) {
     if (!is_on) return end(slide);
     if (!is_on_) first_ = off;
@@ -116,7 +115,7 @@ FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, co
       const auto found = leg_pose<double>(leg.target, [&](std::uint32_t j) { return to.local[j]; });
       const FootContact<double> contact = foot_contact(leg, at, ground);
       const bool is_low = contact.held == 1.0;
-      // A foot that is flat stands on both.
+      // A flat foot stands on ankle and toes.
       ankles[l].add(is_low && contact.toes < 0.55, found.foot.place - contact.foot * feet.ratio, slide);
       toes[l].add(is_low && contact.toes > 0.45, found.toes.place - contact.ball * feet.ratio, slide);
     }

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// The words that say which part of a body it is, joined: without sides, prefixes of tools and numbers.
+/// The words of a name that denote a body part, joined. Sides, prefixes of tools and numbers are dropped.
 std::string part_of(std::string_view name) {
   static constexpr std::string_view kNoParts[] = {"left", "right", "l",    "r", "c",         "j", "b",    "bip", "def",
                                                   "org",  "cc",    "base", "f", "mixamorig", "",  "bone", "bend"};
@@ -41,7 +41,7 @@ std::string on_side(Side side, std::string_view bone) {
   return (side == Side::left ? "left" : "right") + std::string(bone);
 }
 
-/// The bone that a name alone says; kNone for spines and fingers, which are counted.
+/// The bone that a name alone identifies; kNone for spines and fingers, which are counted.
 std::uint32_t bone_by_name(const std::string& name) {
   const std::string part = part_of(name);
   const Side side = side_of(name);
@@ -60,7 +60,7 @@ bool is_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above
   return joint == above;
 }
 
-/// Names the joints between hips and neck, or head where there is no neck.
+/// Assigns the joints between hips and neck (or head, if there is no neck).
 void find_spine(const Skeleton& skeleton, std::vector<std::uint32_t>& joints) {
   const std::uint32_t hips = joints[0], neck = joints[4] != kNone ? joints[4] : joints[5];
   if (hips == kNone || neck == kNone || !is_below(skeleton, neck, hips)) return;
@@ -72,7 +72,7 @@ void find_spine(const Skeleton& skeleton, std::vector<std::uint32_t>& joints) {
   if (between.size() > 2) joints[3] = between.back();
 }
 
-/// Names the first three joints of each finger under a hand.
+/// Assigns the first three joints of each finger below a hand.
 void find_fingers(const Skeleton& skeleton, Side side, std::vector<std::uint32_t>& joints) {
   const std::uint32_t hand = joints[humanoid_bone(on_side(side, "Hand"))];
   if (hand == kNone) return;

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"
 
 namespace sinew {
@@ -65,22 +64,25 @@ inline constexpr std::array<std::string_view, 52> kHumanoidBones = {"hips",
                                                                     "rightLittleIntermediate",
                                                                     "rightLittleDistal"};
 
-/// Index of a humanoid bone in kHumanoidBones; kNone for a name that is none.
+/// Index of a name in kHumanoidBones; kNone if it is not a humanoid bone.
 std::uint32_t humanoid_bone(std::string_view name) noexcept;
 
-/// The joints that play the humanoid bones, by their names: those of VRM 1.0 and 0.x (leftUpperArm, J_Bip_L_UpperArm),
-/// Mixamo and CMU motion capture (mixamorig:LeftForeArm, LeftUpLeg), Unreal (lowerarm_l, calf_l, ball_l), Rigify
-/// (DEF-upper_arm.L, DEF-f_index.01.L), Daz (lShldrBend, lThighBend) and what is spelt like them. Joints between hips
-/// and neck are spine, chest and upper chest in their order, whatever they are called; fingers are counted from the
-/// hand on.
+/// Finds the joints of the humanoid bones by their names. It knows these naming schemes and their variants:
+///     VRM 1.0 and 0.x   leftUpperArm, J_Bip_L_UpperArm
+///     Mixamo, CMU       mixamorig:LeftForeArm, LeftUpLeg
+///     Unreal            lowerarm_l, calf_l, ball_l
+///     Rigify            DEF-upper_arm.L, DEF-f_index.01.L
+///     Daz               lShldrBend, lThighBend
+/// Joints between hips and neck become spine, chest and upper chest in this order, whatever their names. Finger bones
+/// are counted from the hand.
 /// out  [kHumanoidBones] a joint, or kNone     cost O(J log J), allocates
 std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
 
-/// The same where a file names the joints of the bones, for SkeletonMapOptions; empty where it names none of these.
+/// Same, for files that name the joint of each bone (SkeletonMapOptions). Empty if the file names no humanoid bone.
 std::vector<std::uint32_t> humanoid_bones_of(std::span<const NamedBone> bones);
 
-/// The joint above the hips that carries a character through the world, by its name ("root", "Root_Bone"); the topmost
-/// of several, kNone without one.     cost O(joints above the hips)
+/// The joint above the hips that carries a character through the world, by its name ("root", "Root_Bone"). The topmost
+/// if there are several, kNone if there is none.     cost O(joints above the hips)
 std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips);
 
 }  // namespace sinew

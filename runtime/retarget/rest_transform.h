@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Local transform of a joint at rest; a fixed matrix is taken apart. Internal to retarget/
+/// Local rest transform of a joint; a fixed matrix is decomposed. Internal to retarget/
 inline Transformd rest_transform(const Skeleton& skeleton, std::uint32_t joint) noexcept {
   const std::uint32_t fixed = skeleton.fixed_matrix_of[joint];
   if (fixed == kNone) return in_double(skeleton.rest[joint]);

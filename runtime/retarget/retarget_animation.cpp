@@ -15,23 +15,23 @@ namespace {
 using Quatd = Quat<double>;
 using Vec3d = Vec3<double>;
 
-/// The joint as its nearest mapped joint above sees it.
-struct Seen {
+/// The transform of a joint relative to its nearest mapped ancestor.
+struct RelativeTransform {
   Quatd rotation = quat_identity<double>();
   Vec3d place{0.0};
 };
 
-/// in   local(j)  transform of a joint of the source
+/// in   local(j)  returns the local transform of a source joint
 template <class Local>
-Seen seen(const MappedJoint& joint, const Skeleton& source, const Local& local) {
-  Seen seen;
+RelativeTransform relative_transform(const MappedJoint& joint, const Skeleton& source, const Local& local) {
+  RelativeTransform relative;
   for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) {
     const Transformd own = local(j);
-    seen.place =
-        j == joint.source ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * seen.place);
-    seen.rotation = j == joint.source ? own.rotation : own.rotation * seen.rotation;
+    relative.place =
+        j == joint.source ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * relative.place);
+    relative.rotation = j == joint.source ? own.rotation : own.rotation * relative.rotation;
   }
-  return seen;
+  return relative;
 }
 
 Vec3d mapped_place(const MappedJoint& joint, const Vec3d& rest, const Vec3d& place) noexcept {
@@ -41,7 +41,7 @@ Vec3d mapped_place(const MappedJoint& joint, const Vec3d& rest, const Vec3d& pla
 
 glm::quat in_float(const Quatd& q) noexcept { return quat_cast<float>(q); }
 
-/// The tracks of one joint of the target.
+/// Makes the tracks of one joint of the target.
 class JointBake {
  public:
   JointBake(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
@@ -69,8 +69,8 @@ class JointBake {
     if (of_joint.scale != nullptr) local.scale = sample_track<double>(*of_joint.scale, time_s);
     return local;
   }
-  Seen seen_at(double time_s) const {
-    return seen(joint_, source_, [&](std::uint32_t j) { return local_at(j, time_s); });
+  RelativeTransform relative_transform_at(double time_s) const {
+    return relative_transform(joint_, source_, [&](std::uint32_t j) { return local_at(j, time_s); });
   }
   Quatd mapped(const Quatd& seen_rotation) const { return joint_.before * seen_rotation * joint_.after; }
 
@@ -80,13 +80,13 @@ class JointBake {
       if (tracks_[j].rotation != nullptr) moved.push_back(j);
     if (moved.size() > 1) return sample_rotation(moved, track);
     if (moved.empty()) {
-      const Quatd held = normalised(mapped(seen_at(0.0).rotation));
+      const Quatd held = normalised(mapped(relative_transform_at(0.0).rotation));
       constexpr double kSame = 1e-6;
       if (rotation_angle_between(held, rest_.rotation) > kSame) track = {Interpolation::step, {0.0f}, {in_float(held)}};
       return;
     }
     Quatd above = quat_identity<double>(), below = quat_identity<double>();
-    bool is_above = false;  // the path goes up
+    bool is_above = false;  // true while walking up the path
     for (const std::uint32_t j : path_) {
       if (j == moved[0])
         is_above = true;
@@ -103,12 +103,12 @@ class JointBake {
   void sample_rotation(std::span<const std::uint32_t> moved, QuatTrack& track) const {
     std::vector<float> times;
     for (const std::uint32_t j : moved) add_times(*tracks_[j].rotation, times);
-    track = {Interpolation::linear, with_middles(std::move(times)), {}};
+    track = {Interpolation::linear, with_midpoints(std::move(times)), {}};
     for (const float t : track.times_s)
-      track.values.push_back(in_float(normalised(mapped(seen_at(static_cast<double>(t)).rotation))));
+      track.values.push_back(in_float(normalised(mapped(relative_transform_at(static_cast<double>(t)).rotation))));
   }
 
-  /// The place follows one track alone where nothing above it on the path moves.
+  /// The translation follows a single track if no joint above it on the path is animated.
   void bake_translation(Vec3Track& track) const {
     const JointTracks& own = tracks_[joint_.source];
     std::vector<float> times;
@@ -121,20 +121,21 @@ class JointBake {
     if (times.empty() && own.translation == nullptr) return;
     if (times.empty()) return map_translation(*own.translation, track);
     if (own.translation != nullptr) add_times(*own.translation, times);
-    track = {Interpolation::linear, with_middles(std::move(times)), {}};
+    track = {Interpolation::linear, with_midpoints(std::move(times)), {}};
     for (const float t : track.times_s)
-      track.values.emplace_back(mapped_place(joint_, rest_.translation, seen_at(static_cast<double>(t)).place));
+      track.values.emplace_back(
+          mapped_place(joint_, rest_.translation, relative_transform_at(static_cast<double>(t)).place));
   }
 
   void map_translation(const Vec3Track& from, Vec3Track& track) const {
     track = from;
     const auto place_of = [&](const Vec3d& own) {
-      return seen(joint_, source_,
-                  [&](std::uint32_t j) {
-                    Transformd local = rest_transform(source_, j);
-                    if (j == joint_.source) local.translation = own;
-                    return local;
-                  })
+      return relative_transform(joint_, source_,
+                                [&](std::uint32_t j) {
+                                  Transformd local = rest_transform(source_, j);
+                                  if (j == joint_.source) local.translation = own;
+                                  return local;
+                                })
           .place;
     };
     const Vec3d at_zero = mapped_place(joint_, rest_.translation, place_of(Vec3d(0.0)));
@@ -157,7 +158,7 @@ class JointBake {
   static void add_times(const Track<V>& track, std::vector<float>& times) {
     times.insert(times.end(), track.times_s.begin(), track.times_s.end());
   }
-  static std::vector<float> with_middles(std::vector<float> times) {
+  static std::vector<float> with_midpoints(std::vector<float> times) {
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     const std::size_t count = times.size();
@@ -170,9 +171,9 @@ class JointBake {
   const MappedJoint& joint_;
   const SkeletonMap& map_;
   const Skeleton& source_;
-  Transformd rest_;  // of the target's joint
+  Transformd rest_;  // of the target joint
   std::span<const JointTracks> tracks_;
-  std::vector<std::uint32_t> path_;  // from the joint up
+  std::vector<std::uint32_t> path_;  // source joints, from the joint up to its mapped ancestor
 };
 
 }  // namespace
@@ -181,7 +182,7 @@ void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleto
                    std::span<const Transformd> pose, std::span<Transformd> out) noexcept {
   for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = rest_transform(target, j);
   for (const MappedJoint& joint : map.joints) {
-    const Seen from = seen(joint, source, [&](std::uint32_t j) {
+    const RelativeTransform from = relative_transform(joint, source, [&](std::uint32_t j) {
       return source.fixed_matrix_of[j] == kNone ? pose[j] : rest_transform(source, j);
     });
     Transformd& to = out[joint.target];

@@ -18,8 +18,8 @@
 namespace sinew {
 namespace {
 
-/// Puts joints that are mapped over several into the scratch pose, as the mapped joint above sees them.
-PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
+/// Composes the chains of joints between mapped ones into the scratch pose, relative to the mapped ancestor.
+PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) noexcept;
 
 }  // namespace
 }  // namespace sinew
@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Replaces `kCount` planes from `first` on by `map(numbers of the source, factors, distance of their planes)`.
+/// Replaces `kCount` planes from `first` on by `map(source values, factors, stride of their planes)`.
 template <std::size_t kCount, class Map>
 HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, const PoseSpan& to, PoseSpan::Plane first,
                         const Map& map) {
@@ -44,7 +44,7 @@ HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, co
 }
 
 void map_joints(const RetargetPass& pass, const RetargetPoseJob& job) {
-  const PoseSpan from = with_composed(job, pass);
+  const PoseSpan from = compose_chains(job, pass);
   const auto copy = [&](const std::vector<std::uint32_t>(&joints)[2], PoseSpan::Plane first, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c)
       for (std::size_t i = 0; i < joints[0].size(); ++i)
@@ -93,38 +93,38 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-PoseSpan with_composed(const RetargetPoseJob& job, const RetargetPass& pass) noexcept {
+PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) noexcept {
   if (pass.composed.empty()) return job.pose;
   std::copy_n(job.pose.planes, PoseSpan::floats_for(job.pose.joint_count), job.scratch.planes);
-  for (const std::vector<StepDown>& way : pass.composed) {
-    Transform seen;
-    for (const StepDown& step : way) {
+  for (const std::vector<ChainJoint>& way : pass.composed) {
+    Transform relative;
+    for (const ChainJoint& step : way) {
       const Transform own = step.is_fixed ? step.local : job.pose.get(step.joint);
       const bool is_first = &step == way.data();
-      seen.translation =
-          is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * seen.translation);
-      seen.rotation = is_first ? own.rotation : own.rotation * seen.rotation;
+      relative.translation =
+          is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * relative.translation);
+      relative.rotation = is_first ? own.rotation : own.rotation * relative.rotation;
     }
-    seen.scale = job.pose.get(way.front().joint).scale;
-    job.scratch.set(way.front().joint, seen);
+    relative.scale = job.pose.get(way.front().joint).scale;
+    job.scratch.set(way.front().joint, relative);
   }
   return job.scratch;
 }
 
 constexpr std::size_t kGroup = 16;
 
-void fill_up(RetargetedJoints& joints) {
+void pad_to_groups(RetargetedJoints& joints) {
   while (joints.targets.size() % kGroup != 0) {
     joints.targets.push_back(joints.targets.back());
     joints.sources.push_back(joints.sources.back());
   }
 }
 
-/// Writes the planes of factors: `factors_of(joint)` of each, one after another.
+/// Writes the planes of factors; `factors_of(joint)` gives those of each joint.
 template <class FactorsOf>
 void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint*>& by_target,
                    const FactorsOf& factors_of) {
-  fill_up(joints);
+  pad_to_groups(joints);
   for (std::size_t i = 0; i < joints.targets.size(); ++i) {
     const auto factors = factors_of(*by_target[joints.targets[i]]);
     joints.factors.resize(factors.size() * joints.targets.size());
@@ -133,7 +133,7 @@ void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint
   }
 }
 
-/// Copies, or one of the joints of `mapped`.
+/// Adds a joint to the copies, or to `mapped`.
 void add(const MappedJoint& joint, bool is_copied, std::vector<std::uint32_t> (&copied)[2], RetargetedJoints& mapped) {
   (is_copied ? copied[0] : mapped.targets).push_back(joint.target);
   (is_copied ? copied[1] : mapped.sources).push_back(joint.source);
@@ -143,8 +143,8 @@ bool is_identity(const Quat<double>& q) noexcept {
   return q == quat_identity<double>() || q == -quat_identity<double>();
 }
 
-std::vector<StepDown> way_of(const MappedJoint& joint, const Skeleton& source) {
-  std::vector<StepDown> way;
+std::vector<ChainJoint> way_of(const MappedJoint& joint, const Skeleton& source) {
+  std::vector<ChainJoint> way;
   for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) {
     const Transformd rest = rest_transform(source, j);
     way.push_back({j,
@@ -166,7 +166,7 @@ Vec3<double> offset_of(const MappedJoint& joint, const Skeleton& target) noexcep
 
 void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                RetargetPass& pass) {
-  std::vector<StepDown> way = way_of(joint, source);
+  std::vector<ChainJoint> way = way_of(joint, source);
   const bool is_child = way.size() == 1;
   if (!is_child || way.front().is_fixed) pass.composed.push_back(std::move(way));
   add(joint, is_identity(joint.before) && is_identity(joint.after), pass.copied_rotations, pass.rotations);
@@ -179,19 +179,19 @@ void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton&
   pass.scales.sources.push_back(joint.source);
 }
 
-/// The joints of each pass.
+/// Distributes the joints over passes.
 std::vector<std::vector<const MappedJoint*>> in_passes(const SkeletonMap& map, std::size_t source_count) {
-  std::vector<std::vector<const MappedJoint*>> passes, seen;  // seen: [source joints] one that sees it
+  std::vector<std::vector<const MappedJoint*>> passes, users;  // users[pass][source joint]: a mapped joint that uses it
   for (const MappedJoint& joint : map.joints) {
     const auto is_taken = [&](const std::vector<const MappedJoint*>& by) {
       return by[joint.source] != nullptr && by[joint.source]->above_source != joint.above_source;
     };
-    const auto p = static_cast<std::size_t>(std::find_if_not(seen.begin(), seen.end(), is_taken) - seen.begin());
-    if (p == seen.size()) {
-      seen.emplace_back(source_count);
+    const auto p = static_cast<std::size_t>(std::find_if_not(users.begin(), users.end(), is_taken) - users.begin());
+    if (p == users.size()) {
+      users.emplace_back(source_count);
       passes.emplace_back();
     }
-    seen[p][joint.source] = &joint;
+    users[p][joint.source] = &joint;
     passes[p].push_back(&joint);
   }
   return passes;
@@ -234,13 +234,9 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
 
 ErrorCode check(const RetargetPoseJob& job) noexcept {
   if (job.tables == nullptr) return ErrorCode::size_mismatch;
-  const auto fits = [](const PoseSpan& pose, std::size_t joints) {
-    return pose.joint_count == joints && pose.stride == PoseSpan::stride_for(joints) &&
-           (joints == 0 || pose.planes != nullptr);
-  };
-  const bool has_scratch = !job.tables->composes() || fits(job.scratch, job.tables->source_count);
-  const bool all_fit =
-      fits(job.pose, job.tables->source_count) && fits(job.retargeted, job.tables->target_count) && has_scratch;
+  const bool has_scratch = !job.tables->composes() || is_pose_of(job.scratch, job.tables->source_count);
+  const bool all_fit = is_pose_of(job.pose, job.tables->source_count) &&
+                       is_pose_of(job.retargeted, job.tables->target_count) && has_scratch;
   return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 

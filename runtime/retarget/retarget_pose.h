@@ -4,40 +4,42 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/skeleton_map.h"
 
 namespace sinew {
 
-/// Joints of which one property is mapped, in groups of 16 for the lanes of a kernel.
+/// Joints for which one property (rotation, translation or scale) is mapped. Padded to groups of 16 for SIMD lanes.
 struct RetargetedJoints {
-  std::vector<std::uint32_t> targets, sources;  ///< [count] padded to a multiple of 16 by the last one
+  std::vector<std::uint32_t> targets, sources;  ///< [count] padded to a multiple of 16 by repeating the last one
   std::vector<float> factors;                   ///< planes of [count]
 };
 
-/// A joint of the source on the way to a mapped one.
-struct StepDown {
+/// A joint of the source on the path from a mapped joint's mapped ancestor down to it.
+struct ChainJoint {
   std::uint32_t joint = 0;
-  bool is_fixed = false;  ///< it has a fixed matrix: `local` in place of what poses hold
+  bool is_fixed = false;  ///< it has a fixed matrix: `local` replaces the transform of the pose
   Transform local;
 };
 
-/// Joints that are mapped together: each joint of the source is seen from one joint above.
+/// Joints that are mapped in one pass. Within a pass every source joint is expressed relative to only one ancestor.
 struct RetargetPass {
-  std::vector<std::vector<StepDown>> composed;     ///< mapped joints over several: from each up
-  std::vector<std::uint32_t> copied_rotations[2];  ///< targets and sources of rotations that stay as they are
+  /// For mapped joints with unmapped joints between: the chain, from the joint up
+  std::vector<std::vector<ChainJoint>> composed;
+  std::vector<std::uint32_t> copied_rotations[2];  ///< targets and sources of rotations that are copied unchanged
   std::vector<std::uint32_t> copied_translations[2];
-  RetargetedJoints rotations;     ///< factors: before and after, x y z w each
-  RetargetedJoints translations;  ///< factors: three rows, then the offset
+  RetargetedJoints rotations;     ///< factors: quaternions to multiply from the left and the right, x y z w each
+  RetargetedJoints translations;  ///< factors: the three rows of a matrix, then the offset
   RetargetedJoints scales;        ///< factors: x y z
 };
 
-/// A SkeletonMap as retarget_pose reads it. Made once; immutable.
+/// A SkeletonMap prepared for RetargetPoseJob. Made once; immutable.
 struct RetargetTables {
   std::size_t source_count = 0, target_count = 0;
-  std::vector<float> rest;           ///< the target's rest pose, as planes of a pose
-  std::vector<RetargetPass> passes;  ///< more than one where joints see the same one from different joints above
+  std::vector<float> rest;  ///< the rest pose of the target, as planes of a pose
+  /// Several if target joints need the same source joint relative to different ancestors
+  std::vector<RetargetPass> passes;
 
   bool composes() const noexcept {
     return std::any_of(passes.begin(), passes.end(), [](const RetargetPass& pass) { return !pass.composed.empty(); });
@@ -47,11 +49,11 @@ struct RetargetTables {
 /// cost O(J), allocates
 RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target);
 
-/// A pose of one skeleton on another.
-/// eq   that of make_skeleton_map (skeleton_map.h), in float: within 1e-6 of retarget_pose (retarget_animation.h). On
-///      its own skeleton a pose keeps its bits.
+/// Retargets a pose of one skeleton to another.
+/// eq   as make_skeleton_map (skeleton_map.h), in float: within 1e-6 of retarget_pose (retarget_animation.h). On its
+///      own skeleton a pose keeps its bits.
 /// in   pose     of the tables' source count
-///      scratch  of the source count, where `tables.composes()`
+///      scratch  of the source count; needed only if `tables->composes()`
 /// out  retargeted  of the target count; must not overlap
 /// err  size_mismatch     cost O(J), no allocation
 struct RetargetPoseJob {
@@ -62,6 +64,6 @@ struct RetargetPoseJob {
 };
 
 ErrorCode check(const RetargetPoseJob& job) noexcept;
-void run(const RetargetPoseJob& job) noexcept;
+void run_unchecked(const RetargetPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -8,10 +8,10 @@
 
 namespace sinew {
 
-/// The property tracks of an animation of the source, where the target has the same property: on a material, camera or
-/// light of the same name, or on the joint that follows the other one (a property of a joint is that it is visible).
-/// out  retargeted  tracks of properties, in place of those that it had
-///      what is not carried, by the names of clip_channels.h; a thing without a name is described
+/// Copies the property tracks of an animation to the properties that the target also has. Materials, cameras and lights
+/// are found by name; joints by the skeleton map (the only property of a joint is its visibility).
+/// out  retargeted  its property tracks are replaced
+///      returns the properties that were not copied, named as in clip_channels.h; nameless things are described
 /// cost O(tracks * things), allocates
 std::vector<std::string> retarget_properties(const Animation& animation, const SkeletonMap& map, const Scene& source,
                                              const Scene& target, Animation& retargeted);

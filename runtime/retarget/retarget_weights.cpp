@@ -16,7 +16,7 @@ std::string_view target_name(const Scene& scene, std::size_t instance, std::size
   return target < mesh.target_names.size() ? std::string_view(mesh.target_names[target]) : std::string_view{};
 }
 
-/// Small letters and digits behind the last dot.
+/// The letters and digits after the last dot, in lower case.
 std::string key_of(std::string_view name) {
   std::string key;
   for (const char c : name) {
@@ -44,7 +44,7 @@ struct NamedWeight {
   std::size_t instance = 0;
 };
 
-/// A track of the source, and the target that it moves for each target of an instance; kNone = none.
+/// A track of the source. For each morph target of an instance: the target of the track that drives it, or kNone.
 struct FollowedTrack {
   const WeightAnimation* source = nullptr;
   std::vector<std::uint32_t> moved;
@@ -69,7 +69,8 @@ std::vector<FollowedTrack> followed_tracks(const WeightMap& map, const Animation
   return followed;
 }
 
-/// Row by row: the keys of the track, with rest weights where it moves nothing. Rows of tangents are 0 there.
+/// Copies the keys of a track into rows for all targets of the instance. Targets that it does not drive get rest
+/// weights; their tangents are 0.
 WeightTrack with_targets(const FollowedTrack& followed, std::span<const float> rest) {
   const WeightTrack& from = followed.source->weights;
   WeightTrack track{from.interpolation, from.times_s, {}, static_cast<std::uint32_t>(rest.size())};

@@ -9,29 +9,30 @@
 
 namespace sinew {
 
-/// Which morph weight of one model follows which one of another.
+/// Which morph weight of the source each morph weight of the target follows.
 struct WeightMap {
-  std::vector<std::uint32_t> source_of;  ///< [W target] a weight of the source; kNone = it rests
-  std::vector<std::string> not_found;    ///< morph targets of the source that the target lacks, each once
+  /// [W target] index of a weight of the source; kNone = the weight stays at rest
+  std::vector<std::uint32_t> source_of;
+  std::vector<std::string> not_found;  ///< names of source morph targets that the target lacks, each once
 };
 
-/// Maps morph targets of equal names, whatever their meshes: "jawOpen" of a face moves that of teeth and tongue, too.
-/// Names are also equal that differ in capitals, in what is no letter or digit, and in a prefix that ends in a dot
-/// ("Face.M_jawOpen" and "mJawOpen"). Where several targets of the source have the name, the one of a mesh of the same
+/// Maps morph targets of equal names, whatever their meshes: "jawOpen" of a face also moves teeth and tongue. Names are
+/// compared without case, without characters that are no letter or digit, and without a prefix that ends in a dot:
+/// "Face.M_jawOpen" equals "mJawOpen". If several targets of the source have the name, the one on a mesh of the same
 /// name is taken, else the first. Targets without a name are not mapped.
 /// cost O(W log W), allocates
 WeightMap make_weight_map(const Scene& source, const Scene& target);
 
-/// Weights of a frame of the source on the target.
+/// Retargets the morph weights of one frame.
 /// in   weights  [W source]
-/// out  out      [W target] those that follow one; the others stay as they are
+/// out  out      [W target] only mapped weights are written
 /// cost O(W), no allocation
 void retarget_weights(const WeightMap& map, std::span<const float> weights, std::span<float> out) noexcept;
 
-/// The weight tracks of an animation of the source, as tracks of whole mesh instances of the target. Keys and
-/// interpolation stay where an instance follows one track; targets that nothing moves have their rest weight. Where it
-/// follows several tracks, there are linear keys at the key times of all of them.
-/// out  retargeted  tracks of weights, in place of those that it had
+/// Retargets the weight tracks of an animation. The result has one track per mesh instance of the target. An instance
+/// that follows a single track keeps its keys and interpolation. An instance that follows several tracks gets linear
+/// keys at the key times of all of them. Unmapped morph targets keep their rest weight.
+/// out  retargeted  its weight tracks are replaced
 /// cost O(keys * targets), allocates
 void retarget_weights(const WeightMap& map, const Animation& animation, const Scene& source, const Scene& target,
                       Animation& retargeted);

@@ -37,20 +37,20 @@ struct RestPose {
   }
   Quatd rotation_of(std::uint32_t j) const { return j == kNone ? quat_identity<double>() : rotation[j]; }
   Vec3d place(std::uint32_t j) const { return translation_of(model[j]); }
-  /// How much longer lengths are in model space than in the space of a joint.
+  /// The factor from lengths in the space of a joint to lengths in model space.
   double scale_of(std::uint32_t j) const {
     const double volume = j == kNone ? 1.0 : std::abs(determinant(model[j]));
     return volume > 0.0 ? std::cbrt(volume) : 1.0;
   }
-  Vec3d seen_from(std::uint32_t above, std::uint32_t j) const {
+  Vec3d place_relative_to(std::uint32_t above, std::uint32_t j) const {
     if (above == kNone) return place(j);
     return glm::inverse(linear_part(model[above])) * (place(j) - place(above));
   }
 };
 
-using Pairs = std::vector<std::array<std::uint32_t, 2>>;  // source, target
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;  // {source, target}
 
-/// Joints whose names are in both skeletons, once in each.
+/// Joints whose name occurs exactly once in each skeleton.
 Pairs pairs_by_names(const Skeleton& source, const Skeleton& target) {
   std::map<std::string, std::array<std::vector<std::uint32_t>, 2>> places;
   for (std::uint32_t j = 0; j < source.joint_count(); ++j) places[source.names[j]][0].push_back(j);
@@ -61,7 +61,7 @@ Pairs pairs_by_names(const Skeleton& source, const Skeleton& target) {
   return pairs;
 }
 
-/// All joints of a skeleton onto themselves, where the two are one.
+/// All joints, mapped to themselves, if both skeletons are the same.
 Pairs pairs_of_one(const Skeleton& source, const Skeleton& target) {
   Pairs pairs;
   if (source.parents != target.parents || source.names != target.names) return pairs;
@@ -76,8 +76,8 @@ Pairs pairs_by_bones(std::span<const std::uint32_t> source, std::span<const std:
   return pairs;
 }
 
-/// Joints above the hips that carry the characters, where both have one. Where the source alone has one, its motion is
-/// part of what the hips see, since they see from model space.
+/// Pairs the root joints above the hips, if both skeletons have one. If only the source has one, its motion is part of
+/// the hips' motion, which is then relative to model space.
 void add_roots(const Skeleton& source, std::span<const std::uint32_t> source_bones, const Skeleton& target,
                std::span<const std::uint32_t> target_bones, Pairs& pairs) {
   const std::uint32_t hips = humanoid_bone("hips"), from = find_root_joint(source, source_bones[hips]),
@@ -85,7 +85,7 @@ void add_roots(const Skeleton& source, std::span<const std::uint32_t> source_bon
   if (from != kNone && to != kNone) pairs.push_back({from, to});
 }
 
-/// R of the equation for the joints of the target that play a bone of an arm or leg; the others have none.
+/// R of the equation of make_skeleton_map for bones of arms and legs; the identity for all other joints.
 std::vector<Quatd> limb_turns(const Pairs& bones, const RestPose& from, const RestPose& to,
                               std::span<const std::uint32_t> source, std::span<const std::uint32_t> target) {
   std::vector<Quatd> turns(to.local.size(), quat_identity<double>());
@@ -112,7 +112,7 @@ std::vector<Quatd> limb_turns(const Pairs& bones, const RestPose& from, const Re
   return turns;
 }
 
-/// Components that are 0 or 1 but for the rounding of doubles: the identity maps keys onto themselves.
+/// Rounds components that are almost 0 or 1, so that the identity map keeps keys unchanged.
 Quatd without_rounding(const Quatd& q) noexcept {
   constexpr double kRounding = 1e-12;
   const Quatd positive = q.w < 0.0 ? -q : q;
@@ -121,7 +121,7 @@ Quatd without_rounding(const Quatd& q) noexcept {
              : q;
 }
 
-/// The rule of each joint of the target: its own, else that of its parent.
+/// The rule of each joint of the target: its own, or that of its parent.
 std::vector<TranslationRule> rules_of_joints(const Skeleton& target, const SkeletonMapOptions& options) {
   std::vector<TranslationRule> rules;
   for (const std::uint32_t parent : target.parents) {
@@ -146,7 +146,7 @@ class Mapping {
         turns_(std::move(turns)),
         rules_(rules_of_joints(target, options)) {}
 
-  /// in   hips  of the target, where they are known
+  /// in   hips  of the target; kNone = not known
   SkeletonMap map(Pairs pairs, bool by_names, std::uint32_t hips) {
     map_.by_names = by_names;
     for (std::uint32_t j = hips; j != kNone; j = target_.parents[j]) carries_path_[j] = true;
@@ -199,7 +199,7 @@ class Mapping {
     const std::uint32_t parent = target_.parents[joint.target];
     const bool is_child = source_.parents[joint.source] == joint.above_source;
     joint.source_place =
-        is_child ? from_.local[joint.source].translation : from_.seen_from(joint.above_source, joint.source);
+        is_child ? from_.local[joint.source].translation : from_.place_relative_to(joint.above_source, joint.source);
     const TranslationRule rule = rules_[joint.target];
     const bool is_path = joint.above_target == kNone || carries_path_[joint.target];
     joint.moves =
@@ -220,11 +220,11 @@ class Mapping {
   const RestPose &from_, &to_;
   std::vector<Quatd> turns_;  // [target joints] R
   std::vector<std::uint32_t> source_of_;
-  double lowest_source_ = std::numeric_limits<double>::infinity();  // of the joints that are mapped
+  double lowest_source_ = std::numeric_limits<double>::infinity();  // height of the lowest mapped joint
   double lowest_target_ = lowest_source_;
   std::vector<TranslationRule> rules_;                                         // [target joints]
-  std::vector<bool> carries_path_ = std::vector<bool>(target_.joint_count());  // the hips and all above them
-  double path_ratio_ = 0.0;                                                    // of heights of the hips; 0 = not known
+  std::vector<bool> carries_path_ = std::vector<bool>(target_.joint_count());  // the hips and their ancestors
+  double path_ratio_ = 0.0;  // ratio of the hip heights; 0 = not known
   SkeletonMap map_;
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One library of clips from two files for three outfits in two body sizes. The outfits are swapped between frames while
-// the clips play: each frame of the new outfit goes on where the old one was, and nothing is sampled or stored twice.
+// One clip library from two files for three outfits in two body sizes. Outfits are swapped between frames while clips
+// play. A new outfit continues at the same time, and no clip is stored twice.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,8 @@ BoneAnimation swing(std::uint32_t joint, float angle_rad) {
   return bone;
 }
 
-/// A file of two clips, as an animator exports it: the body stands beside a camera rig, so its joints have other
-/// numbers.
+/// A file of two clips, as exported by an animator. It also contains a camera rig, so the body's joints have other
+/// indices.
 Scene make_walks() {
   showcase::SceneBuilder file;
   file.add_joint("camera rig", kNone, {});
@@ -58,7 +59,7 @@ Scene make_gestures() {
   return file.finish();
 }
 
-/// A model without clips: a box around each of these joints, skinned to it.
+/// A model without clips: a box for each of these joints, skinned to the joint.
 Scene make_outfit(const std::string& name, float size, std::initializer_list<std::uint16_t> joints) {
   showcase::SceneBuilder scene;
   add_body(scene, size);
@@ -78,7 +79,7 @@ Scene make_outfit(const std::string& name, float size, std::initializer_list<std
 
 struct Outfit {
   std::shared_ptr<const Scene> scene;
-  std::vector<Clip> clips;  ///< of the library, for this scene
+  std::vector<Clip> clips;  ///< clips of the library, bound to this scene
   Plan plan;
 };
 
@@ -111,14 +112,14 @@ void print_memory(const ClipLibrary& library, const std::vector<Outfit>& outfits
   std::printf("keys of clips: %zu bytes for all, %zu if each outfit had its own\n", together.bytes().clip_keys, alone);
 }
 
-/// Plays `clip` in the outfits of one size in turns. Whether each frame has the joints that an outfit which was never
-/// taken off has.
+/// Plays `clip` and swaps the outfits of one size. Returns true if each frame has the joints of an outfit that is never
+/// swapped.
 bool swap_outfits(const std::vector<Outfit>& outfits, std::size_t first, std::uint32_t clip, int frames) {
   FrameBuffer never_off(outfits[first].plan), worn(outfits[first].plan);
   for (int f = 0; f < frames; ++f) {
     const Plan& plan = outfits[first + static_cast<std::size_t>(f) % 3].plan;
     const std::uint64_t last_frame = worn.result().frame;
-    worn = FrameBuffer(plan);  // the clock is ours, so the motion goes on
+    worn = FrameBuffer(plan);  // the program owns the clock, so the motion continues
     worn.count_from(last_frame);
     const ClipLayer layer{.clip = clip, .time_s = f * kFrame_s};
     const FrameInput input{.layers = {&layer, 1}};
@@ -145,7 +146,8 @@ int main(int argc, char** argv) {
   showcase::SceneBuilder body;
   add_body(body, 1.0f);
   ClipLibrary library(body.finish().skeleton);
-  for (const Scene& file : {make_walks(), make_gestures()})  // the files may go; the library has their clips
+  // The files are not needed any more: the library owns their clips.
+  for (const Scene& file : {make_walks(), make_gestures()})
     if (!library.add(file, IfUnbound::refuse).empty()) return 1;
 
   const std::vector<Outfit> outfits = dress(library);

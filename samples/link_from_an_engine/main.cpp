@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an engine does with sinew: read an asset file, plan once, then give frames to the job thread and read the newest
-// finished one, never waiting for it. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
+// How an engine uses sinew: read an asset file, compile a plan once, then submit frames to the job thread and read the
+// newest finished one without waiting. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
 #include <sinew/runtime/asset_file/read_assets.h>
 #include <sinew/runtime/threads/job_thread.h>
 
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// All bytes of a file; an engine maps it.
+/// All bytes of a file; an engine would map it.
 std::vector<char> bytes_of(const char* path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -23,7 +23,7 @@ tl::expected<sinew::Scene, sinew::AssetFileError> load(const char* path) {
   const std::vector<char> bytes = bytes_of(path);
   const auto file = sinew::AssetFile::open(std::as_bytes(std::span(bytes)));
   if (!file) return tl::unexpected(file.error());
-  return sinew::read_scene(*file);  // owns what it has: the bytes are not needed any longer
+  return sinew::read_scene(*file);  // the scene owns its data: the bytes are not needed any longer
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     const sinew::ClipLayer layer{.clip = 0, .time_s = time_s, .weight = 1.0f};
     sinew::FrameInput playing;
     if (!scene.clips.empty()) playing.layers = {&layer, 1};
-    sinew::FrameInput shifted = playing;  // the same, three metres to the right
+    sinew::FrameInput shifted = playing;  // a copy, three metres to the right
     shifted.root.row[0].w = 3.0f;
     const sinew::FrameInput inputs[] = {playing, shifted};
     const auto ticket = jobs.submit(inputs);
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "%s\n", describe(ticket.error()).data());
       return 1;
     }
-    jobs.wait(*ticket);  // an engine would draw the frame before instead
+    jobs.wait(*ticket);  // an engine would draw the previous frame instead
     for (const auto character : {first, second}) {
       const sinew::FrameResult& result = *jobs.latest(character);
       if (result.model.empty()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same in C: read an asset file, plan, run frames into one block of memory, follow a clock. C11.
+// The C version of main.cpp: read an asset file, plan, run frames into one block of memory, follow a clock. C11.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ static int fail(const char* what, sinew_error error) {
   return 1;
 }
 
-/// Plays the first clip for one second, in steps of a quarter. Answers how often something went wrong.
+/// Plays the first clip for one second, in steps of 0.25 s. Returns the number of errors.
 static int play(const sinew_scene* scene, sinew_frame* frame) {
   sinew_clock clock;
   sinew_clock_init(&clock, sinew_clip_duration_s(scene, 0), SINEW_PLAY_CLAMP, 1.0);
@@ -38,7 +38,7 @@ static int play(const sinew_scene* scene, sinew_frame* frame) {
   return 0;
 }
 
-/// Reads the scene of a file, whose bytes are gone afterwards.
+/// Reads the scene of a file; frees the file's bytes.
 static sinew_error read_scene(const char* path, sinew_scene** scene, sinew_messages** messages) {
   FILE* file = fopen(path, "rb");
   if (file == NULL) return SINEW_BAD_FILE;

@@ -42,7 +42,7 @@ constexpr double kRun_s = 0.8;
 Quat<float> about(const glm::vec3& axis, float angle_rad) { return glm::angleAxis(angle_rad, axis); }
 Quat<float> about_x(float angle_rad) { return about({1, 0, 0}, angle_rad); }
 
-/// Places against the parents in the T-pose; +x is the body's left, +z its front.
+/// Joint positions relative to their parents in the T-pose; +x is the body's left, +z its front.
 std::array<glm::vec3, kJoints> t_pose(const Build& b) {
   const glm::vec3 arm(b.shoulders, 0.88f * b.spine, 0), thigh(0.42f * b.shoulders + 0.02f, 0, 0),
       sole(0, -0.8f * kAnkle_m, b.foot);
@@ -73,7 +73,7 @@ std::array<glm::vec3, kJoints> places_in_t_pose(const Build& build) {
   return places;
 }
 
-/// A capsule whose ends have other radii.
+/// A capsule with two different end radii.
 Primitive capsule(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b) {
   const glm::vec3 axis = b - a;
   const float length = glm::length(axis);

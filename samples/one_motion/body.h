@@ -6,7 +6,7 @@
 #include "runtime/animation/bone_animation.h"
 #include "samples/showcase/scene_builder.h"
 
-// Mannequins with the names of Mixamo, made by code: joints, a skin of rounded limbs, and a run.
+// Procedural mannequins with Mixamo joint names: joints, a skin of rounded limbs, and a run cycle.
 
 /// Proportions, in metres; the rest pose has its arms lowered by `arms_down_rad` from a T-pose.
 struct Build {
@@ -22,7 +22,7 @@ inline constexpr std::array<Build, 3> kBuilds = {
 
 inline constexpr std::uint32_t kJoints = 18;
 
-/// Joints by their levels, so that several bodies go into one scene level by level.
+/// Joints ordered by depth, so that several bodies can be added to one scene level by level.
 struct BodyJoint {
   const char* name;
   std::uint32_t parent, level;
@@ -32,12 +32,12 @@ const std::array<BodyJoint, kJoints>& body_joints();
 /// Rest transforms of the joints.
 std::array<sinew::Transform, kJoints> rest_of(const Build& build);
 
-/// One body alone, without clips.
+/// A scene of one body, without clips.
 sinew::Scene make_body(const Build& build);
 
 /// Adds the surface of a body whose joints have been added.
 void dress(const Build& build, const std::array<std::uint32_t, kJoints>& joints, std::uint32_t holder,
            sinew::showcase::SceneBuilder& scene);
 
-/// Two steps of a run on the spot, in 0.8 s, for that body.
+/// Two steps of running in place, 0.8 s, for that body.
 sinew::Animation make_run(const Build& build);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One clip plays on three bodies of other proportions and other rest poses: retargeted as a pose, frame by frame, and
-// baked as clips. Both are the same motion. With an argument the three bodies are written as a .glb.
+// One clip plays on three bodies with different proportions and rest poses. It is retargeted pose by pose, and also
+// baked to clips; both give the same motion. With an argument, writes the three bodies as a .glb.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -22,16 +22,16 @@ using namespace sinew;
 constexpr int kFrames = 48;
 constexpr double kSame_rad = 1e-5;
 
-/// The largest angle between a rotation of the pose that is retargeted frame by frame, and of the baked clip.
+/// The largest angle between rotations of the poses retargeted frame by frame and of the baked clip.
 double difference(const Scene& source, const Scene& target, const SkeletonMap& map, const Clip& baked) {
   const RetargetTables tables = make_retarget_tables(map, source.skeleton, target.skeleton);
   PoseMemory pose(kJoints), scratch(kJoints), live(kJoints), played(kJoints);
   double largest = 0.0;
   for (int f = 0; f < kFrames; ++f) {
     const double time_s = source.clips[0].duration_s() * f / kFrames;
-    run(SampleClipJob{.clip = &source.clips[0], .time_s = time_s, .pose = pose.span(), .weights = {}});
-    run(RetargetPoseJob{&tables, pose.span(), scratch.span(), live.span()});
-    run(SampleClipJob{.clip = &baked, .time_s = time_s, .pose = played.span(), .weights = {}});
+    run_unchecked(SampleClipJob{.clip = &source.clips[0], .time_s = time_s, .pose = pose.span(), .weights = {}});
+    run_unchecked(RetargetPoseJob{&tables, pose.span(), scratch.span(), live.span()});
+    run_unchecked(SampleClipJob{.clip = &baked, .time_s = time_s, .pose = played.span(), .weights = {}});
     for (std::uint32_t j = 0; j < kJoints; ++j)
       largest = std::max(largest, static_cast<double>(rotation_angle_between(live.span().get(j).rotation,
                                                                              played.span().get(j).rotation)));
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: one_motion [OUT.glb]      one clip on three bodies, which OUT.glb shows\n");
     return 2;
   }
-  Build animator = kBuilds[0];  // the clip was made on yet another body
+  Build animator = kBuilds[0];  // the clip was made for a fourth body
   animator.thigh = animator.shank = 0.45f;
   Scene source = make_body(animator);
   source.animations.push_back(make_run(animator));

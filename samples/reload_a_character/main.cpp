@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Hot reload in an engine: a character of the job thread goes over to assets that were read again, between two frames
-// and with its state. The loop never waits: the old assets are drawn until the first frame of the new ones is done, and
-// go when nothing draws a frame of them any more.
+// Hot reload in an engine: a playing character switches to reloaded assets between two frames and keeps its state. The
+// loop never waits. The old assets are drawn until the first frame of the new ones is ready; they are freed when no
+// drawn frame refers to them.
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -24,9 +24,9 @@ namespace {
 using namespace sinew;
 
 constexpr double kFrame_s = 1.0 / 60.0;
-constexpr double kSpeed_rad_s = 0.003;  ///< of the arm in the clip "turn"
+constexpr double kSpeed_rad_s = 0.003;  ///< angular speed of the arm in the clip "turn"
 
-/// The file as it is after `saves` saves: each one puts a clip before "turn", and a joint after the others.
+/// The content of the file after `saves` saves. Each save inserts a clip before "turn" and appends a joint.
 Scene read_file(int saves) {
   showcase::SceneBuilder file;
   const std::uint32_t arm = file.add_joint("arm", kNone, {});
@@ -44,7 +44,7 @@ Scene read_file(int saves) {
   return file.finish();
 }
 
-/// What one read of the file gave, and what plays it. A job thread may have all characters of these assets.
+/// One loaded version of the assets, with the plan and job thread that play it.
 class Version {
  public:
   Version(Scene read, const std::string& clip) : plan_(compile_plan(std::move(read), Needs{})) {
@@ -54,18 +54,18 @@ class Version {
 
   double duration_s() const { return plan_.scene().animations[clip_].duration_s; }
 
-  /// Asks for the frame of a time. While the worker is busy, nothing: the next frame of the loop asks again.
+  /// Requests the frame of a time. Does nothing while the worker is busy: the loop requests again in its next frame.
   void ask(double time_s) {
     const ClipLayer layer{.clip = clip_, .time_s = time_s};
     const FrameInput input{.layers = {&layer, 1}};
     if (jobs_.submit({&input, 1})) asked_s_.push_back(time_s);
   }
 
-  /// The newest frame that is done; null before the first.
+  /// The newest finished frame; null before the first.
   const FrameResult* newest() { return jobs_.latest(character_); }
   double time_of(const FrameResult& frame) const { return asked_s_[frame.frame - 1]; }
 
-  /// Whether a frame has the bits of one that is evaluated here.
+  /// True if a frame is bit-identical to one evaluated on this thread.
   bool has_right_bits(const FrameResult& frame) const {
     FrameBuffer buffer(plan_);
     const ClipLayer layer{.clip = clip_, .time_s = time_of(frame)};
@@ -75,29 +75,29 @@ class Version {
 
  private:
   Plan plan_;
-  JobThread jobs_;  // ends first, since it runs the plan
+  JobThread jobs_;  // declared last, because it must end before the plan it runs
   JobThread::Character character_ = 0;
   std::uint32_t clip_ = 0;
   std::vector<double> asked_s_;  // [ticket - 1]
 };
 
-/// A frame to draw. It holds the version that it points into.
+/// A frame to draw. It keeps the version alive that it points into.
 struct Frame {
   std::shared_ptr<const Version> version;
   const FrameResult* result = nullptr;
 };
 
-/// A character that plays on while versions of its assets come and go.
+/// A character that keeps playing while its assets are replaced.
 class Character {
  public:
   explicit Character(std::shared_ptr<Version> version) : clock_(version->duration_s()), shown_(std::move(version)) {}
 
-  /// Takes another version, which is shown as soon as it has a frame. One that came before and has none yet is dropped.
-  void go_over_to(std::shared_ptr<Version> version) { coming_ = std::move(version); }
+  /// Sets the next version, which is shown as soon as it has a frame. Drops an earlier one that has no frame yet.
+  void replace_with(std::shared_ptr<Version> version) { coming_ = std::move(version); }
   bool goes_over() const { return coming_ != nullptr; }
 
-  /// Moves on, and answers what to draw. Nothing more is asked of the old version once the new one has a frame, and
-  /// that is shown when it is not older than what is drawn.
+  /// Advances the clock and returns the frame to draw. Once the new version has a frame, the old one gets no more
+  /// requests. The new one is shown when its frame is not older than the drawn one.
   Frame frame() {
     clock_.advance(kFrame_s);
     const FrameResult* const first = coming_ ? coming_->newest() : nullptr;
@@ -122,15 +122,15 @@ class Character {
   std::shared_ptr<Version> shown_, coming_;
 };
 
-/// Whether the arm is where every version has it at that time.
+/// True if the arm has the angle that all versions have at that time.
 bool is_turned(const FrameResult& frame, double time_s) {
   return std::abs(static_cast<double>(frame.model[0].row[1].x) - std::sin(kSpeed_rad_s * time_s)) < 1e-6;
 }
 
-/// Draws frames, and counts them and those that were wrong.
+/// Draws frames; counts all frames and wrong ones.
 struct Screen {
   void draw(const Frame& frame) {
-    shown = frame;  // the frame before goes now, and with the last one of a version all that it points into
+    shown = frame;  // releases the previous frame, and with a version's last frame also its assets
     if (frame.result == nullptr) {
       if (drawn > 0) ++wrong;  // the picture would be empty
       return;
@@ -150,17 +150,18 @@ struct Screen {
 /// One round of the loop of the engine.
 void draw_next(Character& character, Screen& screen) {
   screen.draw(character.frame());
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as long as the rest of the engine takes
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));  // stands for the rest of the engine's work
 }
 
-/// Reads the file on a thread of its own while the character plays, and goes over to it. Whether the old version went.
+/// Reloads the file on another thread while the character plays, then switches to it. Returns true if the old version
+/// was freed.
 bool reload(int saves, Character& character, Screen& screen) {
   const std::weak_ptr<const Version> old = screen.shown.version;
   auto read = std::async(std::launch::async, [saves] { return std::make_shared<Version>(read_file(saves), "turn"); });
   bool taken = false;
   while (!taken || character.goes_over()) {
     if (!taken && read.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      character.go_over_to(read.get());
+      character.replace_with(read.get());
       taken = true;
     }
     draw_next(character, screen);

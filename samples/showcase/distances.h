@@ -19,15 +19,15 @@ inline float ellipsoid(const glm::vec3& p, const glm::vec3& centre, const glm::v
   return gradient > 0.0f ? glm::length(q) * (glm::length(q) - 1.0f) / gradient : -std::min({radii.x, radii.y, radii.z});
 }
 
-/// A rod from `a` to `b` whose radius goes from `at_a` to `at_b`.
+/// A rod from `a` to `b` with radii `at_a` and `at_b`.
 inline float rod(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, float at_a, float at_b) {
   const glm::vec3 along = b - a;
   const float t = glm::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0f, 1.0f);
   return glm::distance(p, a + t * along) - glm::mix(at_a, at_b, t);
 }
 
-/// A wall of `height` and twice `radius` thick, with a round top and bottom, along half an ellipse of `radii` around
-/// the origin that opens towards -Z and goes on straight there.
+/// A wall along half an ellipse of `radii` around the origin; it opens towards -Z and continues straight there.
+/// `height` is its height, `radius` half its thickness; top and bottom are rounded.
 inline float arch(const glm::vec3& p, const glm::vec2& radii, float height, float radius) {
   const glm::vec2 q = glm::vec2(p.x, std::max(p.z, 0.0f)) / radii;
   const float from_origin = glm::length(q), gradient = std::max(glm::length(q / radii), 1e-6f);

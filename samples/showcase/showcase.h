@@ -10,7 +10,7 @@
 
 namespace sinew::showcase {
 
-/// A built-in scene, made by code, so that the runtime can be seen at work without a file.
+/// A built-in, procedural scene, to show the runtime without a file.
 struct ShowcaseScene {
   std::string name;             ///< short, for a menu
   std::string what_to_look_at;  ///< one sentence
@@ -38,12 +38,12 @@ ShowcaseScene corrected_arms();
 /// A face of morph targets, with weights below 0 and above 1.
 ShowcaseScene morphed_face();
 
-/// A flag on a pole: the scene has it flat, and a geometry cache moves it.
+/// A flag on a pole: flat in the scene, animated by a geometry cache.
 /// in   cache  flag_cache(), or empty for the scene alone
 ShowcaseScene flag_in_wind(std::span<const std::byte> cache);
 
 inline constexpr char kFlagMesh[] = "flag";
-inline constexpr double kFlagBudget_m = 5e-4;  ///< a tenth of a pixel, where the flag fills a picture of 720 rows
+inline constexpr double kFlagBudget_m = 5e-4;  ///< a tenth of a pixel if the flag fills a picture of 720 rows
 
 /// The geometry cache (.sgeo) of that flag: flag_flight(), baked within kFlagBudget_m when the library is built.
 std::span<const std::byte> flag_cache();

@@ -10,7 +10,7 @@ namespace {
 
 using V = glm::vec3;
 
-/// Both halves are one: bones are described for x > 0.
+/// Mirrors to x > 0, where all bones are described.
 V left_half(const V& p) { return {std::abs(p.x), p.y, p.z}; }
 
 float braincase(const V& p) {

@@ -21,7 +21,7 @@ struct ToothRow {
 inline constexpr float kJawDrop = 0.7f;
 inline constexpr ToothRow kUpperRow{{2.9f, 4.9f}, -4.55f, 3.8f}, kLowerRow{{2.75f, 4.7f}, -6.4f - kJawDrop, 3.7f};
 
-/// What they lie in.
+/// The bones around the teeth.
 inline constexpr Aabb kCranium{{-7.5f, -5.4f, -10.2f}, {7.5f, 12.3f, 10.8f}};
 inline constexpr Aabb kMandible{{-6.6f, -11.0f, -0.3f}, {6.6f, 0.0f, 10.2f}};
 

@@ -9,7 +9,6 @@
 #include "runtime/math/interpolate.h"
 #include "runtime/math/quat_log_exp.h"
 #include "runtime/math/rotation_between.h"
-#include "runtime/math/squad.h"
 #include "samples/where_float_ends/rows.h"
 
 namespace sinew::sample {
@@ -91,7 +90,7 @@ Row log_exp_row(double angle, double bound) {
   return largest.row(kPart, "exp(log q)", "turns of " + degrees(angle), "rad", bound);
 }
 
-/// How well an angle between two rotations is told, relative to nothing: the absolute error.
+/// The absolute error of a measured angle between two rotations.
 template <class Measure>
 Row angle_row(const char* name, Measure measure, double angle, double bound) {
   Sweep sweep;
@@ -110,7 +109,7 @@ Row rotation_between_row(double angle, double bound) {
   Largest largest;
   for (int i = 0; i < kCount; ++i) {
     const Vec3<float> s(sweep.direction()), t(rotate_vector(sweep.turn(angle * kDegree), Vec3<double>(s)));
-    // Its axis is any in the far plane when s and t are opposite: asked is that s arrives at t.
+    // If s and t are opposite, the axis is arbitrary: only check that s is rotated to t.
     const Quat<double> q = quat_cast<double>(rotation_between(s, t));
     largest.add_direction(rotate_vector(q, Vec3<double>(s)), Vec3<double>(t));
   }

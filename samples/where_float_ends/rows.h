@@ -12,20 +12,20 @@ namespace sinew::sample {
 
 /// The largest error of one kernel over one sweep, against double or long double.
 struct Row {
-  std::string part;    ///< "rotations", "poses", "vertices"
-  std::string kernel;  ///< what ran in float
-  std::string sweep;   ///< over which inputs
+  std::string part;    ///< "rotations", "poses" or "vertices"
+  std::string kernel;  ///< the float kernel
+  std::string sweep;   ///< the inputs
   double error = 0.0;
   const char* unit = "";  ///< "rad", "m", "s"
-  double ulp = 0.0;       ///< the same in steps of float at the result's size (rotations: of their half angle, at 1)
-  double bound = 0.0;     ///< beyond it something is broken
+  double ulp = 0.0;  ///< the error in float steps at the magnitude of the result (rotations: of their half angle, at 1)
+  double bound = 0.0;  ///< larger errors mean that something is broken
 };
 
 using Rows = std::vector<Row>;
 
-/// Kernels of runtime/math on rotations, and what the usual shortcuts cost beside them.
+/// Rotation kernels of runtime/math, and the errors of common shortcuts.
 void add_rotation_rows(Rows& rows);
-/// Chains of joints, places far from the origin, hours of time.
+/// Chains of joints, positions far from the origin, hours of time.
 void add_pose_rows(Rows& rows);
 /// Kinds of skinning, normals, morph targets.
 void add_vertex_rows(Rows& rows);
@@ -63,7 +63,7 @@ class Largest {
   double error_ = 0.0, ulp_ = 0.0;
 };
 
-/// The same numbers on every machine.
+/// Random inputs; the same numbers on every machine.
 class Sweep {
  public:
   double in(double low, double high) { return low + (high - low) * static_cast<double>(bits_()) * 0x1p-32; }

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kPart = "vertices";
 constexpr std::uint32_t kVertices = 2000, kInfluences = 4;
 
-/// Vertices within a metre, each moved by four rigid joints of its own; every number is a float.
+/// Vertices within a metre, each with its own four rigid joints; all inputs are exact floats.
 struct Crowd {
   std::vector<glm::vec3> positions, normals, centers, out_positions, out_normals;
   VertexInfluences influences;
@@ -59,7 +59,7 @@ struct Crowd {
     return sum / weight_sum(v);
   }
 
-  /// eq   sum(w sign d) / |real|, aligned with the heaviest, which comes first   (Kavan et al. 2008)
+  /// eq   sum(w sign d) / |real|, signs aligned with the heaviest influence, which is first   (Kavan et al. 2008)
   DualQuatd true_motion(std::size_t v) const {
     const auto at = [&](std::size_t i) {
       return DualQuatd{quat_cast<double>(split[i].rigid.real), quat_cast<double>(split[i].rigid.dual)};
@@ -78,15 +78,15 @@ struct Crowd {
 void add_skinning(Rows& rows, double most_degrees, double bound) {
   Crowd c(most_degrees);
   Largest linear, dual, dual_normals, center;
-  run(SkinLinearJob{&c.influences, c.palette, c.in(), c.out()});
+  run_unchecked(SkinLinearJob{&c.influences, c.palette, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) linear.add_place(c.out_positions[v], c.true_linear(v, c.positions[v]));
-  run(SkinDualQuaternionJob{&c.influences, c.split, false, c.in(), c.out()});
+  run_unchecked(SkinDualQuaternionJob{&c.influences, c.split, false, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) {
     const DualQuatd motion = c.true_motion(v);
     dual.add_place(c.out_positions[v], transform_point(motion, Vec3<double>(c.positions[v])));
     dual_normals.add_direction(Vec3<double>(c.out_normals[v]), rotate_vector(motion.real, Vec3<double>(c.normals[v])));
   }
-  run(SkinCenterOfRotationJob{&c.influences, c.palette, c.split, false, c.centers, c.in(), c.out()});
+  run_unchecked(SkinCenterOfRotationJob{&c.influences, c.palette, c.split, false, c.centers, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) {
     const Vec3<double> from_center = Vec3<double>(c.positions[v]) - Vec3<double>(c.centers[v]);
     center.add_place(c.out_positions[v],
@@ -136,7 +136,7 @@ void add_morphs(Rows& rows, double distance) {
       truth += Vec3<double>(delta) * static_cast<double>(weights.back());
     }
     std::vector<glm::vec3> out(1), scratch(1);
-    run(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
+    run_unchecked(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
     job.add_place(out[0], truth);
     one_by_one.add_place(running, truth);
   }

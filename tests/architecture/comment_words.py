@@ -15,7 +15,7 @@ CODE = re.compile(r"\b[GTNCUP][0-9]{2}\b")
 ONLY_COMMENT = re.compile(r"^\s*//(/<|/|!)?\s?(.*)$")
 TRAILING = re.compile(r"^(?=.*\S\s*///?<?\s).*?[;,{})\]\w]\s*//(/<|/)?\s(.*)$")
 # Lines of a table or a field list: `eq`, `in`, `out`, ... open a line of their own and are no sentences.
-FIELD = re.compile(r"^(eq|in|out|in/out|owns|err|cost|time|see)\b\s")
+FIELD = re.compile(r"^(eq|in|out|in/out|in,out|owns|err|warning|info|cost|time|see)\b\s")
 
 
 def blocks(lines):

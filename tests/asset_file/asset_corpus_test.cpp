@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every model as an asset file and back: every field, and the bits of its frames.
+// Writes every model as an asset file and reads it back. Compares every field and the bits of frames.
 #include <gtest/gtest.h>
 
 #include <span>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene of a file in memory that is gone afterwards.
+/// Writes and reads a scene. The file is freed before the scene is used.
 tl::expected<Scene, AssetFileError> written_and_read(const Scene& scene, const AssetFileOptions& options) {
   const std::vector<std::byte> file = write_asset_file(scene, options);
   const auto opened = AssetFile::open(file);
@@ -32,7 +32,7 @@ tl::expected<Scene, AssetFileError> written_and_read(const Scene& scene, const A
   return read_scene(*opened);
 }
 
-/// Frames of a level of detail from the packed pages of a file have the bits of those from whole clips.
+/// Frames with a skeleton LOD from the packed pages of a file must have the bits of frames from whole clips.
 void expect_pages_play(const Scene& scene, const std::vector<std::byte>& file, const CompiledSkeletonLod& level) {
   const AssetFile opened = *AssetFile::open(file);
   const auto tables = read_page_tables(opened);

@@ -26,7 +26,7 @@ std::string broken_rule(const Bytes& file) {
   return sums ? "" : sums.error().rule;
 }
 
-/// The same after a number of the table was changed and the file signed anew.
+/// Same, after changing a number of the table and signing the file again.
 template <class T>
 std::string broken_by(Bytes file, std::size_t at, T number) {
   put_number(std::span(file), at, number);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files whose checksums are right and whose bytes are not: what is read is refused, or passes all checks and plays.
+// Files with damaged bytes and correct checksums. Reading must refuse them, or the result must pass all checks and
+// play.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -31,14 +32,14 @@ tl::expected<Scene, AssetFileError> read_signed(Bytes& file) {
   return scene;
 }
 
-/// Boxes of the scene's two clips: of one instance nothing is known, nor of the second clip.
+/// Boxes of the scene's two clips. Boxes of one instance and of the second clip are unknown.
 ClipBoxes boxes_of(const Scene& scene) {
   std::vector<Aabb> of_clip(scene.instances.size(), {glm::vec3(-1.0f, 0.25f, 3.0f), glm::vec3(2.0f, 1.5f, 77.0f)});
   of_clip.back() = Aabb();
   return {of_clip, {}};
 }
 
-/// One level that leaves the last joint out.
+/// One level, which leaves out the last joint.
 std::vector<CompiledSkeletonLod> lods_of(const Scene& scene) {
   const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
   CompiledSkeletonLod level{{std::vector<bool>(joints, true), scene.skeleton.rest}, 0.002, 1, 0.0015, joints - 1};
@@ -46,7 +47,7 @@ std::vector<CompiledSkeletonLod> lods_of(const Scene& scene) {
   return {level};
 }
 
-constexpr std::size_t kBlocks = 6;  // of full_file
+constexpr std::size_t kBlocks = 6;  // blocks in full_file
 
 Bytes full_file(std::uint64_t seed) {
   const Scene scene = full_scene(seed);

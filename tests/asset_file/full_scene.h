@@ -4,7 +4,7 @@
 
 namespace sinew::test {
 
-/// A small scene that has something of every kind that an asset file holds.
+/// A small scene with at least one thing of every kind that an asset file stores.
 inline Scene full_scene(std::uint64_t seed) {
   Scene scene = random_scene(seed, {.joints = 9, .triangles = 6, .centers = true, .correctives = 1});
   scene.materials.resize(2);

@@ -8,7 +8,7 @@
 
 namespace sinew::test {
 
-/// Hashes of poses, vertices and bounds of every clip at some times, or of the rest pose where there is none.
+/// Hashes of poses, vertices and bounds of every clip at some times; of the rest pose if there is no clip.
 inline std::vector<std::uint64_t> hashes_of_frames(const Scene& scene, Skinning skinning = Skinning::linear) {
   const Plan plan = compile_plan(lend(scene), {.bounds = true, .skinning = skinning});
   FrameBuffer frame(plan);

@@ -22,7 +22,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// The scene of a file; an empty one where there is an error.
+/// The scene of a file; empty on error.
 Scene scene_of(const Bytes& file) {
   const auto opened = AssetFile::open(file);
   EXPECT_TRUE(opened) << describe(opened.error());
@@ -34,7 +34,7 @@ Scene scene_of(const Bytes& file) {
 
 AssetFile opened(const Bytes& file) { return *AssetFile::open(file); }
 
-/// What expect_equal leaves out, and what a glTF file cannot hold.
+/// Compares the fields that expect_equal leaves out and that a glTF file cannot store.
 void expect_equal_beyond_gltf(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.skeleton.node_of_joint, b.skeleton.node_of_joint);
   EXPECT_EQ(a.skeleton.joint_of_node, b.skeleton.joint_of_node);
@@ -207,7 +207,7 @@ TEST(read_assets, clips_of_other_morph_weights_are_refused_by_their_number) {
 
 TEST(read_assets, clips_whose_weights_lie_otherwise_in_the_instances_of_the_scene_are_refused) {
   const Scene face = face_scene();
-  Scene two = face;  // as many weights, of two instances
+  Scene two = face;  // equally many weights, but of two instances
   two.instances.push_back(two.instances[0]);
   two.first_weight = {0, 1, 2};
   two.clips.clear();
@@ -219,7 +219,7 @@ TEST(read_assets, clips_whose_weights_lie_otherwise_in_the_instances_of_the_scen
   EXPECT_TRUE(two.clips.empty());
 }
 
-/// Joints that turn at many keys and take no bits for it: little in a file, and much as keys.
+/// Joints with many keys that take no bits when packed: small in a file, large as keys.
 Scene scene_of_many_small_keys(std::uint32_t joints, std::uint32_t keys) {
   Scene scene;
   scene.skeleton = skeleton_of(std::vector<std::uint32_t>(joints, kNone));

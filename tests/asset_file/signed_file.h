@@ -12,7 +12,7 @@
 
 namespace sinew::test {
 
-/// Numbers of an entry of the table, by their place in it.
+/// Byte offsets of the fields of a table entry.
 inline constexpr std::size_t kEntryKind = 0, kEntryVersion = 4, kEntryStorage = 8, kEntryOffset = 16, kEntryStored = 24,
                              kEntryBytes = 32, kEntrySum = 40, kEntrySignature = 48;
 
@@ -28,15 +28,15 @@ void put_number(std::span<std::byte> file, std::size_t at, T number) {
   std::memcpy(file.data() + at, &number, sizeof number);
 }
 
-/// Writes size and checksum of a block of compiled clips (clip/clip_file.h) as it is now.
+/// Updates size and checksum of a block of compiled clips (clip/clip_file.h).
 inline void sign_clips(std::span<std::byte> block) {
   if (!looks_like_clips(block) || block.size() < kClipFileHead) return;
   put_number(block, 16, std::uint64_t{block.size()});
   put_number(block, 24, checksum(block.subspan(kClipFileHead)));
 }
 
-/// Writes the size of a file and all of its checksums as its bytes are now, as far as its table makes sense: what looks
-/// at the bytes behind the checksums is then reached.
+/// Updates the size of a file and all of its checksums, as far as its table makes sense. Damage is then not caught by a
+/// checksum but by the code behind it.
 inline void sign_assets(std::span<std::byte> file) {
   if (file.size() < kAssetHead) return;
   const std::uint64_t count = number_at<std::uint32_t>(file, 12);
@@ -48,7 +48,7 @@ inline void sign_assets(std::span<std::byte> file) {
                size = number_at<std::uint64_t>(table, at + kEntryStored);
     if (offset < kAssetHead + table.size() || offset > file.size() || size > file.size() - offset) continue;
     if (number_at<std::uint32_t>(table, at + kEntryKind) == static_cast<std::uint32_t>(AssetKind::clips))
-      sign_clips(file.subspan(offset, size));  // a block of pages holds many, each with its own size and checksum
+      sign_clips(file.subspan(offset, size));  // each page in the block has its own size and checksum
     put_number(table, at + kEntrySum, checksum(file.subspan(offset, size)));
   }
   put_number(file, 24, checksum(table));

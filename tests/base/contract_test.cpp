@@ -18,7 +18,7 @@ void leave(const BrokenContract&) { std::_Exit(7); }
 
 void throw_away(const BrokenContract&) { throw 7; }
 
-/// Sets a handler for as long as a test runs.
+/// Sets a contract handler for its lifetime.
 class With {
  public:
   explicit With(ContractHandler handler) : before_(set_contract_handler(handler)) {}
@@ -39,7 +39,7 @@ TEST(contract, without_a_handler_the_condition_is_printed_and_the_program_ends) 
   EXPECT_EXIT(CONTRACT(1 + 1 == 3), testing::KilledBySignal(SIGABRT), "contract broken: 1 \\+ 1 == 3 .*contract_test");
 }
 
-TEST(contract, the_engines_handler_hears_of_it_and_the_program_ends_when_that_returns) {
+TEST(contract, the_handler_is_called_and_the_program_ends_when_it_returns) {
   const With handler(tell);
   EXPECT_EXIT(CONTRACT(1 + 1 == 3), testing::KilledBySignal(SIGABRT),
               "the engine heard of '1 \\+ 1 == 3' in .*contract_test");

@@ -57,7 +57,7 @@ TEST(c_world, root_motion_is_that_of_the_cpp_interface) {
   EXPECT_GT(moved, 4u);
 }
 
-TEST(c_world, root_motion_joins_the_animations_of_a_joint_and_of_two_tracks_for_one_property_takes_the_last) {
+TEST(c_world, root_motion_joins_the_animations_of_a_joint) {
   Scene parted = random_scene(3);
   std::vector<BoneAnimation>& bones = parted.animations[1].bones;
   const auto whole = std::find_if(bones.begin(), bones.end(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/clip/base_numbers.h"
+#include "runtime/clip/clip_rest.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-using Own = BaseNumbers::Own;
+using Override = BaseNumbers::Override;
 
 std::vector<float> copy_of(const BaseNumbers& numbers) {
   std::vector<float> out(numbers.size(), -7.0f);
@@ -35,34 +35,34 @@ TEST(base_numbers, a_few_of_their_own_lie_over_those_that_are_shared) {
   const BaseNumbers numbers(rest, {{90, 5.0f}, {3, -1.0f}, {90, 6.0f}});
   std::vector<float> expected = rising(100);
   expected[3] = -1.0f;
-  expected[90] = 6.0f;  // the last of two
+  expected[90] = 6.0f;  // of two values the last one counts
   EXPECT_EQ(copy_of(numbers), expected);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(numbers[i], expected[i]);
   EXPECT_EQ(numbers.rest(), rest);
-  EXPECT_EQ(numbers.byte_size(), 2 * sizeof(Own));
+  EXPECT_EQ(numbers.byte_size(), 2 * sizeof(Override));
 }
 
 TEST(base_numbers, what_is_as_at_rest_takes_nothing) {
   const BaseNumbers numbers(rest_numbers(rising(10)), {{4, 4.0f}, {0, 1.0f}, {0, 0.0f}});
-  EXPECT_TRUE(numbers.own().empty());
+  EXPECT_TRUE(numbers.overrides().empty());
   EXPECT_EQ(copy_of(numbers), rising(10));
 }
 
 TEST(base_numbers, zeros_of_other_sign_differ) {
   const BaseNumbers numbers(rest_numbers(rising(20)), {{0, -0.0f}});
-  ASSERT_EQ(numbers.own().size(), 1u);
+  ASSERT_EQ(numbers.overrides().size(), 1u);
   EXPECT_TRUE(std::signbit(copy_of(numbers)[0]));
 }
 
 TEST(base_numbers, many_of_their_own_are_a_copy) {
   const RestNumbers rest = rest_numbers(rising(64));
   for (const std::uint32_t count : {4u, 5u}) {
-    std::vector<Own> own;
+    std::vector<Override> overrides;
     std::vector<float> expected = rising(64);
-    for (std::uint32_t i = 0; i < count; ++i) own.push_back({i * 9, expected[i * 9] = 1000.0f});
-    const BaseNumbers numbers(rest, own);
+    for (std::uint32_t i = 0; i < count; ++i) overrides.push_back({i * 9, expected[i * 9] = 1000.0f});
+    const BaseNumbers numbers(rest, overrides);
     EXPECT_EQ(numbers.rest() == rest, count == 4) << count;
-    EXPECT_EQ(numbers.byte_size(), count == 4 ? 4 * sizeof(Own) : 64 * sizeof(float)) << count;
+    EXPECT_EQ(numbers.byte_size(), count == 4 ? 4 * sizeof(Override) : 64 * sizeof(float)) << count;
     EXPECT_EQ(copy_of(numbers), expected) << count;
     EXPECT_EQ(numbers[9], 1000.0f) << count;
   }

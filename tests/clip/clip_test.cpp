@@ -74,7 +74,8 @@ TEST(clip, P02_equal_weights_with_a_tangent_between_them_are_not_constant) {
   for (const bool at_the_end : {false, true})
     for (const std::size_t target : {0u, 1u}) {
       Animation animation{"test", 1.0, {}, {}};
-      std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0, 0, 0, 0.5f, 0.25f, 7, 7};  // the first and last mean nothing
+      std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0,
+                                 0, 0, 0.5f, 0.25f, 7, 7};  // the first and last tangents are unused
       rows[(at_the_end ? 6 : 4) + target] = 1.0f;
       animation.weights = {{0, {Interpolation::cubic_spline, {0, 1}, rows, 2}}};
       const float rest[] = {0.0f, 0.0f};
@@ -152,7 +153,7 @@ TEST(clip, bytes_count_every_array) {
             first.rows.size() * 4 + 4 + first.places.byte_size());
   SharedArray<float> times;
   times.assign(3, 0.0f);
-  times.own()[2] = 1.0f;
+  times.writable()[2] = 1.0f;
   const KeyTimes longer(times);
   EXPECT_EQ(more([&](ClipLayout& l) { l.groups[0].times = longer; }),
             longer.byte_size() - layout.groups[0].times.byte_size());

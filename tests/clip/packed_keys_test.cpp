@@ -18,7 +18,7 @@ QuatTrack wandering(test::FixedRandom& random, std::size_t keys, double step_rad
   for (std::size_t k = 0; k < keys; ++k) {
     q = normalised(q * random.rotation_by<double>(random.in(0, step_rad)));
     track.times_s.push_back(static_cast<float>(k));
-    track.values.push_back(quat_cast<float>(k % 3 == 0 ? -q : q));  // signs of no meaning
+    track.values.push_back(quat_cast<float>(k % 3 == 0 ? -q : q));  // the sign of a quaternion has no meaning
   }
   return track;
 }
@@ -70,7 +70,7 @@ TEST(packed_keys, what_takes_too_many_bits_or_is_a_curve_is_not_packed) {
   EXPECT_FALSE(pack_keys(wandering(random, 10, 1.0), 1e-8));
 }
 
-TEST(packed_keys, rotations_come_back_whichever_component_is_left_out_and_whatever_its_sign) {
+TEST(packed_keys, rotations_unpack_for_every_derived_component_and_sign) {
   for (std::uint32_t largest = 0; largest < 4; ++largest)
     for (const float sign : {-1.0f, 1.0f}) {
       test::FixedRandom random(10 + largest);

@@ -27,7 +27,7 @@ QuatTrack turning(test::FixedRandom& random, double step_rad) {
   return track;
 }
 
-/// Little and much turning, so that some leave out a component, each of the four, and some none.
+/// Tracks that turn little or much, so that each of the four components is derived in some, and none in others.
 std::vector<PackedTrack> rotations(std::size_t count) {
   test::FixedRandom random(4);
   std::vector<PackedTrack> tracks;
@@ -59,7 +59,7 @@ TEST(packed_rows, every_lane_comes_back_as_it_was_packed) {
   }
 }
 
-TEST(packed_rows, the_order_of_lanes_has_the_components_of_each_lane_one_after_another) {
+TEST(packed_rows, lane_order_stores_the_components_of_each_lane_together) {
   const std::vector<PackedTrack> tracks = rotations(21);
   const PackedRows rows = packed_rows(tracks, kKeys);
   const std::vector<std::uint8_t> bits = in_lane_order(rows, tracks.size(), kKeys);
@@ -80,7 +80,7 @@ TEST(packed_rows, the_order_of_lanes_has_the_components_of_each_lane_one_after_a
   EXPECT_EQ(again.power, rows.power);
 }
 
-/// Tracks with any widths that they may have.
+/// Tracks with random widths, within what is allowed.
 std::vector<PackedTrack> of_any_width(test::FixedRandom& random, std::uint32_t most_bits) {
   std::vector<PackedTrack> tracks = rotations(23);
   for (PackedTrack& track : tracks)

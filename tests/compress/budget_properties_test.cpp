@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a budget promises for any valid animation: looked at on a grid of its own, at keys, right before and after them
-// and between them, by an evaluation that shares nothing with the compiler's.
+// The promise of a budget for any valid animation. It is checked at keys, just before and after them and between them,
+// by an evaluation that shares no code with the compiler.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr Interpolation kPlayed[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline};
 
-/// Keys that wander, as captured ones do; `wild` ones jump anywhere.
+/// A random walk of keys, like captured motion; `wild` keys jump anywhere.
 std::vector<float> keys_of(test::FixedRandom& random, std::size_t count, bool even) {
   if (!even) return test::random_times(random, count, random.below(3));
   std::vector<float> times_s;

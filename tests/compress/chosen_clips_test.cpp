@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which keys and which rounding the search takes, for scenes that ask different things of it. Many choices keep a
-// budget; the search promises the smallest that it meets, so that a worse one shows only here. After a deliberate
-// change:
+// Records which keys and which rounding the search chooses for different scenes. Many choices keep a budget, so only
+// this test notices a choice that is larger than before. After a deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-compress --gtest_filter='chosen_clips.*'
 // writes tests/golden/chosen_clips.txt; bytes should not have grown.
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ namespace {
 
 constexpr const char* kStored = SINEW_SOURCE_DIR "/tests/golden/chosen_clips.txt";
 
-/// Smooth curves and noise of additions and products only: the same on every machine.
+/// Smooth curves and noise, made of additions and products only: the same bits on every machine.
 class Curves {
  public:
   Curves(std::uint64_t seed, double noise) : random_(seed), noise_(noise) {}
@@ -62,7 +61,7 @@ Track<V> track_of(Interpolation interpolation, std::size_t keys, const At& at) {
   return track;
 }
 
-/// A tree of joints that turn, some of which move, stretch, step or hardly do anything.
+/// A tree of rotating joints, some of which also translate, scale, step or hardly move.
 Scene tree(std::uint64_t seed, double noise, Interpolation interpolation) {
   Scene scene;
   scene.skeleton = test::skeleton_of({kNone, 0, 0, 1, 2, 3, 4});
@@ -84,8 +83,8 @@ Scene tree(std::uint64_t seed, double noise, Interpolation interpolation) {
   return scene;
 }
 
-/// The tree with three faces whose morph weights move: by many keys, by two, by bent curves and by a single key.
-/// `scale` of the joint of the last ones stretches what wrong weights do.
+/// The tree with three faces whose morph weights move: by many keys, by two keys, by curves and by a single key.
+/// `scale` of the last faces' joint amplifies the effect of wrong weights.
 Scene faces(std::uint64_t seed, double noise, float scale = 1.0f) {
   Scene scene = tree(seed, noise, Interpolation::linear);
   scene.skeleton.rest[6].scale = glm::vec3(scale);
@@ -118,7 +117,7 @@ Scene faces(std::uint64_t seed, double noise, float scale = 1.0f) {
   return scene;
 }
 
-/// Keys in their authoring form.
+/// Hash of the keys in authoring form.
 std::uint64_t hash_of(const Animation& keys) {
   BitHash hash;
   const auto add = [&](const auto& track) { hash.add(std::span(track.times_s)).add(std::span(track.values)); };
@@ -131,14 +130,15 @@ std::uint64_t hash_of(const Animation& keys) {
   return hash.value();
 }
 
-/// What the clip samples: shows how each track was rounded, however clips are stored.
+/// Hash of the sampled clip: shows how tracks were rounded, independent of the storage format.
 std::uint64_t hash_of(const Scene& scene, const Clip& clip) {
   test::PoseBuffer pose(scene.skeleton.joint_count());
   std::vector<float> weights(scene.weight_count());
   std::vector<Transform> locals(scene.skeleton.joint_count());
   BitHash hash;
   for (int i = 0; i <= 40; ++i) {
-    run(SampleClipJob{.clip = &clip, .time_s = 0.0546875 * i, .pose = pose.span(), .weights = weights});
+    EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = 0.0546875 * i, .pose = pose.span(), .weights = weights}),
+              ErrorCode::ok);
     for (std::size_t j = 0; j < locals.size(); ++j) locals[j] = pose.span().get(j);
     hash.add(std::span(locals)).add(std::span(weights));
   }

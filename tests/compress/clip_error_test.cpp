@@ -41,14 +41,14 @@ TEST(clip_error, large_clips_are_looked_at_on_keys_and_between_them) {
   const Animation animation = of_keys(Interpolation::linear, std::move(keys_s));
   const std::vector<double> all = times_to_check(animation, 0);
   EXPECT_EQ(all.size(), 60'001u);
-  EXPECT_EQ(times_to_check(animation, kMostJointTimes / all.size()), all) << "as many as may be";
+  EXPECT_EQ(times_to_check(animation, kMaxJointTimes / all.size()), all) << "as many as may be";
   for (const std::size_t joints : {167u, 300u, 900u, 1900u}) {
     const auto times = times_to_check(animation, joints);
     const auto step = static_cast<std::size_t>(std::lround(6.0 * times[1]));
-    EXPECT_GE(step, all.size() * joints / kMostJointTimes + 1);
+    EXPECT_GE(step, all.size() * joints / kMaxJointTimes + 1);
     ASSERT_EQ(times.size(), (all.size() + step - 1) / step) << joints;
     for (std::size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], all[i * step]) << joints;
-    EXPECT_LE(times.size() * joints, kMostJointTimes + joints);
+    EXPECT_LE(times.size() * joints, kMaxJointTimes + joints);
     int phases[6] = {};
     for (const double time_s : times) ++phases[std::lround((time_s - std::floor(time_s)) * 6.0) % 6];
     for (const int count : phases) EXPECT_GT(6 * count, static_cast<int>(times.size()) / 2) << joints << " joints";

@@ -29,7 +29,7 @@ Scene scene_of(Skeleton skeleton, Animation animation) {
   return scene;
 }
 
-/// A chain of bones of 0.2 that sways smoothly, with some noise, sampled at `fps`.
+/// A chain of bones of length 0.2 that sways smoothly with some noise, sampled at `fps`.
 Scene swaying(std::uint32_t joints, std::size_t keys, float fps, double noise_rad, std::uint64_t seed = 7) {
   test::FixedRandom random(seed);
   Skeleton skeleton = test::chain_skeleton(joints);
@@ -48,8 +48,7 @@ Scene swaying(std::uint32_t joints, std::size_t keys, float fps, double noise_ra
   return scene_of(std::move(skeleton), test::animation_of(std::move(bones)));
 }
 
-/// What keys whose length is off by a rounding, and float poses, may change: in proportion to the largest number of the
-/// pose.
+/// The error that keys of not quite unit length and float poses may cause, relative to the largest number of the pose.
 double noise_of(const Scene& scene, const Animation& truth, double time_s) {
   TruthPose pose;
   evaluate_truth(truth, scene.skeleton, time_s, pose);
@@ -60,9 +59,9 @@ double noise_of(const Scene& scene, const Animation& truth, double time_s) {
   return 1e-6 * largest;
 }
 
-/// Fails when the certificate is wrong: at a hundred random times nothing of the clip, packed or not, is farther off
-/// than it says (but for `margin`, what lies between the times that it was measured at), and where it has its worst
-/// case the same error is found.
+/// Checks a certificate. At a hundred random times no error may exceed it by more than `margin`; the margin covers
+/// times between the measured ones. Packed and unpacked clips are tested. At its worst time the certified error must be
+/// found again.
 void expect_honest(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip,
                    double margin = 1.03) {
   ASSERT_TRUE(clip.certificate());
@@ -129,15 +128,17 @@ TEST(compile_clip_within, G06_a_budget_of_zero_keeps_every_key_bit_for_bit) {
   test::PoseBuffer a(9), b(9);
   for (int i = 0; i < 50; ++i) {
     const double time_s = random.in(0, scene.animations[0].duration_s);
-    run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = a.span(), .weights = {}});
-    run(SampleClipJob{.clip = &within.clip, .time_s = time_s, .pose = b.span(), .weights = {}});
+    EXPECT_EQ(run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = a.span(), .weights = {}}),
+              ErrorCode::ok);
+    EXPECT_EQ(run(SampleClipJob{.clip = &within.clip, .time_s = time_s, .pose = b.span(), .weights = {}}),
+              ErrorCode::ok);
     for (std::size_t j = 0; j < 9; ++j) EXPECT_EQ(a.span().get(j), b.span().get(j));
   }
   EXPECT_EQ(within.clip.certificate()->kept_keys, within.clip.certificate()->source_keys);
 }
 
 TEST(compile_clip_within, C13_an_error_of_a_parent_counts_at_all_vertices_below_it) {
-  // One bent joint at the root of a chain of 2 m: the same bend may be ten times as wrong with a chain of 0.2 m.
+  // A bent joint at the root of a 2 m chain: with a chain of 0.2 m the bend may have ten times the error.
   std::uint64_t bytes_long = 0, bytes_short = 0;
   for (const float bone_m : {0.2f, 0.02f}) {
     Scene scene = swaying(10, 120, 30.0f, 0.0);
@@ -263,7 +264,8 @@ TEST(compile_clip_within, morph_weights_are_held_by_what_they_displace) {
     test::PoseBuffer pose(1);
     for (int i = 0; i < 200; ++i) {
       const double t = random.in(0, scene.animations[0].duration_s);
-      run(SampleClipJob{.clip = &within.clip, .time_s = t, .pose = pose.span(), .weights = weights});
+      EXPECT_EQ(run(SampleClipJob{.clip = &within.clip, .time_s = t, .pose = pose.span(), .weights = weights}),
+                ErrorCode::ok);
       double expected[2];
       sample_track<double>(animated.weights, t, std::span<double>(expected));
       EXPECT_LE(2 * std::abs(weights[0] - expected[0]) + 1e-3 * std::abs(weights[1] - expected[1]), budget);

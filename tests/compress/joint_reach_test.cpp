@@ -10,9 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr double kCorner = 0.03 * 1.7320508075688772;  // from a joint to a corner of its shell
+constexpr double kCorner = 0.03 * 1.7320508075688772;  // distance from a joint to a corner of its box
 
-/// Bones of 0.2 along y.
+/// Bones of length 0.2 along y.
 Skeleton chain(std::uint32_t joints) {
   Skeleton skeleton = test::chain_skeleton(joints);
   for (std::uint32_t j = 1; j < joints; ++j) skeleton.rest[j].translation.y = 0.2f;
@@ -63,7 +63,7 @@ TEST(joint_reach, scales_above_stretch_translations_and_turns_and_a_joints_own_d
   EXPECT_NEAR(reach[1].translation, 1.0, 1e-12) << "its own scale does not move it";
   EXPECT_GE(reach[2].translation, 8.0) << "an upper bound";
   EXPECT_LT(reach[2].translation, 8.0 * 1.3);
-  const double tip = 0.03 * std::sqrt(4.0 * 4.0 + 5.0 * 5.0 + 8.0 * 8.0);  // a corner of the tip's shell
+  const double tip = 0.03 * std::sqrt(4.0 * 4.0 + 5.0 * 5.0 + 8.0 * 8.0);  // distance to a corner of the tip's box
   EXPECT_NEAR(reach[2].rotation, tip, 1e-6);
   EXPECT_NEAR(reach[1].rotation, 5.0 * 0.2 + tip, 1e-6);
   EXPECT_NEAR(reach[1].scale, (5.0 * 0.2 + tip) / 4.0, 1e-6) << "the smallest scale, without its sign";
@@ -87,7 +87,7 @@ TEST(joint_reach, a_scale_of_zero_reaches_nowhere) {
   EXPECT_EQ(reach_of(skeleton)[1].scale, 0.0);
 }
 
-/// Moves the second joint of a chain along y by `lengths` at even times of a second.
+/// Moves the second joint of a chain along y by these lengths at even times within one second.
 Animation stretching(std::initializer_list<float> lengths) {
   BoneAnimation bone;
   bone.joint = 1;
@@ -102,7 +102,7 @@ TEST(joint_reach, of_all_poses_of_a_clip_the_largest_counts_its_ends_included) {
   const Skeleton skeleton = chain(2);
   EXPECT_NEAR(reach_of(skeleton, stretching({7, 1}))[0].rotation, 7.0 + kCorner, 1e-6);
   EXPECT_NEAR(reach_of(skeleton, stretching({1, 7}))[0].rotation, 7.0 + kCorner, 1e-6);
-  const Animation peak = stretching({1, 1, 1, 7, 1, 1});  // a fifth of the clip is three of the fifteen steps
+  const Animation peak = stretching({1, 1, 1, 7, 1, 1});  // the peak takes a fifth of the clip: three of fifteen steps
   EXPECT_NEAR(reach_of(skeleton, peak)[0].rotation, 7.0 + kCorner, 1e-6);
 }
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// Bones of 0.2 along y, and a clip of two seconds in which the second joint stands where it stands at rest.
+/// Bones of length 0.2 along y, and a clip of two seconds in which the second joint does not move.
 Scene chain_scene(std::uint32_t joints) {
   Scene scene;
   scene.skeleton = test::chain_skeleton(joints);
@@ -89,7 +89,7 @@ TEST(measure_clip, a_clip_that_is_right_has_no_worst_joint) {
   EXPECT_EQ(error.worst_joint, kNone);
 }
 
-/// Two instances of a mesh with two targets, of 2 m and 1 m for each unit of weight; weights at rest are 0.
+/// Two instances of a mesh with two targets that displace 2 m and 1 m per unit of weight; rest weights are 0.
 Scene morphed_scene() {
   Scene scene = chain_scene(3);
   Mesh& mesh = scene.meshes.emplace_back();
@@ -109,7 +109,7 @@ Scene morphed_scene() {
   return scene;
 }
 
-/// The truth with both weights off: by -1/8 and +1/4, which is 1/4 m and 1/4 m.
+/// The truth with both weights wrong, by -1/8 and +1/4: each displaces 1/4 m.
 Animation with_wrong_weights(const Scene& scene) {
   Animation wrong = scene.animations[0];
   wrong.weights[0].weights.values = {0.375f, 0.5f, 0.375f, 0.5f};

@@ -95,9 +95,9 @@ TEST(remove_keys, what_is_left_stays_within_the_tolerance_of_random_tracks) {
 
 TEST(remove_keys, hold_still_takes_the_middle_and_respects_the_tolerance) {
   Vec3Track track{Interpolation::linear, {1, 2, 4}, {{0, 0, 0}, {0.02f, 0, 0}, {0.01f, 0, 0}}};
-  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.009}));
+  EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.009}));
   EXPECT_EQ(track.key_count(), 3u);
-  EXPECT_TRUE(hold_still(LooseTrack{&track, 0.011}));
+  EXPECT_TRUE(flatten_to_constant(LooseTrack{&track, 0.011}));
   EXPECT_EQ(track.times_s, (std::vector<float>{1, 4}));
   EXPECT_FLOAT_EQ(track.values[0].x, 0.01f);
   EXPECT_EQ(track.values[0], track.values[1]);
@@ -106,7 +106,7 @@ TEST(remove_keys, hold_still_takes_the_middle_and_respects_the_tolerance) {
 TEST(remove_keys, hold_still_sees_what_cubic_curves_do_between_equal_keys) {
   const glm::vec3 none(0), fast(0, 4, 0);
   Vec3Track track{Interpolation::cubic_spline, {0, 1}, {none, none, fast, fast, none, none}};
-  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.1}));
+  EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.1}));
 }
 
 TEST(remove_keys, weights_count_by_what_they_displace) {
@@ -120,14 +120,14 @@ TEST(remove_keys, weights_count_by_what_they_displace) {
   EXPECT_EQ(track.values, (std::vector<float>{0, 0, 2, 0}));
 }
 
-/// Each key in turn is the one that is farthest from the others.
+/// Makes each key in turn the one that is farthest from the others.
 template <class TrackType, class Set>
 void expect_each_key_to_count(const Set& set) {
   for (std::size_t odd = 0; odd < 4; ++odd) {
     TrackType track = set(odd);
-    EXPECT_FALSE(hold_still(LooseTrack{&track, 0.49, std::vector<float>{1.0f, 1.0f}})) << odd;
+    EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.49, std::vector<float>{1.0f, 1.0f}})) << odd;
     EXPECT_EQ(track.key_count(), 4u);
-    EXPECT_TRUE(hold_still(LooseTrack{&track, 0.51, std::vector<float>{1.0f, 1.0f}})) << odd;
+    EXPECT_TRUE(flatten_to_constant(LooseTrack{&track, 0.51, std::vector<float>{1.0f, 1.0f}})) << odd;
     EXPECT_EQ(track.key_count(), 2u);
   }
 }
@@ -146,13 +146,13 @@ TEST(remove_keys, hold_still_looks_at_every_key) {
 }
 
 TEST(remove_keys, hold_still_turns_to_the_mean_of_all_rotations_on_one_side) {
-  // Three keys by 0 and one by 0.04 rad, in either sign: the mean is near 0.01, the farthest 0.03 away.
+  // Three keys at 0 and one at +-0.04 rad: the mean is near 0.01 and the farthest key is 0.03 away.
   for (std::size_t odd = 0; odd < 4; ++odd)
     for (const float sign : {1.0f, -1.0f}) {
       QuatTrack track{Interpolation::linear, evenly(4), std::vector<glm::quat>(4, quat_identity<float>())};
       track.values[odd] = quat_xyzw(0.02f, 0.0f, 0.0f, std::sqrt(1.0f - 0.0004f)) * sign;
-      EXPECT_FALSE(hold_still(LooseTrack{&track, 0.0299})) << odd;
-      ASSERT_TRUE(hold_still(LooseTrack{&track, 0.0301})) << odd;
+      EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.0299})) << odd;
+      ASSERT_TRUE(flatten_to_constant(LooseTrack{&track, 0.0301})) << odd;
       EXPECT_NEAR(std::abs(track.values[0].x), 0.005f, 1e-5f);
       EXPECT_NEAR(std::abs(track.values[0].w), 1.0f, 1e-4f);
     }
@@ -161,8 +161,8 @@ TEST(remove_keys, hold_still_turns_to_the_mean_of_all_rotations_on_one_side) {
 TEST(remove_keys, hold_still_gives_each_weight_its_own_middle) {
   const std::vector<float> metres{1.0f, 1.0f, 1.0f};
   WeightTrack track{Interpolation::linear, {1, 2, 4}, {0.0f, 5.0f, -1.0f, 0.2f, 5.0f, -1.4f, 0.1f, 5.1f, -1.2f}, 3};
-  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.3, metres}));
-  ASSERT_TRUE(hold_still(LooseTrack{&track, 0.36, metres})) << "0.1 + 0.05 + 0.2";
+  EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.3, metres}));
+  ASSERT_TRUE(flatten_to_constant(LooseTrack{&track, 0.36, metres})) << "0.1 + 0.05 + 0.2";
   EXPECT_EQ(track.times_s, (std::vector<float>{1, 4}));
   EXPECT_EQ(track.interpolation, Interpolation::step);
   EXPECT_EQ(track.target_count, 3u);
@@ -173,16 +173,17 @@ TEST(remove_keys, hold_still_gives_each_weight_its_own_middle) {
 
 TEST(remove_keys, weights_that_overshoot_between_equal_keys_do_not_hold_still) {
   const std::vector<float> metres{1.0f, 1.0f};
-  // Rows of in-tangents, values and out-tangents; the second weight leaves its key at 4 per second: up to 4 * 4/27.
+  // Rows of in-tangents, values and out-tangents. The second weight leaves its key at 4 per second and rises to 4 *
+  // 4/27.
   WeightTrack track{Interpolation::cubic_spline, {0, 1}, {0, 0, 1, 1, 0, 4, 0, 0, 1, 1, 0, 0}, 2};
-  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.5, metres}));
-  EXPECT_TRUE(hold_still(LooseTrack{&track, 0.6, metres}));
+  EXPECT_FALSE(flatten_to_constant(LooseTrack{&track, 0.5, metres}));
+  EXPECT_TRUE(flatten_to_constant(LooseTrack{&track, 0.6, metres}));
 }
 
 TEST(remove_keys, cubic_curves_are_compared_between_keys_too) {
-  // All keys are 0 and lie on the line between the ends; only the curves between them leave it, by 4/27 of a tangent.
+  // All keys are 0, on the line between the ends. Only the curves between them leave it, by 4/27 of a tangent.
   Vec3Track track{Interpolation::cubic_spline, evenly(5), std::vector<glm::vec3>(15)};
-  track.values[3 * 2 + 2].y = 1.0f;  // out of the third key
+  track.values[3 * 2 + 2].y = 1.0f;  // out-tangent of the third key
   EXPECT_THAT(needed(track, 0.1), ElementsAre(0, 2, 3, 4)) << "the curve stays";
   EXPECT_THAT(needed(track, 0.15), ElementsAre(0, 4));
   const std::vector<float> metres{1.0f};
@@ -194,7 +195,7 @@ TEST(remove_keys, cubic_curves_are_compared_between_keys_too) {
 }
 
 TEST(remove_keys, rotations_are_compared_along_the_arc) {
-  // 0, 0.2 and 0.4 rad are on one arc at even times; at 0, 1/4 and 1 of it they are not: 0.1 rad off.
+  // 0, 0.2 and 0.4 rad are on one slerp at even times. At times 0, 1/4 and 1 the middle key is off by 0.1 rad.
   const auto turned = [](double angle) {
     return quat_xyzw(0.0f, static_cast<float>(std::sin(angle / 2)), 0.0f, static_cast<float>(std::cos(angle / 2)));
   };

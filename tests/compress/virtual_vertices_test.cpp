@@ -69,7 +69,7 @@ TEST(virtual_vertices, copies_of_a_mesh_are_all_inside) {
   EXPECT_EQ(v.boxes[0].upper, glm::vec3(6, 2, 2));
 }
 
-/// A mesh of one vertex that its targets move by so much along x; without any displacement for 0.
+/// A mesh of one vertex whose targets move it by these lengths along x; a length of 0 makes an empty target.
 Mesh mesh_moved_by(std::initializer_list<float> lengths) {
   Mesh mesh;
   Primitive& primitive = mesh.primitives.emplace_back();
@@ -102,7 +102,7 @@ TEST(virtual_vertices, skinned_vertices_are_in_the_boxes_of_their_own_joints_onl
   Mesh& mesh = scene.meshes.emplace_back();
   Primitive& primitive = mesh.primitives.emplace_back();
   primitive.positions = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
-  // The first vertex follows one joint of the skin, the other two follow two.
+  // The first vertex follows one joint of the skin, the other two vertices follow two joints.
   primitive.influences.groups = {{.first_vertex = 0, .vertex_count = 1, .influence_count = 1, .first_influence = 0},
                                  {.first_vertex = 1, .vertex_count = 2, .influence_count = 2, .first_influence = 1}};
   primitive.influences.joints = {0, 1, 0, 2, 1};

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// `copies` of each of `distinct` vertices, whose joints are a different pair each.
+/// `copies` copies of each of `distinct` vertices; each has its own pair of joints.
 VertexInfluences repeated_pairs(std::uint32_t distinct, std::uint32_t copies) {
   VertexInfluences influences;
   influences.groups = {{0, distinct * copies, 2, 0}};
@@ -97,7 +97,7 @@ TEST(combine_influences, weights_of_other_bits_are_another_combination) {
   EXPECT_EQ(combine_influences(influences, 2).combination_count, 2u);
 }
 
-/// Frames with and without combinations, of the same input.
+/// Compares frames with and without combined influences.
 void expect_same_vertices(const Scene& scene, const Needs& needs) {
   const Plan combined = compile_plan(lend(scene), needs), plain = without_combinations(combined);
   ASSERT_TRUE(stage(combined, "combinations").runs);

@@ -20,7 +20,7 @@ Indices stream(std::array<std::uint32_t, 3> first, std::uint32_t count) {
 
 TEST(flat_faces, triangles_whose_corners_follow_each_other_are_a_stream) {
   Indices triangles = stream({40, 0, 20}, 20);
-  std::rotate(triangles.begin(), triangles.begin() + 21, triangles.end());  // their order does not matter
+  std::rotate(triangles.begin(), triangles.begin() + 21, triangles.end());  // the order of triangles must not matter
   const FlatFaces faces = sort_flat_faces(triangles, 60);
   ASSERT_EQ(faces.streams.size(), 1u);
   EXPECT_EQ(faces.streams[0].first, (std::array<std::uint32_t, 3>{40, 0, 20}));

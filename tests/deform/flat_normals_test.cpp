@@ -19,22 +19,23 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 using Points = std::vector<glm::vec3>;
 
-/// The normals of rest are (0, 1, 0); what the job leaves alone stays (9, 9, 9).
+/// Computes normals. Rest normals are (0, 1, 0); normals that the job does not write stay (9, 9, 9).
 Points flat(const Points& positions, const Indices& triangles, bool turned = false) {
   const Points rest(positions.size(), glm::vec3(0, 1, 0));
   Points normals(positions.size() + 1, glm::vec3(9));
   const FlatFaces faces = sort_flat_faces(triangles, positions.size());
-  run(FlatNormalsJob{.faces = &faces,
-                     .positions = positions,
-                     .rest_normals = rest,
-                     .turned = turned,
-                     .normals = std::span(normals).first(positions.size())});
+  EXPECT_EQ(run(FlatNormalsJob{.faces = &faces,
+                               .positions = positions,
+                               .rest_normals = rest,
+                               .turned = turned,
+                               .normals = std::span(normals).first(positions.size())}),
+            ErrorCode::ok);
   EXPECT_EQ(normals.back(), glm::vec3(9)) << "written past the end";
   normals.pop_back();
   return normals;
 }
 
-/// Normals of one face, which is repeated until it fills the widest vectors.
+/// Normals of one face, repeated until it fills the widest vectors.
 Points flat_face(const Points& face, bool turned = false) {
   constexpr std::uint32_t kCopies = FlatStream::kFewest;
   Points positions;
@@ -75,7 +76,7 @@ TEST(flat_normals, where_faces_share_vertices_the_last_one_decides) {
   EXPECT_EQ(normals[4], glm::vec3(0, 1, 0));
 }
 
-/// A face of any shape from equilateral to nearly a line, and of any size.
+/// Adds a face of any size and any shape from equilateral to nearly a line.
 void add_face(FixedRandom& random, Points& to) {
   const bool ordinary = random.below(10) > 0;
   const double size = std::pow(10.0, ordinary ? random.in(-3, 1) : random.in(-18, 18));
@@ -85,7 +86,7 @@ void add_face(FixedRandom& random, Points& to) {
   to.insert(to.end(), {glm::vec3(at), glm::vec3(at + along), glm::vec3(at + along * random.in(-1, 1) + across)});
 }
 
-/// How the vertices of triangles lie in memory: by corner, triangle after triangle, or anyhow.
+/// Order of vertices in memory: by corner, by triangle, or shuffled.
 enum class VertexOrder { streams, in_a_row, shuffled };
 
 Indices indices_of(VertexOrder order, std::size_t face_count, FixedRandom& random) {
@@ -143,7 +144,7 @@ TEST(flat_normals, an_edge_whose_square_underflows_is_not_taken_for_a_wide_angle
   }
 }
 
-/// Two right-angled edges whose product of squares is finite in float, while the square of their product is not.
+/// Two orthogonal edges: the product of their squares is finite in float, the square of their product is not.
 Points face_whose_area_overflows() {
   FixedRandom random(128);
   for (int i = 0; i < 1'000'000; ++i) {

@@ -17,7 +17,7 @@ namespace {
 
 using test::Way;
 
-/// Normalised weights that still sum to 1: the heaviest takes what rounding leaves.
+/// Integer weights that still sum to 1: the heaviest takes the rounding remainder.
 template <class Number>
 std::vector<Number> normalised_weights(const test::SkinnedVertices& s) {
   constexpr double kMost = std::numeric_limits<Number>::max();
@@ -55,9 +55,9 @@ Skinned skin(Way way, test::SkinnedVertices& s, const InfluenceStreams& influenc
 
 class SkinningInputs : public testing::TestWithParam<Way> {};
 
-TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_numbers_that_they_stand_for) {
+TEST_P(SkinningInputs, small_integers_skin_with_the_bits_of_converted_numbers) {
   test::FixedRandom random(81);
-  const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMostWidened};
+  const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMaxConverted};
   for (const std::uint32_t group_size : {1u, 7u, 17u, 40u, 300u}) {
     auto s = test::random_skinned_vertices(random, counts, group_size, 64, true);
     const std::vector<std::uint8_t> joints8(s.influences.joints.begin(), s.influences.joints.end()),
@@ -82,7 +82,7 @@ TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_
   }
 }
 
-/// Vertices at (1, 0, 0) of a joint that rests, and of one that takes them to the origin: x is the first weight.
+/// Vertices at (1, 0, 0) between a joint at rest and one that moves them to the origin: x is the first weight.
 template <class Number>
 void expect_quotients() {
   constexpr std::uint32_t kSteps = std::uint32_t{1} << std::numeric_limits<Number>::digits;
@@ -97,11 +97,12 @@ void expect_quotients() {
                                          joint_matrix_from(affine_from(Mat3<float>(0.0f), glm::vec3(0)))};
   const std::vector<glm::vec3> positions(kSteps, {1, 0, 0});
   std::vector<glm::vec3> out(kSteps);
-  run(SkinLinearJob{{groups, std::span<const std::uint16_t>(joints), std::span<const Number>(weights)},
-                    palette,
-                    {positions, {}, {}},
-                    {out, {}, {}},
-                    NormalRule::linear});
+  EXPECT_EQ(run(SkinLinearJob{{groups, std::span<const std::uint16_t>(joints), std::span<const Number>(weights)},
+                              palette,
+                              {positions, {}, {}},
+                              {out, {}, {}},
+                              NormalRule::linear}),
+            ErrorCode::ok);
   std::uint32_t wrong = 0;
   for (std::uint32_t c = 0; c < kSteps; ++c)
     wrong += out[c].x != static_cast<float>(c) / static_cast<float>(kSteps - 1);
@@ -117,9 +118,9 @@ TEST(influence_streams, every_small_weight_is_its_quotient_rounded_once) {
   }
 }
 
-/// What rounding weights costs, as a part of the spread of where single joints would put a vertex. Only linear blending
-/// is linear in its weights.
-TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_half_a_step_for_each_influence_at_the_most) {
+// The error of rounded weights, relative to the spread of the places to which the single joints move a vertex. Only
+// linear blending is linear in its weights, so only there a bound is known.
+TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_at_most_half_a_step_each) {
   test::FixedRandom random(82);
   const std::uint32_t counts[] = {4, 8};
   auto s = test::random_skinned_vertices(random, counts, 200, 24, false);
@@ -147,7 +148,7 @@ TEST(influence_streams, linear_rounded_weights_move_a_vertex_by_half_a_step_for_
 }
 
 TEST(influence_streams, are_rejected_where_a_vertex_has_more_influences_than_are_widened) {
-  constexpr std::uint32_t kMany = InfluenceStreams::kMostWidened + 1;
+  constexpr std::uint32_t kMany = InfluenceStreams::kMaxConverted + 1;
   const InfluenceGroup groups[] = {{0, 1, kMany, 0}};
   const std::vector<std::uint8_t> joints(kMany, 0), weights(kMany, 0);
   const std::vector<std::uint16_t> wide_joints(kMany, 0);

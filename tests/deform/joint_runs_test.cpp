@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices in a row that follow the same joints are skinned by paths of their own; that must not show.
+// Consecutive vertices with the same joints take special code paths, which must give the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,9 +22,9 @@ using test::Way;
 constexpr std::uint32_t kRunCounts[] = {1, 2, 3, 4, 5, 8};
 constexpr std::uint32_t kRunLengths[] = {1, 5, 15, 16, 17, 20, 31, 33, 70, 16, 2, 40, 64, 3};
 
-/// Vertices in runs of the same joints each, by weights of their own. Joint 1 collapses, joint 2 flattens, joint 3
-/// mirrors; in every other run all joints are one. Some normals have no direction or lengths that leave float's range
-/// when they are squared.
+/// Runs of vertices with the same joints but different weights. Joint 1 collapses, joint 2 flattens, joint 3 mirrors;
+/// in every other run all influences name one joint. Some normals are zero, or have lengths whose square leaves float's
+/// range.
 SkinnedVertices runs_of_joints(FixedRandom& random, std::uint32_t influence_count) {
   const std::uint32_t count = std::accumulate(std::begin(kRunLengths), std::end(kRunLengths), 0u);
   SkinnedVertices s = test::random_skinned_vertices(random, std::span(&influence_count, 1), count, 8, true);
@@ -40,7 +40,7 @@ SkinnedVertices runs_of_joints(FixedRandom& random, std::uint32_t influence_coun
   return s;
 }
 
-/// The vertices of `s`, which all have as many influences, in another order.
+/// The vertices of `s` in another order; all have equally many influences.
 SkinnedVertices reordered(const SkinnedVertices& s, std::span<const std::uint32_t> order) {
   SkinnedVertices out = s;
   const std::uint32_t influences = s.influences.groups[0].influence_count;
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> shuffled(FixedRandom& random, std::size_t count) {
 
 class JointRuns : public testing::TestWithParam<Way> {
  protected:
-  /// Skins the vertices in runs and in any order.
+  /// Skins the vertices in runs and in random order.
   static void expect_same_bits(SkinnedVertices s, FixedRandom& random) {
     const std::vector<std::uint32_t> order = shuffled(random, s.positions.size());
     SkinnedVertices other = reordered(s, order);

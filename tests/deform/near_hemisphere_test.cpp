@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints whose rotations are half a turn apart but for a rounding: the dot product of their quaternions is nearly zero,
-// and its sign decides on which side each vertex goes round (N17).
+// Joints whose rotations are almost exactly half a turn apart. The dot product of their quaternions is nearly zero, and
+// its sign decides which way round each vertex turns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,15 +19,14 @@ namespace {
 constexpr std::uint16_t kNearJoints = 24;
 constexpr std::uint32_t kNearCounts[] = {2, 3, 4, 5, 8, 12};
 
-/// Vertices whose heaviest influence is joint 0, and rigid joints whose quaternions have these dot products with its
-/// own,
-/// in turns.
+/// Vertices whose heaviest influence is joint 0, and rigid joints whose quaternions have the given dot products with
+/// that of joint 0, in turns.
 struct NearlyOpposite {
   test::SkinnedVertices vertices;
   std::vector<RigidStretch> split{kNearJoints};
   std::vector<glm::vec3> centers;
 
-  /// in   first  the rotation of joint 0; where it is the identity, dot products are exact in any order of their sum
+  /// in   first  the rotation of joint 0; for the identity, dot products are exact in any order of their sum
   NearlyOpposite(std::uint64_t seed, std::uint32_t group_size, const Quat<float>& first, std::vector<double> dots) {
     test::FixedRandom random(seed);
     vertices = test::random_skinned_vertices(random, kNearCounts, group_size, kNearJoints, false);
@@ -60,7 +59,7 @@ struct NearlyOpposite {
   }
 };
 
-/// Joint 0, which is the pivot of every vertex, with each other one.
+/// Joint 0, the pivot of every vertex, paired with every other joint.
 std::vector<JointPair> every_pair() {
   std::vector<JointPair> pairs;
   for (std::uint16_t j = 1; j < kNearJoints; ++j) pairs.push_back({0, j});
@@ -71,21 +70,23 @@ enum class Kind { dual_quaternion, center_of_rotation };
 
 void skin(NearlyOpposite& s, Kind kind, std::span<const JointPair> pairs) {
   if (kind == Kind::dual_quaternion)
-    run(SkinDualQuaternionJob{.influences = &s.vertices.influences,
-                              .split = s.split,
-                              .any_stretch = false,
-                              .vertices = s.vertices.in(),
-                              .out = s.vertices.out(),
-                              .pairs = pairs});
+    EXPECT_EQ(run(SkinDualQuaternionJob{.influences = &s.vertices.influences,
+                                        .split = s.split,
+                                        .any_stretch = false,
+                                        .vertices = s.vertices.in(),
+                                        .out = s.vertices.out(),
+                                        .pairs = pairs}),
+              ErrorCode::ok);
   else
-    run(SkinCenterOfRotationJob{.influences = &s.vertices.influences,
-                                .palette = s.vertices.palette,
-                                .split = s.split,
-                                .any_stretch = false,
-                                .centers = s.centers,
-                                .vertices = s.vertices.in(),
-                                .out = s.vertices.out(),
-                                .pairs = pairs});
+    EXPECT_EQ(run(SkinCenterOfRotationJob{.influences = &s.vertices.influences,
+                                          .palette = s.vertices.palette,
+                                          .split = s.split,
+                                          .any_stretch = false,
+                                          .centers = s.centers,
+                                          .vertices = s.vertices.in(),
+                                          .out = s.vertices.out(),
+                                          .pairs = pairs}),
+              ErrorCode::ok);
 }
 
 reference::SkinnedT<double> truth(const NearlyOpposite& s, Kind kind, std::size_t v) {
@@ -102,7 +103,7 @@ reference::SkinnedT<double> truth(const NearlyOpposite& s, Kind kind, std::size_
   return reference::skin_center_of_rotation<double>(motions, matrices, weights, p, n, Vec3<double>(s.centers[v]));
 }
 
-/// The largest distance of a position or normal from double precision.
+/// The largest error of a position or normal against double precision.
 double farthest_from_truth(const NearlyOpposite& s, Kind kind) {
   double farthest = 0.0;
   for (std::size_t v = 0; v < s.vertices.positions.size(); ++v) {
@@ -134,7 +135,7 @@ class near_hemisphere : public ::testing::TestWithParam<Case> {
 const std::vector<std::vector<double>> kDots = {{1e-7},   {-1e-7},          {1e-7, -1e-7},     {0.0, -1e-7}, {0.9e-5},
                                                 {1.1e-5}, {1.1e-5, 0.9e-5}, {1.1e-5, -1.1e-5}, {2e-5, -1e-7}};
 
-TEST_P(near_hemisphere, N17_the_sign_of_a_dot_product_of_1e_7_decides_as_in_double_with_and_without_known_pairs) {
+TEST_P(near_hemisphere, N17_a_dot_product_of_1e_7_decides_as_in_double) {
   const auto pairs = every_pair();
   for (std::size_t i = 0; i < kDots.size(); ++i)
     for (const std::uint32_t group_size : {3u, 40u}) {
@@ -147,7 +148,7 @@ TEST_P(near_hemisphere, N17_the_sign_of_a_dot_product_of_1e_7_decides_as_in_doub
     }
 }
 
-TEST_P(near_hemisphere, N17_sums_of_four_products_that_nearly_cancel_decide_alike_with_and_without_known_pairs) {
+TEST_P(near_hemisphere, N17_known_pairs_do_not_change_nearly_cancelling_signs) {
   test::FixedRandom random(77);
   const auto pairs = every_pair();
   for (const double dot : {0.0, 3e-8, -3e-8, 1e-6, -1e-6})
@@ -172,13 +173,13 @@ TEST_P(near_hemisphere, N17_a_dot_product_of_minus_zero_is_on_the_side_of_the_pi
   EXPECT_LT(farthest_from_truth(s, kind_), 2e-5);
 }
 
-// A list that misses pairs is believed where those that it has are clearly on one side, and only there: this tells
-// where "clearly" begins.
+// If all listed pairs are clearly in one hemisphere, unlisted pairs are assumed to be as well. This test finds the dot
+// product at which "clearly" begins.
 TEST_P(near_hemisphere, N17_signs_are_compared_vertex_by_vertex_up_to_a_dot_product_of_1e_5) {
   const JointPair listed[] = {{0, 1}};
   for (const double dot : {-1e-7, 1e-7, 0.99e-5, 1.01e-5, 0.5}) {
-    NearlyOpposite s(9, 20, quat_identity<float>(), {0.3, dot});   // joint 1 has `dot`, as every second one
-    for (std::uint16_t j = 2; j < kNearJoints; j += 2) s.flip(j);  // clearly on the other side, and not listed
+    NearlyOpposite s(9, 20, quat_identity<float>(), {0.3, dot});   // odd joints have `dot`
+    for (std::uint16_t j = 2; j < kNearJoints; j += 2) s.flip(j);  // clearly in the other hemisphere, and not listed
     skin(s, kind_, listed);
     EXPECT_EQ(farthest_from_truth(s, kind_) > 0.1, dot > 1e-5) << dot;
   }

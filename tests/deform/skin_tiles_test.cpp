@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Skinning works on tiles of vertices, whose size depends on the instruction set; that must not show.
+// Skinning works on tiles of vertices, whose size depends on the instruction set. The bits must not depend on it.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -64,7 +64,7 @@ TEST_P(SkinTiles, a_vertex_has_the_bits_that_it_has_alone) {
     const std::uint32_t four[] = {4};
     auto s = test::random_skinned_vertices(random, four, size, 24, true);
     for (glm::vec4& column : s.palette[5].column)
-      column = glm::vec4(0, 0, 0, column.w);  // collapses whom it moves most
+      column = glm::vec4(0, 0, 0, column.w);  // collapses vertices that mainly follow it
     s.normals[size / 2] = glm::vec3(0);       // a normal without direction
     const auto centers = s.positions;
     const Skinned all(GetParam(), s, centers, best_target());

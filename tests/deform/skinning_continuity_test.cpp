@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Joints turned through 720 degrees in small steps: the skin moves continuously, but where two joints of a vertex pass
-/// a half turn of each other and the shorter way round changes side (N18).
+// Joints turn through 720 degrees in small steps. The skin must move continuously, except when two joints of a vertex
+// pass a relative half turn: there the shorter way changes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,18 +21,17 @@ constexpr std::uint32_t kSweepCounts[] = {2, 3, 4, 6};
 constexpr std::uint32_t kSweepJoints = 7;
 constexpr int kSteps = 1440;
 constexpr double kStep_rad = 3.141592653589793 / 360;  // 720 degrees in all
-/// Half a step beside the half turns, where rounding would decide which way round is the shorter.
+/// Times are half a step away from the half turns, where rounding would decide which way is shorter.
 constexpr double time_at(int step) { return (step + 0.5) * kStep_rad; }
 constexpr double kRounding = 5e-5;  // of float positions a few metres from the origin
 
-/// A joint that turns about an axis of its own: `angle_rad(s)` after s radians of the sweep, at most `speed` per
-/// radian.
+/// A joint that turns about its own axis by `angle_rad(s)` after s radians of the sweep, at most `speed` per radian.
 struct Turning {
   Vec3d axis, pivot;
-  double speed = 0.0, sway_rad = 0.0;  ///< sway_rad > 0: there and back within this angle
+  double speed = 0.0, sway_rad = 0.0;  ///< sway_rad > 0: sways back and forth within this angle
 
   double angle_rad(double s) const { return sway_rad > 0.0 ? sway_rad * std::sin(s * speed / sway_rad) : s * speed; }
-  /// Continuous in s also in sign.
+  /// Continuous in s, without sign changes.
   Quat<double> rotation(double s) const {
     const Vec3d v = axis * std::sin(angle_rad(s) / 2);
     return quat_xyzw(v.x, v.y, v.z, std::cos(angle_rad(s) / 2));
@@ -52,7 +51,7 @@ struct Step {
 
   double length() const { return to - from; }
 
-  /// How often a joint and the heaviest one pass a half turn of each other between the two ends.
+  /// True if a joint and the heaviest joint pass a relative half turn within the step.
   bool passes_half_turn() const {
     for (const Turning* joint : joints)
       if (side(*joint, from) != side(*joint, to)) return true;
@@ -67,12 +66,13 @@ struct Step {
     return sum;
   }
 
-  /// Of the blended unit rotation as a vector of four, b / |b|: |b'| / |b|, b' = sum(w turn_i / 2).
+  /// Bounds the change of the unit rotation b / |b| as a 4-vector: |b'| / |b|, b' = sum(w turn_i / 2).
   double rotation_bound() const { return blend_step() / shortest(); }
 
-  /// The blended motion takes p to 2 b_d b*/|b|^2 when p is the origin of rest space and the pivot joint's image of p
-  /// that of the world; b_d = sum(w u_i q_i / 2), u_i = the image of p by joint i. eq   |p''| <= 2 |b_d'| / |b| + 2
-  /// |b_d| |b'| / |b|^2
+  /// Bounds the movement of p. Let p be the origin of rest space and the pivot joint's image of p the origin of the
+  /// world. Then the blended motion takes p to 2 b_d b*/|b|^2, b_d = sum(w u_i q_i / 2), u_i = the image of p by joint
+  /// i.
+  /// eq   |p''| <= 2 |b_d'| / |b| + 2 |b_d| |b'| / |b|^2
   double dual_bound(const Vec3d& p) const {
     const Vec3d origin = joints[0]->move(from, p);
     double dual = 0.0, dual_step = 0.0;
@@ -94,7 +94,7 @@ struct Step {
     return sum;
   }
 
-  /// A lower bound of the blend's length anywhere within the step.
+  /// A lower bound for the length of the blend within the step.
   double shortest() const {
     const auto at = [&](double s) {
       std::vector<DualQuatd> motions;
@@ -131,7 +131,7 @@ struct Sweep {
     return out;
   }
 
-  /// What a sweep met: steps over the bound without a half turn passed, such with one, and half turns passed.
+  /// Counts of a sweep: steps over the bound without and with a passed half turn, and passed half turns.
   struct Outcome {
     int unexplained = 0, leaps = 0, half_turns = 0;
   };
@@ -161,7 +161,7 @@ struct Sweep {
 
 class SkinningContinuity : public testing::TestWithParam<Way> {};
 
-TEST_P(SkinningContinuity, N18_joints_turned_twice_move_the_skin_in_steps_but_where_two_of_them_pass_a_half_turn) {
+TEST_P(SkinningContinuity, N18_the_skin_moves_continuously_except_at_half_turns) {
   test::FixedRandom random(31);
   Sweep sweep(random);
   for (std::uint32_t j = 0; j < kSweepJoints; ++j) sweep.joints[j].speed = j % 3 == 0 ? 0.0 : random.in(0.5, 1.0);
@@ -183,11 +183,10 @@ TEST_P(SkinningContinuity, N17_a_body_turned_twice_with_joints_that_sway_below_a
   const Vec3d axis = random.direction<double>();
   for (Turning& joint : sweep.joints) {
     joint.axis = axis;
-    joint.speed = 1.0;  // the whole turn, in which signs of the quaternions change
+    joint.speed = 1.0;  // a whole turn, so its quaternion changes sign
     joint.pivot = Vec3d(0);
   }
-  for (std::uint32_t j = 0; j < kSweepJoints; j += 2)
-    sweep.joints[j].speed = 0.8;  // lags behind by 144 degrees in the end
+  for (std::uint32_t j = 0; j < kSweepJoints; j += 2) sweep.joints[j].speed = 0.8;  // 144 degrees behind at the end
   const Sweep::Outcome outcome = sweep.run(GetParam());
   EXPECT_EQ(outcome.half_turns, 0);
   EXPECT_EQ(outcome.unexplained, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How far each kind of skinning shrinks or bulges: closed forms for two joints with half the weight each (N20).
+// How far each kind of skinning shrinks or bulges: closed forms for two joints with half the weight each.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using test::Way;
 
 constexpr double kDegree = 3.141592653589793 / 180;
 
-/// One vertex between a joint at rest and one that is turned about an axis through the origin.
+/// One vertex between a joint at rest and a joint turned about an axis through the origin.
 test::SkinnedVertices between(const glm::vec3& p, const glm::vec3& axis, double angle_rad) {
   test::SkinnedVertices s;
   s.positions = {p};
@@ -33,7 +33,7 @@ glm::vec3 skinned(Way way, test::SkinnedVertices s, const glm::vec3& center) {
   return s.out_positions[0];
 }
 
-TEST(skinning_envelopes, N20_a_twist_shrinks_linear_blending_by_the_cosine_of_half_the_angle_and_nothing_else) {
+TEST(skinning_envelopes, N20_a_twist_shrinks_only_linear_blending_by_cos_of_half_the_angle) {
   const glm::vec3 p(0.25f, 0, 2), on_axis(0.25f, 0, 0), x(1, 0, 0);
   for (const double degrees : {0.0, 30.0, 90.0, 150.0, 179.0}) {
     const auto s = between(p, x, degrees * kDegree);
@@ -44,10 +44,11 @@ TEST(skinning_envelopes, N20_a_twist_shrinks_linear_blending_by_the_cosine_of_ha
   }
 }
 
-// A limb along x, bent about z at the origin. The vertex sits `along` beyond the joint, `above` the bone, its center on
-// the bone. Its distance from the joint: linear blending pulls all of it in, dual quaternions keep it and so push the
-// skin off the bent bone, about its center the vertex keeps its distance from the bone while the bone is cut short.
-TEST(skinning_envelopes, N20_a_bend_collapses_linearly_bulges_with_dual_quaternions_and_lies_between_about_its_center) {
+// A limb along x, bent about z at the origin. The vertex is `along` beyond the joint and `above` the bone; its center
+// is on the bone. Linear blending shrinks its distance from the joint. Dual quaternions keep that distance, which
+// pushes the skin off the bent bone. Skinning around the center keeps its distance from the bone, while the bone gets
+// shorter.
+TEST(skinning_envelopes, N20_a_bend_shrinks_bulges_or_keeps_its_distance_by_kind) {
   const glm::vec3 z(0, 0, 1);
   for (const double degrees : {30.0, 90.0, 120.0, 170.0})
     for (const float along : {-0.5f, 0.0f, 0.25f, 1.0f})

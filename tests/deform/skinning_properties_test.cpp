@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What holds for every kind of skinning and any joints: rigid motions commute with it, the bind pose moves nothing,
-/// and neither do influences of weight zero.
+// Properties of every kind of skinning: rigid motions commute with it, the bind pose moves nothing, and influences of
+// weight zero change nothing.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +18,7 @@ using test::Way;
 constexpr std::uint32_t kAnyCounts[] = {1, 2, 3, 4, 6};
 constexpr std::uint32_t kAnyJoints = 9;
 
-/// Joints whose turns stay within 57 degrees of each other, so that blends have one meaning, stretched and all mirrored
+/// Joints within 57 degrees of each other, so that all kinds agree on the shorter way. Stretched; either all mirrored
 /// or none.
 SkinnedVertices vertices(FixedRandom& random) {
   SkinnedVertices s = test::random_skinned_vertices(random, kAnyCounts, 5, kAnyJoints, false);

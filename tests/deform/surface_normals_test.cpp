@@ -24,12 +24,13 @@ std::vector<glm::vec3> normals_of(const Primitive& rest, const Points& moved, bo
   const SurfaceFaces faces = join_surface(rest, false);
   std::vector<glm::vec4> sums(surface_sums(faces));
   std::vector<glm::vec3> normals(moved.size() + 1, glm::vec3(9));
-  run(SurfaceNormalsJob{.faces = &faces,
-                        .positions = moved,
-                        .rest_normals = rest.normals,
-                        .turned = turned,
-                        .sums = sums,
-                        .normals = std::span(normals).first(moved.size())});
+  EXPECT_EQ(run(SurfaceNormalsJob{.faces = &faces,
+                                  .positions = moved,
+                                  .rest_normals = rest.normals,
+                                  .turned = turned,
+                                  .sums = sums,
+                                  .normals = std::span(normals).first(moved.size())}),
+            ErrorCode::ok);
   EXPECT_EQ(normals.back(), glm::vec3(9)) << "written past the end";
   normals.pop_back();
   return normals;
@@ -38,12 +39,14 @@ std::vector<glm::vec3> normals_of(const Primitive& rest, const Points& moved, bo
 std::vector<glm::vec4> tangents_of(const Primitive& rest, const Points& moved) {
   const SurfaceFaces faces = join_surface(rest, true);
   std::vector<glm::vec4> tangents(moved.size());
-  run(SurfaceTangentsJob{.faces = &faces, .positions = moved, .rest_tangents = rest.tangents, .tangents = tangents});
+  EXPECT_EQ(run(SurfaceTangentsJob{
+                .faces = &faces, .positions = moved, .rest_tangents = rest.tangents, .tangents = tangents}),
+            ErrorCode::ok);
   return tangents;
 }
 
-/// A flat grid of squares with two triangles each, cut along either diagonal; a seam doubles the vertices of one
-/// column.
+/// A flat grid of squares of two triangles each; the cutting diagonal alternates from row to row. A seam doubles the
+/// vertices of one column.
 /// in   growth  of the squares, from column to column and row to row
 Primitive grid(int columns, int rows, float growth = 0.0f) {
   Primitive out;
@@ -78,13 +81,13 @@ Points waved(const Primitive& rest, FixedRandom& random, float size = 1.0f) {
   for (const glm::vec3& p : rest.positions)
     out.push_back(size * glm::vec3(p.x + 0.2f * p.y, p.y, std::sin(0.8f * p.x) + 0.3f * std::cos(1.7f * p.y)));
   for (glm::vec3& p : out) p.z += 0.1f * size * static_cast<float>(random.unit());
-  for (std::size_t v = 0; v < out.size(); ++v)  // the same on both sides of a seam
+  for (std::size_t v = 0; v < out.size(); ++v)  // equal on both sides of a seam
     for (std::size_t w = v + 1; w < out.size(); ++w)
       if (rest.positions[v] == rest.positions[w]) out[w] = out[v];
   return out;
 }
 
-/// The largest rounding that the header allows for the normal of a vertex, in radians.
+/// The rounding error that the header allows for the normal of a vertex, in radians.
 double allowed(const Primitive& rest, const Points& moved, std::size_t vertex) {
   const std::vector<reference::Point> exact(moved.begin(), moved.end());
   const std::vector<std::size_t> joined = reference::joined_with(rest, vertex);
@@ -140,7 +143,7 @@ TEST(surface_normals, are_smooth_over_seams_and_sharp_at_sharp_edges) {
         EXPECT_EQ(normals[v], normals[w]);
       }
   Primitive sharp = rest;
-  for (std::size_t v = 0; v < 9; ++v) sharp.normals[v] = {0, 1, 0};  // on one side of the seam, at x = 2
+  for (std::size_t v = 0; v < 9; ++v) sharp.normals[v] = {0, 1, 0};  // sharp edge: one side of the seam, at x = 2
   const std::vector<glm::vec3> apart = normals_of(sharp, folded);
   EXPECT_EQ(apart[7], glm::vec3(0, 0, 1));
   EXPECT_TRUE(is_near(apart[10], glm::vec3(-0.70710678f, 0, 0.70710678f), 1e-6));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Weights that are tiny but in proportion, for the kinds of skinning that divide by the length of a blend.
+// Tiny weights in the right proportion, for the kinds of skinning that divide by the length of a blend.
 #include <gtest/gtest.h>
 
 #include "runtime/math/decompose.h"
@@ -28,7 +28,7 @@ struct Case {
     for (const glm::vec3& p : s.positions) centers.push_back(p + random.vec3());
     for (float& w : s.influences.weights) w *= weight;
     split.resize(s.palette.size());
-    run(SplitPaletteJob{s.palette, split, &any_stretch});
+    EXPECT_EQ(run(SplitPaletteJob{s.palette, split, &any_stretch}), ErrorCode::ok);
   }
 
   void skin(Way way, bool directions) {
@@ -38,9 +38,10 @@ struct Case {
       in.tangents = {};
     }
     if (way == Way::dual_quaternion)
-      run(SkinDualQuaternionJob{&s.influences, split, any_stretch, in, s.out()});
+      EXPECT_EQ(run(SkinDualQuaternionJob{&s.influences, split, any_stretch, in, s.out()}), ErrorCode::ok);
     else
-      run(SkinCenterOfRotationJob{&s.influences, s.palette, split, any_stretch, centers, in, s.out()});
+      EXPECT_EQ(run(SkinCenterOfRotationJob{&s.influences, s.palette, split, any_stretch, centers, in, s.out()}),
+                ErrorCode::ok);
   }
 
   reference::SkinnedT<double> truth(Way way, std::size_t v) const {
@@ -60,13 +61,13 @@ struct Case {
   }
 };
 
-/// Compares one run with the reference in double; normals only where directions are skinned too.
+/// Compares one run with the reference in double. Normals are compared only if `directions`.
 void expect_truth(Way way, bool with_scale, float weight, bool directions) {
   Case c(with_scale, weight);
   c.skin(way, directions);
   for (std::size_t v = 0; v < c.s.positions.size(); ++v) {
     const auto truth = c.truth(way, v);
-    // random rotations nearly cancel now and then; their blend loses digits by 1 / its length
+    // random rotations sometimes nearly cancel; the error grows with 1 / length of the blend
     EXPECT_TRUE(test::is_near(Vec3d(c.s.out_positions[v]), truth.position, 1e-4)) << v;
     if (!directions) continue;
     EXPECT_TRUE(test::is_near(Vec3d(c.s.out_normals[v]), truth.normal, 1e-4)) << v;

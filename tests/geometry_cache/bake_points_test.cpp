@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point caches and numbered files that move a mesh: which vertex each point moves, and when.
+// Baking point caches and numbered files onto a mesh: which vertex each point moves, and when.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 const std::vector<glm::vec3> kInFile = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};  // the triangle of TinyGltf
 
-/// Vertex 0 has two influences, the others one: the importer puts it last.
+/// Vertex 0 has two influences and the others one, so the importer moves it to the end.
 test::TinyGltf skinned_triangle() {
   test::TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
@@ -33,7 +33,7 @@ Scene scene_of(const test::TinyGltf& file) {
   return imported ? std::move(imported->scene) : Scene{};
 }
 
-/// Three frames from half a second on: vertex v of the file rises by v + 1 a frame.
+/// Three frames, starting at 0.5 s. Vertex v of the file rises by v + 1 per frame.
 std::string rising_points(const ToolModelFile& folder) {
   std::vector<std::vector<glm::vec3>> frames(3, kInFile);
   for (int f = 0; f < 3; ++f)

@@ -18,7 +18,7 @@ namespace {
 
 using tool::bake_scene;
 
-/// The model of tool tests with colours on its triangle, which no bone moves but a node squeezes.
+/// The model of the tool tests with colours on its triangle. A node, not a bone, scales the triangle.
 Scene coloured_scene(float alpha) {
   const ToolModelFile model;
   auto file = import_gltf(model.path());
@@ -113,7 +113,7 @@ TEST(bake_scene, hidden_meshes_are_baked_as_if_they_were_shown) {
 
 TEST(bake_scene, a_clip_that_ends_with_a_frame_but_for_rounding_has_that_frame) {
   Scene scene = coloured_scene(1.0f);
-  scene.animations[0].duration_s = static_cast<double>(0.7f);  // a little less
+  scene.animations[0].duration_s = static_cast<double>(0.7f);  // slightly below 0.7 in double
   ASSERT_LT(scene.animations[0].duration_s * 10.0, 7.0);
   const auto baked = bake_scene(scene, 0, 10.0, {});
   ASSERT_TRUE(baked);

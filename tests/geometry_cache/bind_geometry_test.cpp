@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Two quads of two triangles each; the cache is baked from them.
+/// Two quads of two triangles each, from which the cache is baked.
 GeometryTake two_quads() {
   GeometryTake take = take_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, {0, 1, 2, 2, 1, 3});
   take.meshes.push_back(take.meshes[0]);
@@ -29,7 +29,7 @@ class bind_geometry : public testing::Test {
     scene_ = scene_of(cache_, frames)->scene;
   }
 
-  /// The same quad with a seam along its diagonal, and in another order.
+  /// The first quad with a seam along its diagonal and another vertex order.
   static Primitive split_quad() {
     Primitive quad;
     quad.positions = {{1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}};
@@ -45,13 +45,13 @@ class bind_geometry : public testing::Test {
 TEST_F(bind_geometry, vertices_that_are_split_or_reordered_are_matched_corner_for_corner) {
   EXPECT_THAT(*match_vertices(cache_.meshes()[0], split_quad()), ElementsAre(3u, 2u, 1u, 2u, 1u, 0u));
   Primitive other = split_quad();
-  other.indices[0] = 0;  // vertex 0 would be two vertices of the cache
+  other.indices[0] = 0;  // vertex 0 would match two vertices of the cache
   EXPECT_EQ(match_vertices(cache_.meshes()[0], other).error(), ErrorCode::unsupported);
   other.indices.resize(3);
   EXPECT_EQ(match_vertices(cache_.meshes()[0], other).error(), ErrorCode::size_mismatch);
   Primitive more = scene_.meshes[0].primitives[0];
   ASSERT_EQ(match_vertices(cache_.meshes()[0], more)->size(), 4u);
-  more.positions.emplace_back();  // of no triangle
+  more.positions.emplace_back();  // part of no triangle
   EXPECT_EQ(match_vertices(cache_.meshes()[0], more).error(), ErrorCode::size_mismatch);
 }
 

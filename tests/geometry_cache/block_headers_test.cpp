@@ -119,7 +119,7 @@ TEST(block_headers, offsets_take_as_many_planes_as_the_largest_has_bytes) {
     return bytes.coarse[0];
   };
   for (const std::size_t axis : {0u, 1u, 2u}) {
-    // Zigzag doubles them: -128 is 255, and 128 is 256.
+    // Zigzag codes: -128 becomes 255, and 128 becomes 256.
     for (const unsigned bytes : {1u, 2u, 3u}) {
       const std::int32_t half = 1 << (8 * bytes - 1);
       EXPECT_EQ(planes_of(-half, axis), bytes - 1) << half;
@@ -166,7 +166,7 @@ TEST(block_headers, limits_are_inside) {
     EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 15) << int{kind};
   }
   std::vector<std::uint8_t> coarse(1 + 4 + 3 * 4, 0);
-  coarse[0] = 4;  // planes, one more than there can be
+  coarse[0] = 4;  // number of planes, one more than allowed
   coarse[1] = static_cast<std::uint8_t>(BlockBase::last);
   EXPECT_FALSE(read_block_headers(coarse, std::vector<std::uint8_t>(3, 0), FramePlace::later, std::span(&any, 1)));
 }

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// Blocks with arbitrary numbers in all their fields.
+/// Blocks with random values in all fields.
 struct AnyBlocks {
   std::vector<BlockMotion> motions;
   std::vector<std::uint8_t> payload, corners;
@@ -29,7 +29,7 @@ BlockMotion any_motion(FixedRandom& random, BlockBase base, unsigned state_bits)
   BlockMotion motion{.base = base, .turns = base != BlockBase::space && random.below(2) == 0};
   motion.spreads = base != BlockBase::space && random.below(3) == 0;
   motion.shift = static_cast<std::uint8_t>(random.below(31));
-  for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMostWidth + 1));
+  for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMaxWidth + 1));
   for (auto& number : motion.matrix) number = static_cast<std::int16_t>(random.bits());
   for (auto& number : motion.offset) number = number_of_bits(random, state_bits);
   return motion;
@@ -71,8 +71,13 @@ TEST(block_motion, every_instruction_set_moves_blocks_as_the_equation_says) {
       for (std::uint64_t seed = 1; seed < 30; ++seed) {
         AnyBlocks in = any_blocks(seed, 20, bits);
         const std::vector<std::int32_t> expected = moved_by_reference(in);
-        run(MoveBlocksJob{
-            .blocks = in.motions, .payload = in.payload, .corners = in.corners, .x1 = in.x1, .x2 = in.x2, .x = in.x2});
+        EXPECT_EQ(run(MoveBlocksJob{.blocks = in.motions,
+                                    .payload = in.payload,
+                                    .corners = in.corners,
+                                    .x1 = in.x1,
+                                    .x2 = in.x2,
+                                    .x = in.x2}),
+                  ErrorCode::ok);
         ASSERT_EQ(in.x2, expected) << simd_name(target) << ", numbers of " << bits << " bits, seed " << seed;
       }
   }
@@ -81,15 +86,20 @@ TEST(block_motion, every_instruction_set_moves_blocks_as_the_equation_says) {
 TEST(block_motion, every_width_of_residuals_is_unpacked) {
   for (const std::int64_t target : simd_targets()) {
     const OnlyTarget only(target);
-    for (std::uint8_t width = 0; width <= kMostWidth; ++width) {
+    for (std::uint8_t width = 0; width <= kMaxWidth; ++width) {
       AnyBlocks in = any_blocks(width + 1u, 1, 20);
       in.motions = {BlockMotion{.base = BlockBase::last, .width = {width, width, width}}};
       in.payload.assign(std::size_t{24} * width + kPayloadPadding, 0);
       FixedRandom random(width);
       for (auto& byte : in.payload) byte = static_cast<std::uint8_t>(random.bits());
       const std::vector<std::int32_t> expected = moved_by_reference(in);
-      run(MoveBlocksJob{
-          .blocks = in.motions, .payload = in.payload, .corners = in.corners, .x1 = in.x1, .x2 = in.x2, .x = in.x2});
+      EXPECT_EQ(run(MoveBlocksJob{.blocks = in.motions,
+                                  .payload = in.payload,
+                                  .corners = in.corners,
+                                  .x1 = in.x1,
+                                  .x2 = in.x2,
+                                  .x = in.x2}),
+                ErrorCode::ok);
       ASSERT_EQ(in.x2, expected) << simd_name(target) << ", width " << int{width};
     }
   }
@@ -107,11 +117,36 @@ TEST(block_motion, a_parallelogram_by_hand) {
   corners[10] = 2;
   corners[11] = 0;
   std::vector<std::int32_t> x(kBlockNumbers), unused(kBlockNumbers);
-  run(MoveBlocksJob{
-      .blocks = std::span(&motion, 1), .payload = payload, .corners = corners, .x1 = unused, .x2 = unused, .x = x});
+  EXPECT_EQ(
+      run(MoveBlocksJob{
+          .blocks = std::span(&motion, 1), .payload = payload, .corners = corners, .x1 = unused, .x2 = unused, .x = x}),
+      ErrorCode::ok);
   EXPECT_EQ(std::vector<std::int32_t>(x.begin(), x.begin() + 4), (std::vector<std::int32_t>{100, 110, 101, 110}));
   EXPECT_EQ(x[kBlockPoints], 7);
   EXPECT_EQ(x[2 * kBlockPoints + 63], -7);
+}
+
+TEST(block_motion, buffers_of_other_sizes_and_too_wide_residuals_are_refused) {
+  BlockMotion motion{.width = {1, 0, 0}};
+  std::vector<std::int32_t> numbers(kBlockNumbers), x(kBlockNumbers);
+  std::vector<std::uint8_t> corners(kBlockNumbers, kNoCorner), payload(8 + kPayloadPadding);
+  const auto job = [&] { return MoveBlocksJob{{&motion, 1}, payload, corners, numbers, numbers, x}; };
+  EXPECT_EQ(check(job()), ErrorCode::ok);
+  payload.pop_back();
+  EXPECT_EQ(run(job()), ErrorCode::size_mismatch) << "the padding is read too";
+  payload.push_back(0);
+  corners.pop_back();
+  EXPECT_EQ(run(job()), ErrorCode::size_mismatch);
+  corners.push_back(kNoCorner);
+  motion.width[1] = kMaxWidth + 1;
+  EXPECT_EQ(run(job()), ErrorCode::index_out_of_range);
+
+  std::vector<glm::vec3> points(kBlockPoints + 1);
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::size_mismatch);
+  points.pop_back();
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::ok);
+  x.pop_back();
+  EXPECT_EQ(run(EmitPointsJob{.from = numbers, .to = x, .out = points}), ErrorCode::size_mismatch);
 }
 
 TEST(block_motion, points_are_written_with_the_same_bits_by_every_instruction_set) {
@@ -124,7 +159,7 @@ TEST(block_motion, points_are_written_with_the_same_bits_by_every_instruction_se
       for (const std::int64_t target : simd_targets()) {
         const OnlyTarget only(target);
         std::vector<glm::vec3> out(points);
-        run(EmitPointsJob{.from = from, .to = to, .part = part, .step = 1e-4f, .out = out});
+        EXPECT_EQ(run(EmitPointsJob{.from = from, .to = to, .part = part, .step = 1e-4f, .out = out}), ErrorCode::ok);
         for (std::size_t i = 0; i < points; ++i)
           for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t at = i / 64 * kBlockNumbers + axis * kBlockPoints + i % 64;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which motion the encoder takes for blocks of many kinds, and what its residuals take. Any motion decodes to the right
-// points, so that a worse one shows only here. After a deliberate change:
+// Records which motion the encoder chooses for blocks of many kinds, and the size of the residuals. Any motion decodes
+// to the right points, so only this test notices a larger choice. After a deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-geometry-cache --gtest_filter='chosen_blocks.*'
 // writes tests/golden/chosen_blocks.txt; bytes should not have grown.
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kStored = SINEW_SOURCE_DIR "/tests/golden/chosen_blocks.txt";
 constexpr double kReach = 0.8660254037844387;  // half the diagonal of a cube
 
-/// Points of a bent sheet of 8 by 8, some hundred steps apart, and how they moved before.
+/// Points of a bent sheet of 8 by 8, some hundred steps apart, with their earlier motion.
 struct Sheet {
   BlockState x1{}, x2{};
   std::vector<std::uint8_t> corners = std::vector<std::uint8_t>(kBlockNumbers, kNoCorner);
@@ -51,7 +51,7 @@ Sheet sheet(FixedRandom& random, double size, double past) {
   return out;
 }
 
-/// Adds to a point what a kind of motion does; `t` tells how strongly.
+/// Moves a point; `t` scales the motion.
 using Motion = std::function<void(const Sheet& sheet, std::size_t i, double t, double* p)>;
 
 struct Kind {
@@ -91,7 +91,7 @@ std::vector<Kind> kinds() {
            }}};
 }
 
-/// Fits some blocks of a kind, and says which bases they took, their bytes, and the hash of all they hold.
+/// Fits some blocks of one kind. Returns their bases, their bytes and a hash of their content.
 std::string chosen(const Kind& kind, double noise) {
   FixedRandom random(3);
   BitHash hash;

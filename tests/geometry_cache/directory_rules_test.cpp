@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directories written by hand, number by number: each rule at its limit, on both sides.
+// Directories written number by number: each rule is tested on both sides of its limit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,10 +36,10 @@ struct MeshFields {
   double between_m = -1.0;
   std::array<float, 6> box = {-1, -2, -3, 1, 2, 3};
   std::vector<StreamFields> streams = {{}};
-  int stream_count = -1;  // as it is written; negative = as they are
+  int stream_count = -1;  // the written number; negative = the true one
 };
 
-/// The numbers of a file of two frames without any content.
+/// The fields of a file with two frames and no content.
 struct FileFields {
   double start_s = 0.5, frame_s = 0.25;
   std::uint32_t frames = 2, segment_frames = 1;
@@ -47,9 +47,9 @@ struct FileFields {
   std::vector<std::uint32_t> sizes = {5, 7};
   std::vector<std::uint64_t> sums = {11, 22};
   std::vector<std::uint16_t> boxes = std::vector<std::uint16_t>(12, 0);
-  bool packed = false;                 // tables by zstd
-  std::vector<std::byte> behind = {};  // after the directory
-  std::int64_t more_file_bytes = 0;    // than the frames take
+  bool packed = false;                 // tables are packed by zstd
+  std::vector<std::byte> behind = {};  // bytes after the directory
+  std::int64_t more_file_bytes = 0;    // added to the true file size
 };
 
 void add_table(std::span<const std::uint8_t> bytes, bool packed, ByteWriter& out) {
@@ -120,7 +120,7 @@ tl::expected<GeometryCache, GeometryCacheError> opened(const FileFields& fields)
   return GeometryCache::open(head, size);
 }
 
-/// The rule that the file breaks after a change; empty where it opens.
+/// The rule that the file breaks after a change; empty if it opens.
 std::string rule_with(const std::function<void(FileFields&)>& change) {
   FileFields fields;
   change(fields);
@@ -201,7 +201,7 @@ TEST(directory_rules, triangles_are_whole_and_name_vertices_that_are_there) {
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {0, 1, 3}; }), "cache-value");
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {2, 2, 2, 0, 0, 0}; }), "");
   EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.triangles = {}; }), "");
-  EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.vertices = kMostPoints + 1; }), "cache-value");
+  EXPECT_EQ(mesh_rule_with([](MeshFields& m) { m.vertices = kMaxPoints + 1; }), "cache-value");
 }
 
 TEST(directory_rules, boxes_and_certificates_are_finite) {

@@ -9,7 +9,7 @@
 
 namespace sinew::test {
 
-/// An engine's reader of a file in memory: at once, or when `deliver` is called. Any threads may ask it.
+/// A FrameReader for a file in memory. Reads finish at once, or when `deliver` is called. Thread-safe.
 struct Disk {
   struct Waiting {
     std::uint64_t offset;
@@ -18,7 +18,7 @@ struct Disk {
   };
   std::vector<std::byte> file;
   bool at_once = true;
-  int failures = 0;  // of the next reads
+  int failures = 0;  // number of following reads that fail
   std::vector<Waiting> waiting = {};
   std::size_t reads = 0;
   std::mutex mutex = {};

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// Largest distance of any decoded vertex from its source, in double precision, stream by stream.
+/// Largest error of a decoded vertex of each stream, in double precision.
 std::vector<double> errors_of(const GeometryTake& take, const std::vector<std::byte>& file) {
   const auto cache = GeometryCache::open(file);
   EXPECT_TRUE(cache.has_value());
@@ -93,7 +93,7 @@ TEST(encode_geometry_cache, vertices_that_never_part_are_one_point) {
   const std::uint32_t count = mesh.vertex_count;
   for (auto& frame : mesh.streams[0].frames) frame.insert(frame.end(), frame.begin(), frame.begin() + count);
   mesh.vertex_count = 2 * count;
-  mesh.streams[0].frames[9][count + 5].x += 0.01f;  // this one parts from its twin in the last frame
+  mesh.streams[0].frames[9][count + 5].x += 0.01f;  // it leaves its twin vertex in the last frame
   const auto file = encode_geometry_cache(take);
   ASSERT_TRUE(file.has_value());
   EXPECT_EQ(GeometryCache::open(*file)->meshes()[0].streams[0].point_count, count + 1);
@@ -173,7 +173,7 @@ TEST(encode_geometry_cache, what_cannot_be_baked_is_refused_by_rule) {
   EXPECT_EQ(rule_of(flag_take(4, 0.0)), "cache-budget");
 }
 
-/// One vertex that stands still.
+/// One vertex that does not move.
 GeometryTake one_point(const glm::vec3& at, double budget) { return take_of({{at}, {at}}, {}, budget); }
 
 TEST(encode_geometry_cache, the_grid_is_as_wide_as_the_budget_less_what_float_rounds_off) {

@@ -56,7 +56,7 @@ TEST(store_bytes, nothing_takes_nothing) {
   EXPECT_TRUE(out.empty());
 }
 
-/// The three sections of a frame of a stream, unpacked.
+/// The three unpacked sections of a frame of a stream.
 std::array<std::vector<std::uint8_t>, kSections> sections_of(std::span<const std::byte> frame) {
   std::array<std::vector<std::uint8_t>, kSections> out;
   Unpacker unpacker;
@@ -102,7 +102,7 @@ TEST(encode_stream, each_segment_begins_with_a_key_frame_and_the_largest_payload
 }
 
 TEST(encode_stream, points_that_go_on_evenly_are_linear_from_the_third_frame_of_a_segment) {
-  // Each point has a velocity of its own, in whole steps.
+  // Each point has its own velocity, a whole number of steps.
   FixedRandom random(2);
   std::vector<glm::vec3> from, velocity;
   for (int p = 0; p < 64; ++p) {

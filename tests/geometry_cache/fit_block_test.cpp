@@ -31,7 +31,7 @@ struct Frame {
   }
 };
 
-/// Points all over a cube.
+/// Random points in a cube.
 Frame cloud(std::uint64_t seed, double size) {
   FixedRandom random(seed);
   Frame out;
@@ -41,7 +41,7 @@ Frame cloud(std::uint64_t seed, double size) {
 
 using Mapping = std::function<std::array<double, 3>(double x, double y, double z)>;
 
-/// Where a mapping of the points of a frame puts them.
+/// The points of a frame after a mapping.
 BlockValues mapped(const Frame& from, const Mapping& mapping) {
   BlockValues out{};
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
@@ -54,7 +54,7 @@ BlockValues mapped(const Frame& from, const Mapping& mapping) {
 
 std::vector<std::uint8_t> no_corners() { return std::vector<std::uint8_t>(kBlockNumbers, kNoCorner); }
 
-/// Rows of eight: each point of the inside completes a parallelogram, those of the border follow a neighbour.
+/// Rows of eight: each inner point completes a parallelogram, points of the border follow a neighbour.
 std::vector<std::uint8_t> grid_corners() {
   std::vector<std::uint8_t> out = no_corners();
   for (std::uint8_t i = 1; i < kBlockPoints; ++i) {
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> grid_corners() {
   return out;
 }
 
-/// Residuals as the encoder packs them, bit by bit.
+/// Residuals packed bit by bit, in the format of the encoder.
 std::vector<std::uint8_t> packed(const FittedBlock& block) {
   std::vector<std::uint8_t> out;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -82,8 +82,8 @@ std::vector<std::uint8_t> packed(const FittedBlock& block) {
   return out;
 }
 
-/// What every fitted block must be: the decoder makes its state of its residuals, points are within reach, no width
-/// is larger than its residuals need, and points that are not there leave no residual.
+/// Invariants of every fitted block. Its residuals decode to its state, and points are within reach. No width is larger
+/// than its residuals need, and padding points leave no residual.
 void expect_sound(const FittedBlock& block, const BlockValues& values, std::size_t count,
                   const std::vector<std::uint8_t>& corners, const BlockState& x1, const BlockState& x2, double reach) {
   BlockState decoded = x2;
@@ -148,7 +148,7 @@ TEST(fit_block, an_offset_is_the_median_so_that_few_points_that_go_elsewhere_do_
   EXPECT_EQ(std::count(block.residuals.begin(), block.residuals.end(), 0), 192 - 4);
 }
 
-/// x2, and x1 of points that each went their own way from there.
+/// Two frames, x2 and x1; each point moves differently between them.
 struct TwoFrames {
   Frame x1, x2;
 };
@@ -201,7 +201,7 @@ TEST(fit_block, a_matrix_is_taken_after_the_velocity_as_well) {
   const auto [x1, x2] = own_ways();
   BlockValues values{};
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
-    const double bend = 0.3 * (x1.state[i] - x1.state[0]);  // along y, by x
+    const double bend = 0.3 * (x1.state[i] - x1.state[0]);  // along y, depending on x
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t n = a * kBlockPoints + i;
       values[n] = 2.0 * x1.state[n] - x2.state[n] + (a == 1 ? bend : 0.0);
@@ -255,7 +255,7 @@ TEST(fit_block, small_turns_of_wide_blocks_have_fine_matrices) {
 }
 
 TEST(fit_block, large_moves_do_not_make_a_matrix_coarser) {
-  // The offset of a million steps has a place of its own: the matrix keeps its own fineness.
+  // The offset of a million steps is stored separately, so the matrix keeps its precision.
   const Frame x1 = cloud(7, 1000), x2 = cloud(8, 1000);
   const auto turned_by = [&](double away) {
     return fitted(mapped(x1,
@@ -273,7 +273,7 @@ TEST(fit_block, large_moves_do_not_make_a_matrix_coarser) {
 }
 
 TEST(fit_block, what_is_missed_spreads_where_neighbours_miss_alike) {
-  // A slope over the grid that no matrix of the points' places can make, since these are all over.
+  // A slope over the grid. No matrix can express it, because the places of the points are random.
   const Frame x1 = cloud(9, 3000), x2 = cloud(10, 3000);
   BlockValues values{};
   for (std::size_t i = 0; i < kBlockPoints; ++i)
@@ -322,7 +322,7 @@ TEST(fit_block, a_key_frame_spreads_over_the_surface_from_its_first_point) {
 }
 
 TEST(fit_block, of_all_grid_points_within_reach_the_one_nearest_to_the_prediction_is_taken) {
-  // Points that stand alone are predicted at the offset, which is the first point: at the origin.
+  // Points without neighbours are predicted at the offset, which is the first point, here the origin.
   FixedRandom random(14);
   for (int round = 0; round < 40; ++round) {
     const double reach = round % 2 == 0 ? kReach : 1.4;

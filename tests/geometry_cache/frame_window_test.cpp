@@ -72,12 +72,12 @@ TEST_F(frame_window, a_late_reader_shows_the_newest_frame_and_catches_up) {
     window.prefetch(decoder.next_for(frame));
     return decoder.decode(frame, window);
   };
-  EXPECT_EQ(show(0), GeometryStatus::not_there);
+  EXPECT_EQ(show(0), GeometryStatus::not_loaded);
   EXPECT_EQ(decoder.frame(), kNone);
   EXPECT_EQ(window.pending_reads(), 6u);
   disk_.deliver(3);
   EXPECT_EQ(show(0), GeometryStatus::ok);
-  EXPECT_EQ(show(5), GeometryStatus::not_there);
+  EXPECT_EQ(show(5), GeometryStatus::not_loaded);
   expect_shown(decoder, 2);
   disk_.deliver(100);
   EXPECT_EQ(show(5), GeometryStatus::ok);
@@ -105,7 +105,7 @@ TEST_F(frame_window, a_failed_read_is_asked_for_again) {
   GeometryDecoder decoder(cache_);
   FrameWindow window(cache_, disk_.reader(), 2);
   disk_.failures = 5;
-  GeometryStatus status = GeometryStatus::not_there;
+  GeometryStatus status = GeometryStatus::not_loaded;
   for (int k = 0; k < 4 && status != GeometryStatus::ok; ++k) {
     window.prefetch(decoder.next_for(0));
     status = decoder.decode(0, window);
@@ -120,10 +120,10 @@ TEST_F(frame_window, that_waits_for_all_of_its_reads_asks_for_nothing_more) {
   FrameWindow window(cache_, disk_.reader(), 3);
   window.prefetch(0);
   ASSERT_EQ(window.pending_reads(), 3u);
-  const std::uint64_t asked = window.bytes_asked();
-  window.prefetch(8);  // a seek, before anything came
-  EXPECT_EQ(decoder.decode(8, window), GeometryStatus::not_there);
-  EXPECT_EQ(window.bytes_asked(), asked);
+  const std::uint64_t asked = window.bytes_requested();
+  window.prefetch(8);  // a seek before any read has finished
+  EXPECT_EQ(decoder.decode(8, window), GeometryStatus::not_loaded);
+  EXPECT_EQ(window.bytes_requested(), asked);
   EXPECT_EQ(disk_.reads, 3u);
   disk_.deliver(100);
   window.prefetch(8);
@@ -142,7 +142,7 @@ TEST_F(frame_window, two_caches_share_one_reader) {
     second.prefetch(other.next_for(b));
     disk_.deliver(100);
     ASSERT_EQ(one.decode(a, first), GeometryStatus::ok);
-    while (other.decode(b, second) == GeometryStatus::not_there) {
+    while (other.decode(b, second) == GeometryStatus::not_loaded) {
       second.prefetch(other.next_for(b));
       disk_.deliver(100);
     }
@@ -163,7 +163,7 @@ TEST_F(frame_window, playing_allocates_nothing) {
   EXPECT_EQ(counter.count(), 0u);
 }
 
-/// What playing a cache of so many frames takes, once through, as an engine streams it.
+/// Memory and reads for playing a cache of some length once, as an engine streams it.
 struct Played {
   std::size_t decoder_bytes = 0, window_bytes = 0, largest_frame = 0, allocations = 0;
   std::uint64_t file_bytes = 0, frames_decoded = 0;
@@ -199,7 +199,7 @@ TEST(frame_window_length, ten_minutes_take_the_memory_of_ten_seconds_and_allocat
     EXPECT_EQ(played.allocations, 0u);
     EXPECT_EQ(played.window_bytes, kWindow * played.largest_frame);
   }
-  // Only the largest residuals of a frame differ, by chance.
+  // Only the size of the largest frame differs, by chance.
   EXPECT_LE(longer.decoder_bytes, shorter.decoder_bytes + kBlockNumbers * sizeof(std::int32_t));
   EXPECT_LE(longer.window_bytes, shorter.window_bytes * 5 / 4);
 }

@@ -25,7 +25,7 @@ Bytes small_file() {
   return *encode_geometry_cache(take, {.segment_frames = 3});
 }
 
-/// Decodes all frames there are; true when all could be.
+/// Decodes all frames; true if all succeed.
 bool decode_all(const GeometryCache& cache, std::span<const std::byte> file) {
   GeometryDecoder decoder(cache);
   MappedFrames source{cache, file};
@@ -34,7 +34,7 @@ bool decode_all(const GeometryCache& cache, std::span<const std::byte> file) {
   return all;
 }
 
-/// Corrects the checksum of the directory after a change.
+/// Updates the checksum of the directory after a change.
 void sign(Bytes& file) {
   const std::uint64_t head = GeometryCache::head_bytes(file);
   if (head < kGeometryFileHead || head > file.size()) return;
@@ -42,11 +42,11 @@ void sign(Bytes& file) {
   std::memcpy(file.data() + 32, &sum, sizeof(sum));
 }
 
-/// The table of the corners of parallelograms of the first mesh, in the directory.
+/// The table of parallelogram corners of the first mesh, in the directory.
 class CornersInFile {
  public:
   explicit CornersInFile(Bytes file) : file_(std::move(file)), in_(file_, kGeometryFileHead) {
-    in_.skip(2 * sizeof(double) + 3 * sizeof(std::uint32_t));  // times, frames, frames of a segment, meshes
+    in_.skip(2 * sizeof(double) + 3 * sizeof(std::uint32_t));  // times, numbers of frames, frames per segment, meshes
     in_.numbers<char>();                                       // name
     in_.skip(2 * sizeof(std::uint32_t));                       // vertices, corners of triangles
     skip_table();                                              // triangles
@@ -58,7 +58,7 @@ class CornersInFile {
     skip_table();
   }
 
-  /// The file with other corners, stored plainly, and all that counts or sums bytes as it should be.
+  /// The file with other corners, stored unpacked, and with corrected counts and checksums.
   Bytes with(std::span<const std::uint8_t> corners) {
     ByteWriter table;
     table.add(static_cast<std::uint32_t>(corners.size()));
@@ -220,7 +220,7 @@ TEST(geometry_cache, a_mesh_has_one_stream_of_each_kind_in_their_order) {
   take.meshes[0].streams.push_back({GeometryKind::normals, take.meshes[0].streams[0].frames, 0.5});
   Bytes file = *encode_geometry_cache(take);
   const GeometryStream normals = GeometryCache::open(file)->meshes()[0].streams[1];
-  Bytes head(1 + sizeof(float), std::byte(1));  // as the directory describes a stream: its kind, its step, ...
+  Bytes head(1 + sizeof(float), std::byte(1));  // the start of a stream in the directory: kind, step, ...
   std::memcpy(&head[1], &normals.step, sizeof(float));
   const auto found = std::search(file.begin(), file.end(), head.begin(), head.end());
   ASSERT_NE(found, file.end());
@@ -249,7 +249,7 @@ TEST(geometry_cache, errors_of_the_head_name_the_place_of_their_number) {
   EXPECT_EQ(offset_with(kGeometryFileHead, 1), 32u);
 }
 
-/// A file of one block in two frames, a byte of whose second frame is changed and signed for.
+/// A file of one block in two frames. One byte of the second frame is changed, and the checksums are corrected.
 Bytes with_changed_frame(std::size_t at, unsigned value) {
   Bytes file = *encode_geometry_cache(noise_take(64, 2, 1e-3));
   const auto cache = GeometryCache::open(file);

@@ -17,7 +17,7 @@ namespace {
 
 using Points = std::vector<glm::vec3>;
 
-/// A baked flag of 40 frames in segments of 8, its frames decoded forward.
+/// A baked flag of 40 frames in segments of 8, and its frames decoded in order.
 class geometry_decoder : public testing::Test {
  protected:
   geometry_decoder() : file_(*encode_geometry_cache(flag_take(), {.segment_frames = 8})) {
@@ -50,7 +50,7 @@ TEST_F(geometry_decoder, forward_takes_one_frame_of_work_each) {
   EXPECT_EQ(decoder_.frames_decoded(), cache_.frame_count()) << "the frame that is held costs nothing";
 }
 
-TEST_F(geometry_decoder, a_seek_from_anywhere_to_anywhere_has_the_bits_of_forward_and_decodes_at_most_a_segment) {
+TEST_F(geometry_decoder, any_seek_has_the_bits_of_forward_decoding) {
   for (std::uint32_t from = 0; from < cache_.frame_count(); ++from)
     for (std::uint32_t to = 0; to < cache_.frame_count(); ++to) {
       ASSERT_EQ(decoder_.decode(from, source_), GeometryStatus::ok);
@@ -104,7 +104,7 @@ TEST_F(geometry_decoder, frames_allocate_nothing) {
 }
 
 TEST_F(geometry_decoder, between_frames_lie_on_the_line_between_them) {
-  for (const double at : {0.25, 6.5, 7.75, 8.125, 38.5, 3.5}) {  // also across the start of a segment, and backwards
+  for (const double at : {0.25, 6.5, 7.75, 8.125, 38.5, 3.5}) {  // also across segments, and backwards
     ASSERT_EQ(decoder_.decode_time(cache_.start_s() + at * cache_.frame_s(), source_), GeometryStatus::ok);
     const auto frame = static_cast<std::size_t>(at);
     const double part = at - static_cast<double>(frame);
@@ -194,7 +194,7 @@ TEST_F(geometry_decoder, bounds_hold_every_vertex_and_are_known_before) {
   }
 }
 
-/// Has the frames below a limit.
+/// A source that has only the frames below a limit.
 struct SomeFrames {
   FrameSource all;
   std::uint32_t limit = 0;
@@ -212,15 +212,15 @@ struct SomeFrames {
 TEST_F(geometry_decoder, a_frame_that_is_not_there_leaves_the_newest_that_is) {
   SomeFrames some{source_};
   GeometryDecoder decoder(cache_);
-  EXPECT_EQ(decoder.decode(3, some), GeometryStatus::not_there);
+  EXPECT_EQ(decoder.decode(3, some), GeometryStatus::not_loaded);
   EXPECT_EQ(decoder.frame(), kNone);
   some.limit = 6;
-  EXPECT_EQ(decoder.decode(7, some), GeometryStatus::not_there);
+  EXPECT_EQ(decoder.decode(7, some), GeometryStatus::not_loaded);
   EXPECT_EQ(decoder.frame(), 5u);
-  EXPECT_EQ(decoder.decode(20, some), GeometryStatus::not_there);
+  EXPECT_EQ(decoder.decode(20, some), GeometryStatus::not_loaded);
   EXPECT_EQ(decoder.frame(), 5u);
   some.limit = 12;
-  EXPECT_EQ(decoder.decode(20, some), GeometryStatus::not_there);
+  EXPECT_EQ(decoder.decode(20, some), GeometryStatus::not_loaded);
   EXPECT_EQ(decoder.frame(), 11u);
   Points out(forward_[0].size());
   ASSERT_EQ(decoder.write_points(0, out), GeometryStatus::ok);

@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// A flag that a cache of its own shows.
+/// A flag, played from its own cache.
 class geometry_player : public testing::Test {
  protected:
   geometry_player() : made_(*scene_of(cache_, mapped_)), player_(cache_, mapped_, made_.scene, made_.bindings) {
@@ -84,7 +84,7 @@ TEST_F(geometry_player, playing_forward_decodes_each_frame_once) {
   }
 }
 
-/// The same with frames that come through a window.
+/// Same, with frames that come through a window.
 class geometry_player_window : public geometry_player {
  protected:
   const FrameResult& play_from(GeometryPlayer& player, FrameBuffer& frame, double time_s,
@@ -142,12 +142,12 @@ TEST_F(geometry_player_window, what_is_out_of_view_reads_nothing) {
     play_from(player, frame, time_of(f), unseen);
     EXPECT_FALSE(player.bounds(0, time_of(f)).empty());
   }
-  EXPECT_EQ(window.bytes_asked(), 0u);
+  EXPECT_EQ(window.bytes_requested(), 0u);
   EXPECT_EQ(player.decoder().frames_decoded(), 0u);
   expect_bits(play_from(player, frame, time_of(10)), 10);
-  const std::uint64_t asked = window.bytes_asked();
+  const std::uint64_t asked = window.bytes_requested();
   play_from(player, frame, time_of(10));
-  EXPECT_EQ(window.bytes_asked(), asked) << "paused";
+  EXPECT_EQ(window.bytes_requested(), asked) << "paused";
 }
 
 TEST_F(geometry_player_window, a_reader_that_is_late_shows_the_newest_frame_and_says_so) {
@@ -182,7 +182,7 @@ TEST_F(geometry_player_window, a_damaged_frame_leaves_the_pose_and_the_next_segm
   expect_bits(frame.result(), 16);
 }
 
-/// A strip of four triangles, with normals and colours of its own.
+/// A strip of four triangles with stored normals and colours.
 GeometryTake strip_take() {
   GeometryTake take = take_of({}, {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5});
   TakeMesh& mesh = take.meshes[0];
@@ -231,8 +231,7 @@ TEST(geometry_player_streams, normals_of_the_cache_are_unit_and_colours_are_thos
   }
 }
 
-/// Three meshes apart from each other; the last has normals that are its own for each vertex, of which one is none,
-/// and one colour.
+/// Three separate meshes. The last has its own normal for each vertex, one of them zero, and a single colour.
 GeometryTake three_meshes() {
   GeometryTake take = noise_take(5, 3, 1e-3);
   take.meshes.push_back(noise_take(70, 3, 1e-3).meshes[0]);
@@ -333,7 +332,7 @@ TEST(geometry_player_streams, contents_differ_where_primitives_take_each_others_
   EXPECT_NE(content({{{0, 0, 0}, {0, 1, 1}}}), content({{{0, 1, 0}, {0, 0, 1}}}));
 }
 
-TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh_however_many_streams_those_before_it_have) {
+TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh) {
   GeometryTake take = strip_take();
   take.meshes.push_back(noise_take(5, 3, 1e-3).meshes[0]);
   const std::vector<std::byte> file = *encode_geometry_cache(take);
@@ -347,7 +346,7 @@ TEST(geometry_player_streams, a_scene_has_the_first_frame_of_each_mesh_however_m
           << m;
 }
 
-/// A strip of which pairs of vertices lie in one place and have normals of their own.
+/// A strip in which pairs of vertices share a position but not a normal.
 TEST(geometry_player_streams, a_mesh_may_have_more_normals_than_places) {
   GeometryTake take = strip_take();
   TakeMesh& mesh = take.meshes[0];
@@ -370,7 +369,7 @@ TEST(geometry_player_streams, a_mesh_may_have_more_normals_than_places) {
 }
 
 TEST(geometry_player_streams, a_mesh_without_normals_has_smooth_ones_over_its_points) {
-  // Two squares that meet at a right angle; the seam is twice there, and the two are one point.
+  // Two squares that meet at a right angle. Vertices of the seam are doubled, and each pair is one point.
   const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1},
                                           {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 6, 5, 7};
@@ -399,7 +398,7 @@ TEST(geometry_player_streams, a_mesh_without_triangles_is_shown_as_points) {
   GeometryPlayer player(cache, frames, made.scene, made.bindings);
   EXPECT_EQ(player.instances().size(), 1u);
   FrameSource nothing{[](void*, std::uint32_t) noexcept { return std::span<const std::byte>(); }, nullptr};
-  EXPECT_EQ(scene_of(cache, nothing).error(), GeometryStatus::not_there);
+  EXPECT_EQ(scene_of(cache, nothing).error(), GeometryStatus::not_loaded);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The encoder still makes of a take what tests/golden/cloth.sgeo holds. Sections and tables are compared unpacked,
-// since versions of zstd pack them differently. After a deliberate change of the encoder or the format:
+// The encoder must still produce the content of tests/golden/cloth.sgeo. Sections and tables are compared unpacked,
+// because versions of zstd pack differently. After a deliberate change of the encoder or the format:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-geometry-cache --gtest_filter='golden_cache.*'
 // writes the file and the hash of what it decodes to. As long as files of version 1 are to be read, the old file stays
 // beside the new one.
@@ -21,8 +21,7 @@ namespace {
 
 const std::string kFolder = SINEW_SOURCE_DIR "/tests/golden/";
 
-/// A flag, and points that a matrix moves, with colours: blocks of all kinds, in numbers that every machine computes
-/// alike.
+/// A flag, and coloured points that a matrix moves: blocks of all kinds, computed with the same bits on every machine.
 GeometryTake golden_take() {
   showcase::ClothFrames cloth = showcase::fly_flag({.columns = 7, .rows = 5, .spacing_m = 0.1, .frame_count = 10});
   GeometryTake take = take_of(std::move(cloth.frames), std::move(cloth.triangles), 1e-3);
@@ -49,7 +48,7 @@ std::vector<std::byte> encoded() {
   return *file;
 }
 
-/// Every section of every frame, unpacked, one after another with its size.
+/// All sections of all frames, unpacked; each is preceded by its size.
 std::vector<std::uint8_t> unpacked_frames(const GeometryCache& cache, std::span<const std::byte> file) {
   std::vector<std::uint8_t> out, section(1 << 16);
   Unpacker unpacker;

@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// A grid of points a metre apart, numbered row by row or in any order, with two triangles to each square.
+/// A grid of points one metre apart, numbered by rows or randomly, with two triangles per square.
 struct Grid {
   std::vector<glm::vec3> points;
   std::vector<std::uint32_t> triangles;
@@ -121,7 +121,7 @@ TEST(order_points, points_in_one_place_are_cut_by_their_numbers) {
 }
 
 TEST(order_points, points_that_part_later_are_cut_where_they_are_farthest_apart) {
-  // On one spot in all frames but one of the five that are looked at: the first, the last, and those at each quarter.
+  // All points coincide except in one of the five inspected frames: the first, the last and those at each quarter.
   for (const std::size_t frame : {0u, 2u, 4u, 6u, 8u}) {
     std::vector<std::vector<glm::vec3>> frames(9, std::vector<glm::vec3>(128, glm::vec3(1)));
     for (std::size_t p = 0; p < 128; ++p) frames[frame][p].z = p % 2 == 0 ? 5.0f : -5.0f;
@@ -138,7 +138,7 @@ TEST(order_points, the_axis_with_the_largest_variance_is_cut_not_the_one_with_th
   for (const std::uint32_t p : block_of(order, 0)) EXPECT_EQ(p % 2, 1u);
 }
 
-/// The point that corners predict, in places of its block.
+/// The point that the corners predict.
 glm::vec3 predicted(const PointOrder& order, const std::vector<glm::vec3>& points, std::size_t i) {
   glm::vec3 out(0);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -182,7 +182,7 @@ TEST(order_points, on_a_surface_all_but_a_few_points_of_a_block_complete_paralle
 }
 
 TEST(order_points, strips_that_do_not_touch_are_walked_one_after_another) {
-  // Two strips of triangles in one block: each is walked to its end before the other is begun.
+  // Two strips of triangles in one block: one is finished before the other begins.
   Grid all = grid(2, 10, false);
   const auto count = static_cast<std::uint32_t>(all.points.size());
   for (std::size_t c = 0, corners = all.triangles.size(); c < corners; ++c)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew bake` makes of a scene and a clip plays in that scene as the clip does.
+// A cache that `sinew bake` made from a clip plays like the clip.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// Where a vertex of a frame is in the world.
+/// World position of a vertex of a frame.
 glm::vec3 world_position(const Plan& plan, const FrameResult& frame, std::size_t p, std::size_t v) {
   const DeformedPrimitive& shape = frame.primitives[p];
   const Primitive& primitive = primitive_of(plan, plan.primitives()[p]);
@@ -39,7 +39,7 @@ TEST(play_baked, a_baked_clip_plays_in_its_scene_as_the_clip_does_at_any_weight_
   const Plan plan = compile_plan(lend(scene), {.cached_instances = player.instances()});
   FrameBuffer posed(plan), played(plan);
   FrameInput input;
-  input.root.row[0] = {0.0f, 0.0f, -2.0f, 3.0f};  // a turn of 90 degrees, and twice the size
+  input.root.row[0] = {0.0f, 0.0f, -2.0f, 3.0f};  // rotated by 90 degrees and doubled in size
   input.root.row[1] = {0.0f, 2.0f, 0.0f, 0.0f};
   input.root.row[2] = {2.0f, 0.0f, 0.0f, 1.0f};
   for (const double time_s : {0.0, 0.5, 1.05}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Characters that play one cache on several threads, and reads that another thread finishes: a program of its own,
-// which needs no importer, for the thread sanitizer.
+// Characters play one cache on several threads, and another thread finishes reads. A separate program without the
+// importer, so that the thread sanitizer can run it.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// The cloth of tests/golden, which plays its first mesh.
+/// The cloth of tests/golden; its first mesh plays.
 class played_on_threads : public testing::Test {
  protected:
   played_on_threads() {
@@ -55,7 +55,7 @@ TEST_F(played_on_threads, reads_may_finish_on_another_thread) {
     const std::uint32_t frame = shown % cache_.frame_count();
     window.prefetch(decoder.next_for(frame));
     std::thread io([&] { disk_.deliver(100); });
-    while (decoder.decode(frame, window) == GeometryStatus::not_there) std::this_thread::yield();
+    while (decoder.decode(frame, window) == GeometryStatus::not_loaded) std::this_thread::yield();
     io.join();
     ASSERT_EQ(decoder.frame(), frame);
     ASSERT_TRUE(same_bits<glm::vec3>(vertices(decoder), truth_[frame])) << frame;
@@ -63,7 +63,7 @@ TEST_F(played_on_threads, reads_may_finish_on_another_thread) {
   disk_.deliver(100);
 }
 
-/// Some characters, each at a frame and with a window of its own, on a job thread that hands each to another thread.
+/// Characters at different frames, each with its own window, on a job thread that uses several threads.
 class Troupe {
  public:
   static constexpr std::uint32_t kCharacters = 4;

@@ -84,7 +84,7 @@ TEST(point_cache, frames_without_points_are_frames_and_points_without_frames_are
 }
 
 TEST(point_cache, counts_whose_product_passes_64_bits_are_refused) {
-  // 12 * 2^31 * 2^31 is 0 in 64 bits: a file of the head alone would seem to be as long as it says.
+  // 12 * 2^31 * 2^31 overflows to 0 in 64 bits: a file that is only a head would seem complete.
   std::vector<std::byte> file = pc2_file(kFrames, 0, 1);
   file.resize(32);
   file[16] = file[17] = file[18] = std::byte(0);
@@ -96,7 +96,7 @@ TEST(point_cache, counts_whose_product_passes_64_bits_are_refused) {
 }
 
 TEST(point_cache, times_may_be_off_by_a_hundredth_of_their_distance) {
-  // Ten frames of 0.1 s from 2 s on; one in the middle is off.
+  // Ten frames of 0.1 s from 2 s on; one in the middle has a wrong time.
   const auto rule_with = [](float off) {
     std::vector<float> times;
     for (int f = 0; f <= 10; ++f) times.push_back(2.0f + 0.1f * static_cast<float>(f));
@@ -146,7 +146,8 @@ TEST(point_cache, the_axis_that_is_up_is_found_or_not_guessed) {
 TEST(point_cache, an_axis_fits_within_a_thousandth_of_the_size_of_the_mesh) {
   for (const glm::vec3& corner : {glm::vec3(0, 0, 0), glm::vec3(-1, -2, -6), glm::vec3(50, 90, 70)})
     for (const bool z_up : {false, true}) {
-      const std::vector<glm::vec3> rest = {corner, corner + glm::vec3(3, 4, 12)};  // 13 across, wherever it is
+      const std::vector<glm::vec3> rest = {corner,
+                                           corner + glm::vec3(3, 4, 12)};  // the diagonal is 13, wherever the box is
       const auto axis_with = [&](double off) {
         PointCache points;
         auto& frame = points.frames.emplace_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The flag of the showcase, and the cache that holds it.
+// The flag of the showcase, and its cache.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ const showcase::ClothFrames& flight() {
   return frames;
 }
 
-/// The farthest that a vertex goes from one frame to another.
+/// The largest movement of a vertex between two frames.
 float farthest(const Points& a, const Points& b) {
   float most = 0.0f;
   for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, glm::length(a[v] - b[v]));
@@ -33,7 +33,7 @@ TEST(showcase_flag, repeats_without_a_jump) {
   float step = 0.0f;
   for (std::size_t f = 1; f < frames.size(); ++f) step = std::max(step, farthest(frames[f - 1], frames[f]));
   const std::size_t last = frames.size() - 1;
-  for (const std::size_t f : {last - 24, last - 1, last})  // where the blend begins, and the seam
+  for (const std::size_t f : {last - 24, last - 1, last})  // where the loop blend begins, and the loop seam
     EXPECT_LE(farthest(frames[f - 1], frames[f]), 0.75f * step) << f;
   EXPECT_LE(farthest(frames[last - 1], frames[last]), 3.0f * farthest(frames[0], frames[1]));
 }

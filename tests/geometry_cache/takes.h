@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small takes that tests bake.
+// Small takes (recorded motions) that tests bake.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -29,7 +29,7 @@ inline GeometryTake flag_take(std::uint32_t frames = 40, double budget = 1e-4) {
   return take_of(std::move(cloth.frames), std::move(cloth.triangles), budget);
 }
 
-/// Points without a surface that jump about: nothing predicts them.
+/// Points without a surface that jump randomly, so that no prediction fits.
 inline GeometryTake noise_take(std::uint32_t points, std::uint32_t frames, double budget = 1e-4) {
   FixedRandom random(5);
   std::vector<std::vector<glm::vec3>> all(frames);

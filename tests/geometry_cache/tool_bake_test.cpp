@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sinew bake` and what `sinew info` says of its files.
+// `sinew bake`, and the output of `sinew info` for its files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

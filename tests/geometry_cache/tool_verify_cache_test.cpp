@@ -126,8 +126,8 @@ TEST(verify_cache_command, a_thousandth_more_than_was_asked_is_rounding_and_two_
   }
 }
 
-/// A still file: strips of so many corners, each a mesh. Each triangle of a strip gets vertices, and so a normal, of
-/// its own.
+/// A file without motion. Each number is a mesh: a strip with that many corners. Each triangle gets its own vertices,
+/// and so its own normal.
 std::string still_file(const std::vector<std::size_t>& strips) {
   TinyGltf gltf;
   for (const std::size_t count : strips) {
@@ -177,7 +177,7 @@ TEST(verify_cache_command, info_tells_segments_and_bytes_a_second) {
   EXPECT_THAT(info.out, HasSubstr("kB a second"));
 }
 
-/// One sentence on stderr, with the file, the rule and nothing written.
+/// Expects one sentence on stderr with the file and the rule, and no output file.
 void expect_refused(const std::vector<std::string>& arguments, const std::string& rule, const std::string& file) {
   const CommandOutcome outcome = run_tool(arguments);
   EXPECT_EQ(outcome.status, 1) << rule;

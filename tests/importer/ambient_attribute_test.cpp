@@ -40,17 +40,17 @@ TEST(ambient_attribute, values_of_vertices_that_were_split_become_their_mean) {
   const auto file = bent_square().import(carrying());
   ASSERT_TRUE(file);
   ASSERT_EQ(primitive_of(*file).vertex_count(), 6u);
-  std::vector<float> access;
-  for (std::size_t v = 0; v < 6; ++v) access.push_back(0.125f * static_cast<float>(v));
-  VertexAccess baked;
-  baked.values = {{access}};
+  std::vector<float> visibility;
+  for (std::size_t v = 0; v < 6; ++v) visibility.push_back(0.125f * static_cast<float>(v));
+  VertexVisibility baked;
+  baked.values = {{visibility}};
   const auto attributes = ambient_attributes(file->scene, baked);
   ASSERT_EQ(attributes.size(), 1u);
   EXPECT_EQ(attributes[0].name, "_AMBIENT_ACCESS");
   ASSERT_EQ(attributes[0].values.size(), 4u);
   std::vector<float> sums(4), counts(4);
   for (std::size_t v = 0; v < 6; ++v) {
-    sums[primitive_of(*file).source_vertex[v]] += access[v];
+    sums[primitive_of(*file).source_vertex[v]] += visibility[v];
     counts[primitive_of(*file).source_vertex[v]] += 1.0f;
   }
   for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(attributes[0].values[v], sums[v] / counts[v]) << v;
@@ -63,7 +63,7 @@ TEST(ambient_attribute, is_written_beside_the_others_and_read_again) {
   const TinyGltf gltf = bent_square();
   const auto file = gltf.import(carrying());
   ASSERT_TRUE(file);
-  const std::vector<AddedAttribute> added = {{0, 0, kAmbientAccessAttribute, {0.0f, 0.25f, 0.7f, 1.0f}}};
+  const std::vector<AddedAttribute> added = {{0, 0, kAmbientVisibilityAttribute, {0.0f, 0.25f, 0.7f, 1.0f}}};
   const auto out = rewrite_gltf(*file, {.added_attributes = added});
   ASSERT_TRUE(out);
   const GlbParts parts = split_glb(out->file);
@@ -76,26 +76,26 @@ TEST(ambient_attribute, is_written_beside_the_others_and_read_again) {
   const auto again = import_gltf(out->file, "out.glb", carrying());
   ASSERT_TRUE(again);
   std::vector<ImportIssue> issues;
-  const VertexAccess access = read_ambient_access(*again, issues);
+  const VertexVisibility visibility = read_ambient_visibility(*again, issues);
   EXPECT_TRUE(issues.empty());
-  EXPECT_EQ(access.times_s, std::vector<double>{0.0});
-  EXPECT_EQ(access.clip, kNone);
+  EXPECT_EQ(visibility.times_s, std::vector<double>{0.0});
+  EXPECT_EQ(visibility.clip, kNone);
   const Primitive& primitive = primitive_of(*again);
   for (std::size_t v = 0; v < primitive.vertex_count(); ++v)
-    EXPECT_EQ(access.values[0][0][v], added[0].values[primitive.source_vertex[v]]) << v;
+    EXPECT_EQ(visibility.values[0][0][v], added[0].values[primitive.source_vertex[v]]) << v;
 }
 
 TEST(ambient_attribute, an_older_one_is_replaced_and_leaves_nothing_behind) {
   const auto file = bent_square().import(carrying());
-  const std::vector<AddedAttribute> first = {{0, 0, kAmbientAccessAttribute, {0.0f, 0.0f, 0.0f, 0.0f}}},
-                                    second = {{0, 0, kAmbientAccessAttribute, {0.5f, 0.5f, 0.5f, 0.5f}}};
+  const std::vector<AddedAttribute> first = {{0, 0, kAmbientVisibilityAttribute, {0.0f, 0.0f, 0.0f, 0.0f}}},
+                                    second = {{0, 0, kAmbientVisibilityAttribute, {0.5f, 0.5f, 0.5f, 0.5f}}};
   const auto once = rewrite_gltf(*file, {.added_attributes = first});
   const auto twice = rewrite_gltf(*import_gltf(once->file, "once.glb", carrying()), {.added_attributes = second});
   const auto direct = rewrite_gltf(*file, {.added_attributes = second});
   ASSERT_TRUE(twice && direct);
   EXPECT_EQ(twice->file.size(), direct->file.size());
   std::vector<ImportIssue> issues;
-  const auto read = read_ambient_access(*import_gltf(twice->file, "twice.glb", carrying()), issues);
+  const auto read = read_ambient_visibility(*import_gltf(twice->file, "twice.glb", carrying()), issues);
   EXPECT_EQ(read.values[0][0], std::vector<float>(6, 0.5f));
 }
 
@@ -106,7 +106,7 @@ TEST(ambient_attribute, what_is_no_fraction_for_each_vertex_is_a_warning_and_tak
     attribute = add(gltf);
     const auto file = gltf.import(carrying());
     std::vector<ImportIssue> issues;
-    EXPECT_TRUE(read_ambient_access(*file, issues).values[0][0].empty());
+    EXPECT_TRUE(read_ambient_visibility(*file, issues).values[0][0].empty());
     EXPECT_EQ(issues.size(), 1u);
     EXPECT_EQ(issues.at(0).json_pointer, "/meshes/0/primitives/0/attributes/_AMBIENT_ACCESS");
     EXPECT_EQ(issues.at(0).severity, Severity::warning);
@@ -128,16 +128,17 @@ TEST(ambient_attribute, normalised_integers_of_other_programs_are_read) {
       gltf.add<std::uint8_t>({0, 255, 51, 255}, "SCALAR", 5121, 1, true);
   std::vector<ImportIssue> issues;
   const auto file = gltf.import(carrying());
-  const auto access = read_ambient_access(*file, issues);
+  const auto visibility = read_ambient_visibility(*file, issues);
   EXPECT_TRUE(issues.empty());
   const std::vector<float> values = {0.0f, 1.0f, 0.2f, 1.0f};
-  for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(access.values[0][0][v], values[primitive_of(*file).source_vertex[v]]);
+  for (std::size_t v = 0; v < 6; ++v)
+    EXPECT_EQ(visibility.values[0][0][v], values[primitive_of(*file).source_vertex[v]]);
 }
 
 TEST(ambient_attribute, key_poses_have_an_attribute_each_and_come_back_in_their_order) {
   const auto file = bent_square_with_clips().import(carrying());
   ASSERT_TRUE(file);
-  VertexAccess baked;
+  VertexVisibility baked;
   baked.clip = 1;
   baked.times_s = {0.0, 1.5, 3.0};
   std::vector<float> values;
@@ -151,11 +152,11 @@ TEST(ambient_attribute, key_poses_have_an_attribute_each_and_come_back_in_their_
   ASSERT_TRUE(out);
   std::vector<ImportIssue> issues;
   const auto again = import_gltf(out->file, "out.glb", carrying());
-  const VertexAccess access = read_ambient_access(*again, issues);
+  const VertexVisibility visibility = read_ambient_visibility(*again, issues);
   EXPECT_TRUE(issues.empty());
-  EXPECT_EQ(access.clip, 1u);
-  EXPECT_EQ(access.times_s, baked.times_s) << "spread over the clip";
-  EXPECT_EQ(access.values, baked.values);
+  EXPECT_EQ(visibility.clip, 1u);
+  EXPECT_EQ(visibility.times_s, baked.times_s) << "spread over the clip";
+  EXPECT_EQ(visibility.values, baked.values);
   EXPECT_EQ(ambient_attribute_names(*again),
             (std::vector<std::string>{"_AMBIENT_ACCESS_1_0", "_AMBIENT_ACCESS_1_1", "_AMBIENT_ACCESS_1_2"}));
   const auto without = rewrite_gltf(*again, {.left_out_attributes = ambient_attribute_names(*again)});
@@ -179,31 +180,31 @@ TEST(ambient_attribute, names_of_key_poses_are_read_only_as_they_are_written) {
 }
 
 /// The bent square with attributes of four vertices each, all of one value.
-VertexAccess access_with(const std::vector<std::pair<std::string, float>>& attributes,
-                         std::vector<ImportIssue>* issues_out = nullptr) {
+VertexVisibility visibility_with(const std::vector<std::pair<std::string, float>>& attributes,
+                                 std::vector<ImportIssue>* issues_out = nullptr) {
   TinyGltf gltf = bent_square_with_clips();
   for (const auto& [name, value] : attributes)
     gltf.root["meshes"][0]["primitives"][0]["attributes"][name] = gltf.scalars({value, value, value, value});
   const auto file = gltf.import(carrying());
   std::vector<ImportIssue> issues;
-  VertexAccess access = read_ambient_access(file.value(), issues);
+  VertexVisibility visibility = read_ambient_visibility(file.value(), issues);
   EXPECT_EQ(issues.empty(), issues_out == nullptr);
   if (issues_out) *issues_out = std::move(issues);
-  return access;
+  return visibility;
 }
 
 TEST(ambient_attribute, of_several_clips_the_first_has_its_key_poses) {
-  const VertexAccess access = access_with({{"_AMBIENT_ACCESS", 0.9f},
-                                           {"_AMBIENT_ACCESS_0_0", 0.1f},
-                                           {"_AMBIENT_ACCESS_0_1", 0.2f},
-                                           {"_AMBIENT_ACCESS_1_0", 0.3f},
-                                           {"_AMBIENT_ACCESS_1_1", 0.4f},
-                                           {"_AMBIENT_ACCESS_1_2", 0.5f}});
-  EXPECT_EQ(access.clip, 0u);
-  EXPECT_EQ(access.times_s, (std::vector<double>{0.0, 2.0}));
+  const VertexVisibility visibility = visibility_with({{"_AMBIENT_ACCESS", 0.9f},
+                                                       {"_AMBIENT_ACCESS_0_0", 0.1f},
+                                                       {"_AMBIENT_ACCESS_0_1", 0.2f},
+                                                       {"_AMBIENT_ACCESS_1_0", 0.3f},
+                                                       {"_AMBIENT_ACCESS_1_1", 0.4f},
+                                                       {"_AMBIENT_ACCESS_1_2", 0.5f}});
+  EXPECT_EQ(visibility.clip, 0u);
+  EXPECT_EQ(visibility.times_s, (std::vector<double>{0.0, 2.0}));
   std::vector<float> values(6, 0.1f);
   values.insert(values.end(), 6, 0.2f);
-  EXPECT_EQ(access.values[0][0], values);
+  EXPECT_EQ(visibility.values[0][0], values);
 }
 
 TEST(ambient_attribute, a_primitive_without_key_poses_keeps_its_one_pose_beside_them) {
@@ -215,31 +216,31 @@ TEST(ambient_attribute, a_primitive_without_key_poses_keeps_its_one_pose_beside_
     primitives[1]["attributes"][name] = gltf.scalars({0.25f, 0.25f, 0.25f, 0.25f});
   std::vector<ImportIssue> issues;
   const auto file = gltf.import(carrying());
-  const VertexAccess access = read_ambient_access(*file, issues);
+  const VertexVisibility visibility = read_ambient_visibility(*file, issues);
   EXPECT_TRUE(issues.empty());
-  EXPECT_EQ(access.values[0][0], std::vector<float>(12, 0.5f));
-  EXPECT_EQ(access.values[0][1], std::vector<float>(12, 0.25f));
+  EXPECT_EQ(visibility.values[0][0], std::vector<float>(12, 0.5f));
+  EXPECT_EQ(visibility.values[0][1], std::vector<float>(12, 0.25f));
 }
 
 TEST(ambient_attribute, key_poses_that_are_missing_or_of_no_clip_are_warnings) {
   std::vector<ImportIssue> issues;
-  const VertexAccess gap = access_with({{"_AMBIENT_ACCESS_1_0", 0.1f}, {"_AMBIENT_ACCESS_1_2", 0.3f}}, &issues);
+  const VertexVisibility gap = visibility_with({{"_AMBIENT_ACCESS_1_0", 0.1f}, {"_AMBIENT_ACCESS_1_2", 0.3f}}, &issues);
   EXPECT_EQ(gap.times_s.size(), 3u);
   EXPECT_TRUE(gap.values[0][0].empty());
   ASSERT_EQ(issues.size(), 1u);
   EXPECT_EQ(issues[0].rule, "mesh-attribute-count");
   EXPECT_EQ(issues[0].json_pointer, "/meshes/0/primitives/0/attributes");
-  EXPECT_EQ(issues[0].detail, "key poses of ambient access without _AMBIENT_ACCESS_1_1; ignored");
+  EXPECT_EQ(issues[0].detail, "key poses of ambient visibility without _AMBIENT_ACCESS_1_1; ignored");
 
-  const VertexAccess strange =
-      access_with({{"_AMBIENT_ACCESS", 0.5f}, {"_AMBIENT_ACCESS_2_0", 0.1f}, {"_AMBIENT_ACCESS_2_1", 0.3f}}, &issues);
+  const VertexVisibility strange = visibility_with(
+      {{"_AMBIENT_ACCESS", 0.5f}, {"_AMBIENT_ACCESS_2_0", 0.1f}, {"_AMBIENT_ACCESS_2_1", 0.3f}}, &issues);
   EXPECT_EQ(strange.clip, kNone);
   EXPECT_EQ(strange.times_s, std::vector<double>{0.0});
   EXPECT_EQ(strange.values[0][0], std::vector<float>(6, 0.5f));
   ASSERT_EQ(issues.size(), 1u) << "one for the animation";
   EXPECT_EQ(issues[0].rule, "mesh-attribute-format");
   EXPECT_EQ(issues[0].json_pointer, "/meshes/0/primitives/0/attributes/_AMBIENT_ACCESS_2_0");
-  EXPECT_EQ(issues[0].detail, "ambient access of animation 2, and there are 2; ignored");
+  EXPECT_EQ(issues[0].detail, "ambient visibility of animation 2, and there are 2; ignored");
 }
 
 TEST(ambient_attribute, a_clip_that_lasts_no_time_has_its_first_pose) {
@@ -250,9 +251,9 @@ TEST(ambient_attribute, a_clip_that_lasts_no_time_has_its_first_pose) {
   const auto file = gltf.import(carrying());
   ASSERT_TRUE(file);
   std::vector<ImportIssue> issues;
-  const VertexAccess access = read_ambient_access(*file, issues);
-  EXPECT_EQ(access.times_s, std::vector<double>{0.0});
-  EXPECT_EQ(access.values[0][0], std::vector<float>(6, 0.5f));
+  const VertexVisibility visibility = read_ambient_visibility(*file, issues);
+  EXPECT_EQ(visibility.times_s, std::vector<double>{0.0});
+  EXPECT_EQ(visibility.values[0][0], std::vector<float>(6, 0.5f));
 }
 
 }  // namespace

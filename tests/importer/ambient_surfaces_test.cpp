@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/ambient/access_surfaces.h"
+#include "importer/ambient/visibility_surfaces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ struct Placed {
     result.primitives = primitives;
     return result;
   }
-  MeshAccess bake(std::uint32_t rays = 512) const { return bake_mesh_access(scene, frame(), {.rays = rays}); }
+  MeshVisibility bake(std::uint32_t rays = 512) const { return bake_mesh_visibility(scene, frame(), {.rays = rays}); }
 };
 
 Material material(bool double_sided, AlphaMode mode) {
@@ -65,14 +65,14 @@ Material material(bool double_sided, AlphaMode mode) {
   return m;
 }
 
-TEST(access_surfaces, are_in_the_world_and_face_as_they_are_placed) {
+TEST(visibility_surfaces, are_in_the_world_and_face_as_they_are_placed) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), at_height(3.0f));
   placed.add(0, at_height(5.0f, -1.0f), true);
   const auto surfaces = surfaces_of(placed.scene, placed.frame());
   ASSERT_EQ(surfaces.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    const AccessSurface& s = surfaces[i].surface;
+    const VisibilitySurface& s = surfaces[i].surface;
     const float up = i == 0 ? 1.0f : -1.0f;
     const glm::vec3 &a = s.positions[s.indices[0]], &b = s.positions[s.indices[1]], &c = s.positions[s.indices[2]];
     EXPECT_EQ(a.y, i == 0 ? 3.0f : 5.0f);
@@ -81,7 +81,7 @@ TEST(access_surfaces, are_in_the_world_and_face_as_they_are_placed) {
   }
 }
 
-TEST(access_surfaces, deformed_vertices_take_the_place_of_the_meshs_own) {
+TEST(visibility_surfaces, deformed_vertices_take_the_place_of_the_meshs_own) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), {});
   const std::vector<glm::vec3> moved(4, {7, 8, 9}), turned(4, {0, 0, 1});
@@ -92,7 +92,7 @@ TEST(access_surfaces, deformed_vertices_take_the_place_of_the_meshs_own) {
   EXPECT_EQ(surfaces[0].surface.normals, turned);
 }
 
-TEST(access_surfaces, materials_say_what_blocks_and_points_lines_and_hidden_meshes_are_no_surfaces) {
+TEST(visibility_surfaces, materials_say_what_blocks_and_points_lines_and_hidden_meshes_are_no_surfaces) {
   Placed placed;
   placed.scene.materials = {material(true, AlphaMode::opaque), material(false, AlphaMode::blend),
                             material(false, AlphaMode::mask)};
@@ -117,17 +117,17 @@ TEST(access_surfaces, materials_say_what_blocks_and_points_lines_and_hidden_mesh
   }
 }
 
-TEST(bake_mesh_access, a_mesh_at_several_places_gets_the_mean_of_them) {
+TEST(bake_mesh_visibility, a_mesh_at_several_places_gets_the_mean_of_them) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.add(0, at_height(10.0f));
   placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over the first
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.instances.back().visible = false;
-  const MeshAccess access = placed.bake();
-  ASSERT_EQ(access[0][0].size(), 4u);
-  for (const float share : access[0][0]) EXPECT_NEAR(share, 0.5f, 0.01f);
-  EXPECT_TRUE(access[2][0].empty()) << "nobody sees it";
+  const MeshVisibility visibility = placed.bake();
+  ASSERT_EQ(visibility[0][0].size(), 4u);
+  for (const float share : visibility[0][0]) EXPECT_NEAR(share, 0.5f, 0.01f);
+  EXPECT_TRUE(visibility[2][0].empty()) << "nobody sees it";
 }
 
 TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_has_no_values) {
@@ -136,11 +136,11 @@ TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows
   placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over it
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.instances[2].visible = false;
-  VertexAccess access;
-  access.times_s = {0.0, 1.0, 2.0, 3.0};
+  VertexVisibility visibility;
+  visibility.times_s = {0.0, 1.0, 2.0, 3.0};
   std::vector<double> told;
-  const AccessOptions how{.rays = 64, .progress = [&](double part) { told.push_back(part); }};
-  KeyPoseBaker baker(placed.scene, how, 100.0, access);
+  const VisibilityOptions how{.rays = 64, .progress = [&](double part) { told.push_back(part); }};
+  KeyPoseBaker baker(placed.scene, how, 100.0, visibility);
   const bool ground_seen[] = {false, true, true, false}, lid_seen[] = {true, true, false, true};
   for (std::size_t pose = 0; pose < 4; ++pose) {
     placed.instances[0].visible = ground_seen[pose];
@@ -148,8 +148,8 @@ TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows
     baker.add(placed.frame());
     EXPECT_DOUBLE_EQ(told.back(), 0.25 * static_cast<double>(pose + 1));
   }
-  ASSERT_EQ(access.values.size(), 3u);
-  const std::vector<float>& ground = access.values[0][0];
+  ASSERT_EQ(visibility.values.size(), 3u);
+  const std::vector<float>& ground = visibility.values[0][0];
   ASSERT_EQ(ground.size(), 16u);
   for (std::size_t v = 0; v < 4; ++v) {
     EXPECT_EQ(ground[v], 1.0f) << "not shown";
@@ -157,8 +157,8 @@ TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows
     EXPECT_EQ(ground[8 + v], 1.0f) << "without the lid";
     EXPECT_EQ(ground[12 + v], 1.0f) << "not shown any more";
   }
-  EXPECT_EQ(access.values[1][0].size(), 16u);
-  EXPECT_TRUE(access.values[2][0].empty());
+  EXPECT_EQ(visibility.values[1][0].size(), 16u);
+  EXPECT_TRUE(visibility.values[2][0].empty());
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
 }
 
@@ -167,14 +167,14 @@ TEST(key_pose_baker, poses_have_the_distance_that_is_given_else_that_of_the_firs
     Placed placed;
     placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
     placed.add(placed.add_mesh(square(50.0f)), {}, true);
-    VertexAccess access;
-    access.times_s.assign(heights.size(), 0.0);
-    KeyPoseBaker baker(placed.scene, {.rays = 64, .distance_m = 0.001}, distance_m, access);
+    VertexVisibility visibility;
+    visibility.times_s.assign(heights.size(), 0.0);
+    KeyPoseBaker baker(placed.scene, {.rays = 64, .distance_m = 0.001}, distance_m, visibility);
     for (const float height : heights) {
       placed.instances[1].world_from_mesh = at_height(height, -1.0f);
       baker.add(placed.frame());
     }
-    return access.values[0][0];
+    return visibility.values[0][0];
   };
   EXPECT_THAT(baked(1.0, {2.0f}), testing::Each(1.0f));
   EXPECT_THAT(baked(10.0, {2.0f}), testing::Each(testing::Lt(0.1f)));
@@ -192,15 +192,15 @@ TEST(key_pose_times, are_spread_evenly_with_both_ends) {
   EXPECT_EQ(key_pose_times(-1.0, 4), std::vector<double>{0.0});
 }
 
-TEST(bake_mesh_access, copies_of_an_instance_count_like_instances) {
+TEST(bake_mesh_visibility, copies_of_an_instance_count_like_instances) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), {});
   Transform above;
   above.translation = {0, 10, 0};
   placed.scene.instances[0].copies = {Transform{}, above, above};
   placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);
-  const MeshAccess access = placed.bake();
-  for (const float share : access[0][0]) EXPECT_NEAR(share, 2.0f / 3.0f, 0.01f);
+  const MeshVisibility visibility = placed.bake();
+  for (const float share : visibility[0][0]) EXPECT_NEAR(share, 2.0f / 3.0f, 0.01f);
 }
 
 }  // namespace

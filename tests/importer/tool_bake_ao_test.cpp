@@ -20,12 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-VertexAccess access_in(const std::string& path) {
+VertexVisibility visibility_in(const std::string& path) {
   const auto file = import_gltf(path, carrying());
   std::vector<ImportIssue> issues;
-  VertexAccess access = file ? read_ambient_access(*file, issues) : VertexAccess();
+  VertexVisibility visibility = file ? read_ambient_visibility(*file, issues) : VertexVisibility();
   EXPECT_TRUE(issues.empty());
-  return access;
+  return visibility;
 }
 
 /// A square of ground, and a flap beside it that a clip folds from flat to upright: node 1 turns about z.
@@ -55,7 +55,7 @@ std::string write_flap(const ToolModelFile& beside, bool repeated = false) {
   return path;
 }
 
-TEST(bake_ao, writes_the_access_of_the_pose_that_is_asked_for) {
+TEST(bake_ao, writes_the_visibility_of_the_pose_that_is_asked_for) {
   const ToolModelFile folder;
   const std::string in = write_flap(folder), out = folder.beside("out.glb");
   // At the end of the clip the flap stands on the edge x = 0 of the square, its front towards it.
@@ -64,7 +64,7 @@ TEST(bake_ao, writes_the_access_of_the_pose_that_is_asked_for) {
     command.insert(command.end(), more.begin(), more.end());
     const CommandOutcome outcome = run_tool(command);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return access_in(out).values[0][0];
+    return visibility_in(out).values[0][0];
   };
   const std::vector<float> flat = run({"--pose", "fold@0"}), folded = run({"--pose", "fold@1"});
   EXPECT_THAT(flat, testing::Each(1.0f));
@@ -82,25 +82,25 @@ TEST(bake_ao, key_poses_are_those_of_single_poses_one_attribute_each) {
   const std::string in = write_flap(folder), out = folder.beside("out.glb"), single = folder.beside("single.glb");
   const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", out, "--key-poses", "3", "--distance", "none"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives in 3 key poses: mean access 0.9"));
-  const VertexAccess access = access_in(out);
-  EXPECT_EQ(access.clip, 0u);
-  EXPECT_EQ(access.times_s, (std::vector<double>{0.0, 0.5, 1.0}));
+  EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives in 3 key poses: mean visibility 0.9"));
+  const VertexVisibility visibility = visibility_in(out);
+  EXPECT_EQ(visibility.clip, 0u);
+  EXPECT_EQ(visibility.times_s, (std::vector<double>{0.0, 0.5, 1.0}));
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::string pose = "fold@" + std::to_string(access.times_s[k]);
+    const std::string pose = "fold@" + std::to_string(visibility.times_s[k]);
     ASSERT_EQ(run_tool({"bake-ao", in, "-o", single, "--pose", pose, "--distance", "none"}).status, 0);
     for (std::size_t m = 0; m < 2; ++m) {
-      const auto first = access.values[m][0].begin() + static_cast<std::ptrdiff_t>(4 * k);
-      EXPECT_EQ(std::vector<float>(first, first + 4), access_in(single).values[m][0]) << pose << ", mesh " << m;
+      const auto first = visibility.values[m][0].begin() + static_cast<std::ptrdiff_t>(4 * k);
+      EXPECT_EQ(std::vector<float>(first, first + 4), visibility_in(single).values[m][0]) << pose << ", mesh " << m;
     }
   }
-  EXPECT_LT(access.values[0][0][8], access.values[0][0][4]) << "the more it stands upright, the more it hides";
+  EXPECT_LT(visibility.values[0][0][8], visibility.values[0][0][4]) << "the more it stands upright, the more it hides";
 
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", single, "--rays", "16"}).status, 0);
   const std::string again = folder.beside("again.glb");
   ASSERT_EQ(run_tool({"bake-ao", out, "-o", again, "--rays", "16"}).status, 0);
   EXPECT_EQ(text_of_file(again).size(), text_of_file(single).size()) << "older key poses leave nothing behind";
-  EXPECT_EQ(access_in(again).values, access_in(single).values);
+  EXPECT_EQ(visibility_in(again).values, visibility_in(single).values);
 }
 
 TEST(bake_ao, the_distance_of_key_poses_is_that_of_the_first) {
@@ -109,7 +109,7 @@ TEST(bake_ao, the_distance_of_key_poses_is_that_of_the_first) {
   // Flat it is four metres long, upright two.
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", out, "--key-poses", "2", "--clip", "fold"}).status, 0);
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", same, "--key-poses", "2", "--distance", "1m"}).status, 0);
-  EXPECT_EQ(access_in(out).values, access_in(same).values);
+  EXPECT_EQ(visibility_in(out).values, visibility_in(same).values);
 }
 
 TEST(bake_ao, carries_all_else_and_gives_the_same_bytes_twice) {
@@ -118,7 +118,7 @@ TEST(bake_ao, carries_all_else_and_gives_the_same_bytes_twice) {
   const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", out});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives: mean access 1.000, darkest 1.000"));
+  EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives: mean visibility 1.000, darkest 1.000"));
   const std::string first = text_of_file(out);
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", out}).status, 0);
   EXPECT_EQ(text_of_file(out), first);
@@ -143,7 +143,7 @@ TEST(bake_ao, a_mesh_at_several_places_gets_the_mean_and_a_warning) {
       run_tool({"bake-ao", in, "-o", out, "--rays", "1024", "--distance", "none", "--pose", "fold@1"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(in + ": /meshes/0: warning: is at 2 places; its vertices get the mean of them"));
-  EXPECT_NEAR(access_in(out).values[0][0][0], 0.5f * (0.625f + 1.0f), 0.01f) << "here and far away";
+  EXPECT_NEAR(visibility_in(out).values[0][0][0], 0.5f * (0.625f + 1.0f), 0.01f) << "here and far away";
 }
 
 TEST(bake_ao, copies_of_a_mesh_are_places_too) {

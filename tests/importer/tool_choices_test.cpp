@@ -54,13 +54,13 @@ TEST(sample_times, what_is_no_number_is_refused) {
     EXPECT_FALSE(parse_times(wrong)) << '"' << wrong << '"';
 }
 
-TEST(sample_times, telling_times_hold_the_ends_some_keys_and_middles) {
+TEST(sample_times, representative_times_hold_the_ends_some_keys_and_middles) {
   Animation animation;
   auto& bone = animation.bones.emplace_back();
   bone.translation.times_s = {0.5f, 1.0f, 2.0f};
   bone.scale.times_s = {1.0f, 4.0f};
-  EXPECT_THAT(telling_times(animation), ElementsAre(0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0));
-  EXPECT_THAT(telling_times(Animation{}), ElementsAre(0.0));
+  EXPECT_THAT(representative_times(animation), ElementsAre(0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0));
+  EXPECT_THAT(representative_times(Animation{}), ElementsAre(0.0));
 }
 
 TEST(sample_times, keys_of_every_kind_of_track_tell) {
@@ -68,7 +68,7 @@ TEST(sample_times, keys_of_every_kind_of_track_tell) {
   const auto expect = [&](const std::function<void(Animation&)>& add) {
     Animation animation;
     add(animation);
-    EXPECT_THAT(telling_times(animation), ElementsAre(0.0, 1.0, 1.5, 3.0, 3.5, 5.0, 5.5, 7.0, 7.5, 9.0));
+    EXPECT_THAT(representative_times(animation), ElementsAre(0.0, 1.0, 1.5, 3.0, 3.5, 5.0, 5.5, 7.0, 7.5, 9.0));
   };
   expect([&](Animation& a) { a.bones.emplace_back().translation.times_s = keys; });
   expect([&](Animation& a) { a.bones.emplace_back().rotation.times_s = keys; });

@@ -12,7 +12,7 @@
 #include "importer/export_glb.h"
 #include "importer/import_gltf.h"
 #include "runtime/math/quaternion.h"
-#include "runtime/retarget/hold_feet_animation.h"
+#include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"

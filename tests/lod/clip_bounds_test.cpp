@@ -29,7 +29,8 @@ Needs boxes_for(Skinning skinning) {
   return needs;
 }
 
-/// The boxes of the vertices of frames at that many times all over the clip and past its end; answers their union.
+/// Checks the bounds against the vertices of frames, at `times` times over the clip and past its end. Returns the union
+/// of the frames' boxes.
 std::vector<Aabb> expect_holds(const Scene& scene, const Needs& needs, std::uint32_t clip, int times) {
   const std::vector<Aabb> reach = clip_bounds(scene, needs, clip);
   const Plan plan = compile_plan(lend(scene), needs);
@@ -130,7 +131,7 @@ TEST(clip_bounds, a_jump_takes_no_more_than_both_its_sides) {
   EXPECT_NEAR(reach.upper.x, 101.0f, 0.01f);
 }
 
-/// The face with a cubic weight of "lift" that rests in both keys, and leaves or reaches them with a slope.
+/// The face with a cubic weight of "lift". Both keys are 0; the curve leaves or reaches them with a slope.
 Scene lifted_face(float out_slope, float in_slope) {
   Scene scene = face_scene();
   scene.instances[0].rest_weights = {0.0f, 0.0f};
@@ -194,12 +195,12 @@ TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {
   scene.clips.clear();
   finish_scene(scene);
   const std::vector<Aabb> reached = expect_holds(scene, boxes_for(Skinning::linear), 0, 1000);
-  EXPECT_NEAR(reached[0].upper.y, 2.0f, 1e-4f);  // in both keys the tip is at one metre
+  EXPECT_NEAR(reached[0].upper.y, 2.0f, 1e-4f);  // at both keys the tip is at one metre
 }
 
 TEST(clip_bounds, dual_quaternions_bulge_out_of_the_boxes_of_the_joints) {
   Scene scene = arm_scene();
-  const double half = 85.0 * 3.14159265358979 / 180.0;  // the lower arm is held, twisted by 170 degrees
+  const double half = 85.0 * 3.14159265358979 / 180.0;  // the lower arm is held at a twist of 170 degrees
   scene.animations[0].bones[0].rotation = {
       Interpolation::step,
       {0},

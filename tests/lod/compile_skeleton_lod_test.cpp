@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What compile_skeleton_lod promises, looked at through frames: with all joints and without those that it leaves out.
+// Checks the promise of compile_skeleton_lod by comparing frames with all joints and frames without the left-out ones.
 #include "runtime/lod/compile_skeleton_lod.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(compile_skeleton_lod, no_vertex_is_farther_off_than_asked) {
       for (const std::uint32_t clip : {0u, 1u}) {
         const Difference off = difference_of(scene, within.detail, clip, 90);
         EXPECT_LE(off.worst_m, tolerance_m * 1.02 + 3e-6 * off.far_m)
-            << "seed " << seed;  // cubics between the places looked at
+            << "seed " << seed;  // cubics between the tested times
       }
     }
     EXPECT_EQ(last, scene.skeleton.joint_count() - 1) << "all but the root";
@@ -48,7 +48,7 @@ TEST(compile_skeleton_lod, no_vertex_is_farther_off_than_asked) {
   EXPECT_GT(left_out, 30u) << "joints that move and matter little";
 }
 
-/// How far vertices of a joint and of all below it get when that joint goes too, at every time that is looked at.
+/// How far vertices of a joint and its descendants move if that joint is left out too, over all tested times.
 double cost_of_leaving_out(const Scene& scene, const SkeletonLod& detail, std::uint32_t joint,
                            std::span<const std::uint32_t> clips) {
   const VirtualVertices vertices = virtual_vertices(scene);
@@ -103,14 +103,14 @@ TEST(compile_skeleton_lod, what_it_says_was_measured_is_what_another_look_finds_
     if (within.worst_joint == kNone) continue;
     ++measured;
     const std::uint32_t above = map_joints(scene, within.detail)[within.worst_joint].kept_joint;
-    std::uint32_t top = within.worst_joint;  // the uppermost joint of the branch that went
+    std::uint32_t top = within.worst_joint;  // the uppermost joint of the left-out branch
     while (scene.skeleton.parents[top] != above) top = scene.skeleton.parents[top];
     EXPECT_NEAR(cost_of_leaving_out(scene, within.detail, top, clips), within.measured_m, 1e-4);
   }
   EXPECT_GT(measured, 2);
 }
 
-/// The arm with a clip that holds the lower joint at an angle that it does not rest at.
+/// The arm with a clip that holds the lower joint at an angle different from its rest angle.
 Scene clenched_scene(const std::vector<glm::quat>& keys) {
   Scene scene = arm_scene();
   std::vector<float> times;
@@ -137,7 +137,7 @@ TEST(compile_skeleton_lod, a_joint_that_all_clips_hold_in_one_pose_goes_for_noth
   EXPECT_TRUE(compile_skeleton_lod(moving, 0.0).detail.kept.empty());
 }
 
-TEST(compile_skeleton_lod, N17_the_pose_held_is_the_mean_of_what_clips_do_whichever_sign_their_rotations_have) {
+TEST(compile_skeleton_lod, N17_the_held_pose_is_the_mean_for_any_quaternion_sign) {
   const glm::quat a = normalised(quat_xyzw(0.0f, 0.0f, 0.1f, 1.0f)), b = normalised(quat_xyzw(0.0f, 0.0f, -0.1f, 1.0f));
   const CompiledSkeletonLod within = compile_skeleton_lod(clenched_scene({a, -b, a, -b, a, -b}), 1e3);
   ASSERT_EQ(within.left_out, 1u);
@@ -202,7 +202,7 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
   EXPECT_GT(left_out, 12u);
 }
 
-/// Vertices between two joints half a turn apart: rounding decides to which side dual quaternions bend them.
+/// Vertices between two joints half a turn apart: only rounding decides which way dual quaternions bend them.
 Scene half_turn_scene(std::uint64_t seed) {
   FixedRandom random(seed);
   Scene scene;

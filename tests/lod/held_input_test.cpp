@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is held over frames is the whole input.
+// HeldInput must hold every field of the input.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool same_layer(const ClipLayer& a, const ClipLayer& b) {
   return a.clip == b.clip && a.time_s == b.time_s && a.weight == b.weight && a.mask == b.mask && a.kind == b.kind;
 }
 
-/// Compares all fields. A field that FrameInput gains does not compile here until it is compared as well.
+/// Compares all fields. When FrameInput gains a field, this does not compile until the field is compared too.
 void expect_same_input(const FrameInput& a, const FrameInput& b) {
   const auto& [layers, weights, root, next_layers, interpolation_factor, out_of_view, geometry, asleep] = a;
   EXPECT_TRUE(std::ranges::equal(layers, b.layers, same_layer));
@@ -30,7 +30,7 @@ void expect_same_input(const FrameInput& a, const FrameInput& b) {
   EXPECT_EQ(asleep, b.asleep);
 }
 
-/// A source that plays and never has anything yet.
+/// A source that never has a frame loaded.
 GeometryInput late_geometry(float number) {
   VertexSource source;
   source.has = [](const void*, std::uint32_t) noexcept { return true; };
@@ -39,7 +39,7 @@ GeometryInput late_geometry(float number) {
   return {.source = source, .time_s = number, .weight = number};
 }
 
-/// An input in which no field has its default, and the arrays that it views.
+/// An input with no field at its default, and the arrays behind its views.
 struct FullInput {
   FullInput(const Scene& scene, float number)
       : layers{{0, number, 0.5f}, {1, 0.5, number}},

@@ -104,7 +104,7 @@ TEST(interpolated_input, at_updates_nothing_lags_and_nothing_is_off) {
   }
 }
 
-/// The worst distance from what full rate shows, over 60 frames.
+/// The largest distance from the full-rate result over 60 frames.
 double error_of(const Scene& scene, UpdateLevel level, double frame_s) {
   const Plan plan = plan_between(scene);
   Player player(plan, frame_s), exact(plan, frame_s);
@@ -115,20 +115,20 @@ double error_of(const Scene& scene, UpdateLevel level, double frame_s) {
 }
 
 TEST(interpolated_input, N04_what_turns_evenly_is_off_by_the_cube_of_its_angle) {
-  const Scene scene = arm_scene();  // a quarter turn in a second, of a tip one metre away
+  const Scene scene = arm_scene();  // the tip, one metre away, turns by 90 degrees in a second
   for (const UpdateLevel level : {UpdateLevel::every_second, UpdateLevel::every_fourth}) {
     const double frame_s = 1.0 / 12.0, angle = 0.5 * std::numbers::pi * frame_s * period_of(level);
     const double worst = error_of(scene, level, frame_s), bound = 0.0041 * angle * angle * angle;
     EXPECT_LE(worst, bound + 1e-6);
     if (level == UpdateLevel::every_fourth) {
       EXPECT_GE(worst, 0.8 * bound);
-    }  // in the middle the chord is right
+    }  // halfway the chord has the exact angle
   }
 }
 
 TEST(interpolated_input, what_accelerates_is_off_by_an_eighth_of_it_times_the_square_of_the_interval) {
   Scene scene = arm_scene();
-  constexpr float kAcceleration = 8.0f;  // x = 4 t^2, which one cubic is exactly
+  constexpr float kAcceleration = 8.0f;  // x = 4 t^2, which a cubic represents exactly
   BoneAnimation bone;
   bone.joint = 2;
   bone.translation = {Interpolation::cubic_spline,
@@ -197,16 +197,16 @@ TEST(interpolated_input, after_a_cut_or_a_sleep_nothing_of_before_shows) {
   };
   for (std::uint64_t number = 0; number < 6; ++number) player.play(number, UpdateLevel::every_fourth);
   player.input.restart();
-  expect_exact(6);  // not the level's turn
+  expect_exact(6);  // the character is not due
   expect_exact(8);
   player.play(9, UpdateLevel::every_fourth);
   EXPECT_TRUE(player.play(10, UpdateLevel::every_fourth, 0, true).model.empty());
   expect_exact(11);
   player.play(12, UpdateLevel::every_fourth);
   player.play(13, UpdateLevel::every_fourth);
-  expect_exact(30);  // frames were left out
+  expect_exact(30);  // frame numbers were skipped
   player.play(32, UpdateLevel::every_fourth);
-  expect_exact(7);  // frames are counted from before
+  expect_exact(7);  // the frame number went back
 }
 
 TEST(interpolated_input, levels_change_where_an_interval_ends) {

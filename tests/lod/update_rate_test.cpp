@@ -29,7 +29,7 @@ TEST(update_rate, smaller_characters_are_evaluated_less_often) {
     UpdateLevel last = UpdateLevel::every_fourth;
     for (double size = 0.0; size < 1.0; size += 0.001) {
       const UpdateLevel level = update_level(size, before);
-      EXPECT_LE(level, last);  // larger never means less often
+      EXPECT_LE(level, last);  // a larger character is never updated less often
       last = level;
     }
   }
@@ -124,7 +124,7 @@ TEST(update_rate, P19_frames_between_updates_cost_exactly_nothing) {
 }
 
 TEST(update_rate, what_is_held_is_off_by_no_more_than_its_speed_allows) {
-  const Scene scene = arm_scene();  // a quarter turn in a second, of a tip one metre away
+  const Scene scene = arm_scene();  // the tip, one metre away, turns by 90 degrees in a second
   const Plan plan = compile_plan(lend(scene), {});
   for (const UpdateLevel level : kLevels) {
     Player player(plan), exact(plan);
@@ -161,7 +161,7 @@ TEST(update_rate, who_wakes_up_shows_no_pose_from_before) {
   Player player(plan), exact(plan);
   player.play(0, UpdateLevel::every_fourth);
   for (std::uint64_t number = 1; number < 21; ++number) player.play(number, UpdateLevel::every_fourth, 0, true);
-  const FrameResult& awake = player.play(21, UpdateLevel::every_fourth);  // not the level's turn
+  const FrameResult& awake = player.play(21, UpdateLevel::every_fourth);  // the character is not due
   EXPECT_TRUE(same_bits<Affine>(awake.model, exact.play(21, UpdateLevel::every).model));
 }
 

@@ -66,7 +66,7 @@ TEST(decompose, N16_polar_of_singular_matrices_still_rebuilds_and_says_so) {
   EXPECT_EQ(decompose_polar(Mat3<float>(0.f)).quat, quat_identity<float>());
 }
 
-TEST(decompose, G48_the_stretch_has_the_side_of_its_matrix_also_where_rounding_could_turn_it) {
+TEST(decompose, G48_the_stretch_keeps_the_sign_of_the_determinant_in_spite_of_rounding) {
   FixedRandom random(8);
   for (int i = 0; i < 1000; ++i) {
     const double least = std::pow(10.0, -1 - i % 10) * (i % 20 < 10 ? 1 : -1);
@@ -87,7 +87,7 @@ TEST(decompose, G48_the_stretch_has_the_side_of_its_matrix_also_where_rounding_c
   }
 }
 
-TEST(decompose, N16_noise_does_not_choose_the_rotation_that_a_rank_of_one_leaves_free) {
+TEST(decompose, N16_with_rank_one_noise_does_not_decide_the_free_rotation) {
   FixedRandom random(16);
   for (int i = 0; i < 100; ++i) {
     Mat3<float> m(0.0f);

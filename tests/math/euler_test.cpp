@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/math/euler.h"
 
-#include "runtime/math/rotation_about.h"
+#include "runtime/math/matrix_rotation.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 

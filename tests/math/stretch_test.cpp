@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/math/stretch.h"
+#include "runtime/math/affine.h"
 
 #include <gtest/gtest.h>
 

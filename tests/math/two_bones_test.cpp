@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
@@ -28,7 +30,7 @@ TwoBonesT<double> random_limb(test::FixedRandom& random) {
   return {root, middle, middle + random.direction<double>() * random.in(0.3, 1.0)};
 }
 
-TEST(two_bones, the_tip_comes_to_every_place_within_reach_and_bones_keep_their_lengths) {
+TEST(two_bones, the_tip_reaches_every_goal_within_reach_and_bones_keep_their_lengths) {
   test::FixedRandom random(1);
   for (int i = 0; i < 2000; ++i) {
     const TwoBonesT<double> limb = random_limb(random);
@@ -46,7 +48,8 @@ TEST(two_bones, a_tip_that_is_there_moves_nothing) {
   for (int i = 0; i < 500; ++i) {
     const TwoBonesT<double> limb = random_limb(random);
     const Vec3d along = normalised_or(limb.tip - limb.root, Vec3d(1, 0, 0)), off = limb.middle - limb.root;
-    if (glm::length(off - along * glm::dot(off, along)) < 0.05) continue;  // bends as it is told, the test after next
+    if (glm::length(off - along * glm::dot(off, along)) < 0.05)
+      continue;  // nearly straight: `bend` decides, see a test below
     const auto turns = turn_two_bones(limb, limb.tip, random.direction<double>());
     EXPECT_LT(rotation_angle_between(turns.upper, quat_identity<double>()), 1e-13) << i;
     EXPECT_LT(rotation_angle_between(turns.lower, quat_identity<double>()), 1e-13) << i;
@@ -70,10 +73,10 @@ TEST(two_bones, a_straight_limb_bends_as_it_is_told) {
 }
 
 TEST(two_bones, nearly_straight_limbs_bend_without_a_jump) {
-  // The knee goes through the straight line, from one side to a little on the other.
+  // The knee moves through the straight line, from one side to just beyond it.
   Vec3d last(0);
   for (int i = 0; i <= 2000; ++i) {
-    const double off = 0.04 - i * 2.5e-5;  // to -0.01
+    const double off = 0.04 - i * 2.5e-5;  // from 0.04 to -0.01
     const TwoBonesT<double> leg{{0, 1, 0}, {0, 0.5, off}, {0, 0, 0}};
     const Vec3d middle = turned(leg, turn_two_bones(leg, Vec3d(0, 0.1, 0), Vec3d(0.3, 0, 1))).middle;
     if (i > 0) {
@@ -119,6 +122,35 @@ TEST(two_bones, float_is_double_within_rounding_also_where_a_limb_is_nearly_stra
     const auto exact = turned(limb, turn_two_bones(limb, Vec3d(goal), Vec3d(bend)));
     const auto found = turned(in_float, turn_two_bones(in_float, goal, bend));
     EXPECT_TRUE(test::is_near(Vec3d(found.tip), exact.tip, 4e-6)) << i;
+  }
+}
+
+// `d + a - b` lost all digits of d below 3e-8 of a bone, and the limb jumped from folded to fully stretched.
+template <class T>
+void expect_folds_towards_the_root() {
+  const TwoBonesT<T> leg{{0, 0, 0}, {0, T(-0.6), T(0.8)}, {0, T(-1.2), 0}};  // bones of 1 m
+  for (T distance = T(1); distance > std::numeric_limits<T>::min(); distance /= T(7)) {
+    const Vec3<T> goal = normalised_or(Vec3<T>(1, -2, 0), Vec3<T>(0)) * distance;
+    const auto found = turned(leg, turn_two_bones(leg, goal, Vec3<T>(0, 0, 1)));
+    EXPECT_LT(glm::length(found.tip - goal), T(8) * std::numeric_limits<T>::epsilon()) << distance;
+  }
+  const auto folded = turned(leg, turn_two_bones(leg, leg.root, Vec3<T>(0, 0, 1)));
+  EXPECT_LT(glm::length(folded.tip), T(8) * std::numeric_limits<T>::epsilon());
+  EXPECT_NEAR(glm::length(folded.middle), T(1), T(8) * std::numeric_limits<T>::epsilon());
+}
+
+TEST(two_bones, equal_bones_fold_onto_a_goal_near_the_root) {
+  expect_folds_towards_the_root<double>();
+  expect_folds_towards_the_root<float>();
+}
+
+TEST(two_bones, without_soft_reach_goals_up_to_the_whole_length_are_reached) {
+  const TwoBonesT<double> leg{{0, 0, 0}, {0, -0.6, 0.8}, {0, -1.2, 0}};
+  for (const double wanted : {1.98, 1.9999, 2.0, 2.5}) {
+    const auto hard = turned(leg, turn_two_bones(leg, Vec3d(0, -wanted, 0), Vec3d(0, 0, 1), 0.0));
+    EXPECT_NEAR(hard.tip.y, -std::min(wanted, 2.0), 1e-14);
+    const auto soft = turned(leg, turn_two_bones(leg, Vec3d(0, -wanted, 0), Vec3d(0, 0, 1), 0.1));
+    EXPECT_GT(soft.tip.y, -std::min(wanted, 2.0)) << "slows down from 1.8 m on";
   }
 }
 

@@ -13,7 +13,7 @@
 
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/frame_equality.h"
-#include "tests/plan/held_by_the_book.h"
+#include "tests/plan/reference_held_input.h"
 
 namespace sinew::test {
 namespace {
@@ -248,9 +248,9 @@ class HeldCharacter {
     if (has_run_) frame.follow(buffers_[(number_ + 1) % 2]);
     has_run_ = true;
     RC_ASSERT(run_plan(*plan_, held_->next(inputs_->view(), level_, number_, phase_), frame) == ErrorCode::ok);
-    by_the_book_->next(*inputs_, level_, number_, phase_);
+    reference_held_->next(*inputs_, level_, number_, phase_);
     FrameBuffer fresh(*plan_);
-    RC_ASSERT(run_plan(*plan_, by_the_book_->view(), fresh) == ErrorCode::ok);
+    RC_ASSERT(run_plan(*plan_, reference_held_->view(), fresh) == ErrorCode::ok);
     RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
     ++number_;
   }
@@ -262,7 +262,7 @@ class HeldCharacter {
     for (int b = 0; b < 2; ++b) buffers_.emplace_back(*plan_);
     inputs_.emplace(*plan_);
     held_.emplace(*plan_);
-    by_the_book_.emplace(*inputs_);
+    reference_held_.emplace(*inputs_);
     has_run_ = false;
   }
 
@@ -272,7 +272,7 @@ class HeldCharacter {
   std::vector<FrameBuffer> buffers_;
   std::optional<RandomInputs> inputs_;
   std::optional<HeldInput> held_;
-  std::optional<HeldByTheBook> by_the_book_;
+  std::optional<ReferenceHeldInput> reference_held_;
   UpdateLevel level_ = UpdateLevel::every;
   std::uint32_t phase_ = 0;
   std::uint64_t number_ = 0;

@@ -36,7 +36,7 @@ TEST(event_cursor, the_first_step_owns_the_place_where_it_starts) {
   EXPECT_EQ(crossed(clock.advance(0.0), times), Indices{});
 }
 
-TEST(event_cursor, G12_a_loop_crosses_the_events_of_the_end_and_then_those_of_the_start) {
+TEST(event_cursor, G12_a_loop_crosses_events_at_the_end_and_then_those_at_the_start) {
   PlaybackClock clock(1.0);
   const std::vector<double> times = {0.0, 0.5, 1.0};
   EXPECT_EQ(crossed(clock.advance(0.75), times), (Indices{0, 1}));
@@ -92,16 +92,16 @@ TEST(event_cursor, nothing_to_cross_without_events) {
   EXPECT_EQ(crossed(clock.advance(1e12), {}), Indices{});
 }
 
-/// What a cursor answers, at most `most` times.
-struct Told {
+/// The results of a cursor's next(), at most `most` of them.
+struct Crossings {
   Indices events;
   std::uint64_t rounds_left_out = 0;
   bool ended = false;
 };
 
-Told told(const PlaybackStep& step, const std::vector<double>& times_s, std::size_t most) {
+Crossings crossings_of(const PlaybackStep& step, const std::vector<double>& times_s, std::size_t most) {
   EventCursor cursor(step, times_s);
-  Told seen{{}, cursor.rounds_left_out(), false};
+  Crossings seen{{}, cursor.rounds_left_out(), false};
   while (!seen.ended && seen.events.size() < most) {
     const auto event = cursor.next();
     seen.ended = !event;
@@ -118,7 +118,7 @@ TEST(event_cursor, a_step_over_no_end_of_rounds_tells_a_bounded_number_of_crossi
       PlaybackClock clock(1e-30, mode);
       clock.advance(2e-31);
       for (int frame = 0; frame < 3; ++frame) {
-        const Told seen = told(clock.advance(dt_s), times, most + 1);
+        const Crossings seen = crossings_of(clock.advance(dt_s), times, most + 1);
         EXPECT_TRUE(seen.ended) << dt_s;
         EXPECT_GT(seen.rounds_left_out, std::uint64_t{1} << 62) << dt_s;
       }
@@ -131,13 +131,13 @@ TEST(event_cursor, rounds_beyond_those_that_are_told_are_counted) {
   for (const double sign : {1.0, -1.0}) {
     PlaybackClock clock(1.0, PlayMode::loop, sign), whole = clock;
     clock.advance(0.5);
-    const Told seen = told(clock.advance(static_cast<double>(most) + 99.0), times, 4 * most);
-    EXPECT_EQ(seen.rounds_left_out, 100u);  // the step touches kMostRounds + 100 rounds, the first and the last in part
+    const Crossings seen = crossings_of(clock.advance(static_cast<double>(most) + 99.0), times, 4 * most);
+    EXPECT_EQ(seen.rounds_left_out, 100u);  // of kMostRounds + 100 rounds, the first and the last partial
     ASSERT_EQ(seen.events.size(), 2 * (most - 1));
     const std::size_t next = sign > 0.0 ? 1 : 0;
     for (std::size_t i = 0; i < seen.events.size(); ++i) ASSERT_EQ(seen.events[i], (next + i) % 2) << i;
     whole.advance(0.5);
-    EXPECT_EQ(told(whole.advance(static_cast<double>(most) - 1.0), times, 4 * most).rounds_left_out, 0u);
+    EXPECT_EQ(crossings_of(whole.advance(static_cast<double>(most) - 1.0), times, 4 * most).rounds_left_out, 0u);
   }
 }
 
@@ -149,7 +149,7 @@ TEST(event_cursor, a_step_that_was_refused_crosses_nothing) {
   EXPECT_EQ(crossed(clock.advance(std::numeric_limits<double>::infinity()), times), Indices{});
 }
 
-// However play is cut into steps, the same events are seen in the same order: each belongs to exactly one step.
+// Any division of play into steps gives the same events in the same order, since each belongs to exactly one step.
 class CutPlay : public ::testing::TestWithParam<PlayMode> {};
 
 TEST_P(CutPlay, steps_of_any_length_see_what_one_long_step_sees) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/pose/blend_weights.h"
+#include "runtime/pose/blend_poses.h"
 
 #include <gtest/gtest.h>
 

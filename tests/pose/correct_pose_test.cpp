@@ -16,7 +16,7 @@ namespace {
 
 using test::about_z;
 
-/// A solved corrective with everything that a run of it needs.
+/// A solved corrective with the buffers of its job.
 class Rig {
  public:
   explicit Rig(const PoseSamples& samples) : pose_(joint_count(samples)) {
@@ -34,12 +34,12 @@ class Rig {
   CorrectPoseJob job() {
     return {.corrective = &corrective_, .pose = pose_.span(), .scratch = scratch_, .weights = weights};
   }
-  /// What is added to weights of zero.
+  /// The weights after a run that starts from zero.
   const std::vector<float>& at(std::span<const glm::quat> rotations) {
     for (std::size_t d = 0; d < rotations.size(); ++d) turn(d, rotations[d]);
     std::fill(weights.begin(), weights.end(), 0.0f);
     EXPECT_EQ(check(job()), ErrorCode::ok);
-    run(job());
+    EXPECT_EQ(run(job()), ErrorCode::ok);
     return weights;
   }
   float at(const glm::quat& rotation, std::size_t weight) { return at(std::span(&rotation, 1))[weight]; }
@@ -95,8 +95,8 @@ TEST(correct_pose, a_sample_pose_gives_its_values_bit_for_bit_whatever_the_sign)
       }
 }
 
-// The values at a sample come from the interpolant too, not only from the rule for equal poses: a hair beside the
-// sample they are the same but for the slope.
+// The sample values must come from the interpolant too, not only from the shortcut for equal poses. Slightly beside a
+// sample only the slope may change the result.
 TEST(correct_pose, the_interpolant_goes_through_the_samples) {
   for (const RadialKernel kernel : {RadialKernel::linear, RadialKernel::gaussian, RadialKernel::thin_plate}) {
     PoseSamples samples = test::hinge_samples();
@@ -126,8 +126,8 @@ std::vector<Kind> kinds() {
   return all;
 }
 
-// Bound: the float that the result is rounded to, and the condition of the systems (below 1e5 here) times the rounding
-// of double.
+// The bound adds the rounding of the result to float and the rounding of double times the condition of the systems,
+// which is below 1e5 here.
 TEST(correct_pose, all_kinds_agree_with_the_equations_in_long_double) {
   test::FixedRandom random(2);
   int kind_index = 0;
@@ -156,7 +156,7 @@ TEST(correct_pose, all_kinds_agree_with_the_equations_in_long_double) {
   }
 }
 
-/// Largest change from step to step while a hinge turns twice round: its rotation returns as -q in between.
+/// Largest change between steps while a hinge turns twice; its quaternion changes sign after one turn.
 double largest_jump(Rig& rig, int steps) {
   constexpr double kTwoTurns = 4 * 3.14159265358979323846;
   const auto at = [&](int i) { return rig.at(std::vector<glm::quat>{about_z(kTwoTurns * i / steps)}); };
@@ -173,7 +173,7 @@ double largest_jump(Rig& rig, int steps) {
 
 TEST(correct_pose, weights_are_continuous_through_720_degrees) {
   for (const Kind& kind : kinds()) {
-    if (kind.tail == PolynomialTail::affine) continue;  // needs poses off the hinge
+    if (kind.tail == PolynomialTail::affine) continue;  // the affine tail needs poses off the hinge
     PoseSamples samples = test::hinge_samples();
     samples.kernel = kind.kernel;
     samples.tail = kind.tail;
@@ -184,7 +184,7 @@ TEST(correct_pose, weights_are_continuous_through_720_degrees) {
     const double jump = largest_jump(rig, 7200);
     EXPECT_GT(jump, 1e-4);
     EXPECT_LT(jump, 0.1);
-    EXPECT_LT(jump, 0.6 * largest_jump(rig, 3600));  // half the step, half the change: a jump would stay
+    EXPECT_LT(jump, 0.6 * largest_jump(rig, 3600));  // half the step gives half the change; a jump would not shrink
   }
 }
 
@@ -193,7 +193,7 @@ TEST(correct_pose, a_twist_driver_is_blind_to_swings_and_a_swing_driver_to_twist
   samples.drivers[0].axis = {0, 0, 2};
   samples.drivers[0].measure = RotationMeasure::twist;
   Rig twist(samples);
-  const glm::quat swing = quat_xyzw(0.3f, 0.1f, 0.0f, std::sqrt(0.9f));  // its axis lies across z
+  const glm::quat swing = quat_xyzw(0.3f, 0.1f, 0.0f, std::sqrt(0.9f));  // its axis is orthogonal to z
   for (const double angle : {0.1, 0.9, 1.7})
     for (std::size_t w = 0; w < 2; ++w)
       EXPECT_NEAR(twist.at(swing * about_z(angle), w), twist.at(about_z(angle), w), 2e-6);
@@ -218,7 +218,7 @@ TEST(correct_pose, an_affine_tail_reproduces_what_is_affine_in_the_sines) {
     Rig rig(samples);
     for (int i = 0; i < 50; ++i) {
       const glm::quat q = random.rotation();
-      EXPECT_NEAR(rig.at(q, 0), affine(q), 5e-5);  // the samples' values are rounded
+      EXPECT_NEAR(rig.at(q, 0), affine(q), 5e-5);  // sample values are float
     }
   }
 }
@@ -270,11 +270,11 @@ TEST(correct_pose, corrections_add_to_the_weights_that_are_there_and_N26_tiny_su
   Rig rig(test::hinge_samples());
   rig.turn(0, about_z(1.5));
   rig.weights = {0.25f, -1.0f};
-  run(rig.job());
+  EXPECT_EQ(run(rig.job()), ErrorCode::ok);
   EXPECT_EQ(rig.weights, (std::vector<float>{0.65f, 0.0f}));
   rig.turn(0, about_z(0));
   rig.weights = {1e-30f, -1e-39f};
-  run(rig.job());
+  EXPECT_EQ(run(rig.job()), ErrorCode::ok);
   EXPECT_EQ(rig.weights, (std::vector<float>{0.0f, 0.0f}));
 }
 
@@ -291,7 +291,7 @@ TEST(correct_pose, a_run_allocates_nothing) {
   Rig rig(test::random_samples(random, 3, 20, 5));
   const CorrectPoseJob job = rig.job();
   const test::AllocationCounter counter;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   EXPECT_EQ(counter.count(), 0u);
 }
 

@@ -45,7 +45,7 @@ TEST(hemisphere_pairs, sharing_pairs_are_those_of_the_vertices_each_once) {
   std::set<std::pair<int, int>> expected, found;
   for (std::size_t v = 0; v < s.positions.size(); ++v)
     for (const std::uint16_t joint : s.joints_of(v).subspan(1)) expected.insert({s.joints_of(v)[0], joint});
-  const std::vector<JointPair> pairs = sharing_pairs(s.influences, 12);
+  const std::vector<JointPair> pairs = joint_pairs_of_vertices(s.influences, 12);
   for (const JointPair& pair : pairs) found.insert({pair.first, pair.second});
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found.size(), pairs.size());
@@ -55,7 +55,7 @@ TEST(hemisphere_pairs, more_pairs_than_vertices_are_not_worth_looking_at) {
   FixedRandom random(6);
   const std::uint32_t eight[] = {8};
   const SkinnedVertices s = random_skinned_vertices(random, eight, 5, 40, false);
-  EXPECT_TRUE(sharing_pairs(s.influences, 40).empty());
+  EXPECT_TRUE(joint_pairs_of_vertices(s.influences, 40).empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference data of the project and of the corpus through whole jobs, on every instruction set of the machine.
+// Runs reference data of this project and of the corpus through whole jobs, on every instruction set of the machine.
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::vector<JobOnTarget> on_all_targets(const std::vector<NumericJob>& jobs) {
   return all;
 }
 
-/// What the job can answer of a case: squad's control points are folded into the clip, only the rotation is left.
+/// The cases that a job can compute. For squad only the rotation: its control points are part of the compiled clip.
 std::vector<Json> cases_for_jobs(const std::string& kind) {
   std::vector<Json> cases = numeric_cases(kind);
   if (kind == "squad")

@@ -12,8 +12,8 @@
 namespace sinew::test {
 namespace {
 
-/// The vertex of a case, nine times: enough for whole blocks and a tail. Its copies carry different normals: the case's
-/// own, then the axes, whose images are the columns of the rotation that the kernel blended.
+/// Nine copies of a case's vertex: whole vectors and an incomplete one. The copies carry the case's normal and then the
+/// axes, whose images are the columns of the blended rotation.
 class Vertices {
  public:
   static constexpr std::uint32_t kCount = 9;
@@ -39,7 +39,7 @@ class Vertices {
   }
 
  private:
-  /// As the importer prepares them: divided by their sum, heaviest first, the first one on a tie.
+  /// Prepared as by the importer: normalised and sorted by falling weight; ties keep their order.
   void add_influences(const std::vector<double>& weights) {
     double sum = 0;
     std::vector<std::uint16_t> order;
@@ -61,7 +61,7 @@ class Vertices {
   VertexInfluences influences_;
 };
 
-/// Palettes of a case: matrices as they are, or rigid motions with an optional scale.
+/// Palettes of a case: given matrices, or rigid motions with an optional scale.
 struct Palettes {
   std::vector<JointMatrix> matrices;
   std::vector<RigidStretch> split;
@@ -88,20 +88,20 @@ std::vector<double> weights_of(const Json& in) { return in["weights"].get<std::v
 glm::vec3 normal_of(const Json& in) { return in.contains("n") ? vec3<float>(in["n"]) : glm::vec3(0, 0, 1); }
 
 void skin_linearly(Vertices& v, const Palettes& palettes) {
-  run(SkinLinearJob{&v.influences(), palettes.matrices, v.in(), v.out()});
+  run_unchecked(SkinLinearJob{&v.influences(), palettes.matrices, v.in(), v.out()});
 }
 
 void skin_by_dual_quaternions(Vertices& v, const Palettes& palettes) {
-  run(SkinDualQuaternionJob{&v.influences(), palettes.split, palettes.any_stretch, v.in(), v.out()});
+  run_unchecked(SkinDualQuaternionJob{&v.influences(), palettes.split, palettes.any_stretch, v.in(), v.out()});
 }
 
 void skin_about_center(Vertices& v, const Palettes& palettes, const glm::vec3& center) {
   const std::vector<glm::vec3> centers(Vertices::kCount, center);
-  run(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch, centers, v.in(),
-                              v.out()});
+  run_unchecked(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch,
+                                        centers, v.in(), v.out()});
 }
 
-/// The job answers unit normals, the case a blend that is not: its length is taken from double precision.
+/// The job returns unit normals but the case wants the unnormalised blend, so its length is computed in double.
 Outcome linear_of(const Json& in) {
   Vertices v(vec3<float>(in["p"]), normal_of(in), weights_of(in));
   skin_linearly(v, Palettes(in));
@@ -142,12 +142,12 @@ Outcome candy_of(const Json& in) {
   return out;
 }
 
-/// A single joint with the case's matrix: the cofactor rule, turned outward. Where the truth has no outward side the
-/// matrix is flat, and the cofactor's own direction counts.
+/// A single joint with the matrix of the case, the cofactor rule and the normal turned outward. A flat matrix has no
+/// outside, so there the direction of the cofactor counts.
 Outcome normal_of_matrix(const Json& in) {
   Vertices v(glm::vec3(0), vec3<float>(in["n"]), {1.0});
   const std::vector<JointMatrix> palette{joint_matrix_from(affine_from(mat3<float>(in["m"]), glm::vec3(0)))};
-  run(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
+  run_unchecked(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
   const auto truth = mat3<double>(in["m"]);
   const double side = glm::determinant(truth) < 0 ? -1 : 1;
   return {{"n", numbers(Vec3<double>(v.normal()) * side)},
@@ -167,7 +167,7 @@ Outcome morph_of(const Json& in) {
   }
   const std::vector<glm::vec3> base{vec3<float>(in["base"])};
   std::vector<glm::vec3> out(1), scratch(1);
-  run(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
+  run_unchecked(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
   return {{"p", numbers(out[0])}};
 }
 

@@ -112,8 +112,9 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, const Ope
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
   const glm::dvec3 half_sphere = from(light, s.normal, 2.0 / 3.0);
-  const double around = mirrored_access(open, s.normal, s.to_viewer, s.roughness);
-  return half_sphere * scattered * scattered_access(open.access * open.baked, s.base_color * (1.0 - s.metallic)) +
+  const double around = mirrored_visibility(open, s.normal, s.to_viewer, s.roughness);
+  return half_sphere * scattered *
+             scattered_visibility(open.visibility * open.baked, s.base_color * (1.0 - s.metallic)) +
          reflected * (mirrored(light, s.normal, s.to_viewer, s.roughness) * around +
                       half_sphere * mirrored_surroundings(open, around, s.base_color));
 }
@@ -134,7 +135,7 @@ glm::dvec3 ambient(const Coat& coat, const glm::dvec3& below, const glm::dvec3& 
   const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(coat.normal, to_viewer), 0.0, 1.0), coat.roughness);
   const double once = sums.x + sums.y;
   const glm::dvec3 half_sphere = from(light, coat.normal, 2.0 / 3.0);
-  const double around = mirrored_access(open, coat.normal, to_viewer, coat.roughness);
+  const double around = mirrored_visibility(open, coat.normal, to_viewer, coat.roughness);
   return (mirrored(light, coat.normal, to_viewer, coat.roughness) * once + half_sphere * (1.0 - once)) * around +
          half_sphere * mirrored_surroundings(open, around, below);
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include <glm/vec2.hpp>
 
-#include "tests/reference/mirrored_access.h"
+#include "tests/reference/mirrored_visibility.h"
 #include "tests/reference/shade.h"
 
 namespace sinew::reference {
@@ -26,9 +26,9 @@ struct AmbientGradient {
 ///      m = f0 + (f90 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour and
 ///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again), without the
 ///      transmission.
-///      The light of `once` is that around the mirror direction, times mirrored_access(), and that of the half sphere,
-///      times mirrored_surroundings() of the base colour; of the others that of the half sphere, times
-///      scattered_access() of access * baked and the base colour, which is black for metals
+///      The light of `once` is that around the mirror direction, times mirrored_visibility(), and that of the half
+///      sphere, times mirrored_surroundings() of the base colour; of the others that of the half sphere, times
+///      scattered_visibility() of visibility * baked and the base colour, which is black for metals
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, const Openness& open = {});
 
 /// Share of the light behind a thin surface that passes through.
@@ -43,7 +43,7 @@ glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& directio
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);
 
 /// The same from a clear layer, before its share: such a layer of f0 = f90 = 1, all of whose light has
-/// mirrored_access().
+/// mirrored_visibility().
 /// in   below  base colour of what is below
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& below, const glm::dvec3& to_viewer, const AmbientGradient& light,
                    const Openness& open = {});

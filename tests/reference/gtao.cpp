@@ -84,22 +84,22 @@ Light hidden_at(const DepthAndNormals& image, const HorizonSettings& s, int x, i
 
 }  // namespace
 
-HalfAccess horizon_access(const DepthAndNormals& image, const HorizonSettings& s) {
-  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
+HalfVisibility horizon_visibility(const DepthAndNormals& image, const HorizonSettings& s) {
+  HalfVisibility half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const int full_x = std::min(s.step * x, image.width - 1), full_y = std::min(s.step * y, image.height - 1);
       const auto i = static_cast<std::size_t>(full_y * image.width + full_x);
-      half.access.push_back(1.0);
+      half.visibility.push_back(1.0);
       half.bend.emplace_back(0.0);
       if (image.distance[i] == 0.0 || image.normals[i] == glm::dvec3(0.0)) continue;
       const double resolved =
           std::clamp(s.radius * 0.5 * image.cot_y * image.height / image.distance[i] - 2.0, 0.0, 1.0);
       const double turn = ((x + y) % 4 * 4 + x % 4) / 16.0, jitter = ((y - x + 1024) % 4 + 0.5) / 4.0;
       const Light hidden = hidden_at(image, s, full_x, full_y, turn, jitter);
-      const double open = std::clamp(1.0 - resolved * hidden.amount, 0.0, 1.0), access = std::pow(open, s.power);
-      const double contrast = open < 1.0 ? (1.0 - access) / (1.0 - open) : s.power;
-      half.access.back() = access;
+      const double open = std::clamp(1.0 - resolved * hidden.amount, 0.0, 1.0), visibility = std::pow(open, s.power);
+      const double contrast = open < 1.0 ? (1.0 - visibility) / (1.0 - open) : s.power;
+      half.visibility.back() = visibility;
       half.bend.back() =
           glm::normalize(image.normals[i] - 1.5 * contrast * resolved * hidden.directed) - image.normals[i];
     }

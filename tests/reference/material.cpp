@@ -33,7 +33,7 @@ glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const Te
 }
 
 /// Share of the ambient light that baked occlusion lets through.
-double baked_access(const Scene& scene, const SurfacePoint& point) {
+double baked_visibility(const Scene& scene, const SurfacePoint& point) {
   const double red = looked_up(scene, point, point.material.occlusion_texture, false).r;
   return 1.0 + static_cast<double>(point.material.occlusion_strength) * (red - 1.0);
 }
@@ -86,11 +86,11 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   const Coat coat = coat_at(scene, point);
   const double share = coat_share(coat, point.to_viewer);
   Openness open = around.open;
-  open.baked = baked_access(scene, point);
+  open.baked = baked_visibility(scene, point);
   const SheenLayer sheen = sheen_at(scene, point);
   const SheenShare fibres = sheen_of_ambient(sheen, shaded.normal, point.to_viewer);
   glm::dvec3 below = ambient(shaded, around.ambient, open) * fibres.left +
-                     fibres.added * diffuse_light(around.ambient, shaded.normal) * open.access * open.baked;
+                     fibres.added * diffuse_light(around.ambient, shaded.normal) * open.visibility * open.baked;
   glm::dvec3 above = ambient(coat, shaded.base_color, point.to_viewer, around.ambient, open);
   for (const ArrivingLight& light : around.lights) {
     const SheenShare own = sheen_of_light(sheen, shaded.normal, point.to_viewer, light.to_light);

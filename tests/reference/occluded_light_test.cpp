@@ -19,7 +19,7 @@ Paths paths_to_sky(const std::vector<RayTriangle>& triangles, const glm::dvec3& 
   return out;
 }
 
-TEST(scattered_access, is_nearer_to_paths_of_light_than_access_alone) {
+TEST(scattered_visibility, is_nearer_to_paths_of_light_than_visibility_alone) {
   test::FixedRandom random(3);
   std::vector<Paths> points;
   for (const std::vector<RayTriangle>& triangles :
@@ -30,7 +30,7 @@ TEST(scattered_access, is_nearer_to_paths_of_light_than_access_alone) {
     double with = 0.0, without = 0.0;
     for (const Paths& paths : points) {
       const double truth = light_of(paths, albedo);
-      with += std::pow(scattered_access(paths[0], glm::dvec3(albedo)).x - truth, 2.0);
+      with += std::pow(scattered_visibility(paths[0], glm::dvec3(albedo)).x - truth, 2.0);
       without += std::pow(paths[0] - truth, 2.0);
     }
     EXPECT_LT(with, 0.4 * without) << albedo;
@@ -38,10 +38,10 @@ TEST(scattered_access, is_nearer_to_paths_of_light_than_access_alone) {
   }
 }
 
-TEST(scattered_access, keeps_dark_and_light_and_takes_colour_from_the_surface) {
-  EXPECT_EQ(scattered_access(1.0, {1.0, 0.5, 0.0}), glm::dvec3(1.0));
-  EXPECT_EQ(scattered_access(0.0, {1.0, 0.5, 0.0}), glm::dvec3(0.0));
-  const glm::dvec3 half = scattered_access(0.5, {0.9, 0.5, 0.0});
+TEST(scattered_visibility, keeps_dark_and_light_and_takes_colour_from_the_surface) {
+  EXPECT_EQ(scattered_visibility(1.0, {1.0, 0.5, 0.0}), glm::dvec3(1.0));
+  EXPECT_EQ(scattered_visibility(0.0, {1.0, 0.5, 0.0}), glm::dvec3(0.0));
+  const glm::dvec3 half = scattered_visibility(0.5, {0.9, 0.5, 0.0});
   EXPECT_EQ(half.b, 0.5);
   EXPECT_GT(half.r, half.g + 0.05);
   EXPECT_GT(half.g, half.b + 0.05);

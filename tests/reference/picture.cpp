@@ -72,10 +72,10 @@ std::vector<ArrivingLight> lights_at(const PictureOf& picture, const glm::dvec3&
 }
 
 Openness openness_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
-  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend || transmits(point)) return {};
+  if (picture.visibility.empty() || point.material.alpha_mode == AlphaMode::blend || transmits(point)) return {};
   const std::size_t i =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
-  Openness open{.access = picture.access[i]};
+  Openness open{.visibility = picture.visibility[i]};
   if (!picture.bend.empty()) open.bend = into_world(picture.view, picture.bend[i]);
   return open;
 }
@@ -281,7 +281,7 @@ glm::dvec3 shown_buffer(const PictureOf& picture, const DepthAndNormal& nearest,
                    far_m = static_cast<double>(picture.options.depth_range.farthest_m);
       return glm::dvec3(covered ? 1.0 - std::clamp((nearest.distance_m - near_m) / (far_m - near_m), 0.0, 1.0) : 0.0);
     }
-    default: return glm::dvec3(covered ? openness_of(picture, {}, x, y).access : 1.0);
+    default: return glm::dvec3(covered ? openness_of(picture, {}, x, y).visibility : 1.0);
   }
 }
 

@@ -18,10 +18,10 @@ struct PictureOf {
   viewer::View view;
   viewer::RenderOptions options;
   int width = 0, height = 0;
-  viewer::Gradient ambient;               ///< what the environment of the options is made of
-  std::span<const double> access = {};    ///< [width * height] ambient access of opaque surfaces; empty = 1
-  std::span<const glm::dvec3> bend = {};  ///< [width * height] of Openness, in view space; empty = none
-  const Blurred* blurred = nullptr;       ///< blurred_opaque() of this; null = no surface of the scene needs it
+  viewer::Gradient ambient;                 ///< what the environment of the options is made of
+  std::span<const double> visibility = {};  ///< [width * height] ambient visibility of opaque surfaces; empty = 1
+  std::span<const glm::dvec3> bend = {};    ///< [width * height] of Openness, in view space; empty = none
+  const Blurred* blurred = nullptr;         ///< blurred_opaque() of this; null = no surface of the scene needs it
 };
 
 /// The picture at a point, in pixels from the upper left corner; (x + 0.5, y + 0.5) is the middle of a pixel. sRGB as
@@ -33,7 +33,7 @@ struct PictureOf {
 ///      where the surface is rough, what is opaque behind it is below, blurred
 ///      Transparency::weighted: surfaces that blend lie over all others as a weighted mean (eq in picture.cpp)
 ///      Gooch shading: tones (tests/reference/gooch.h) and outlines on opaque surfaces instead of light
-/// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
+/// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `visibility`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);
 
 /// What is opaque, as rough surfaces of the picture show it that let light through.

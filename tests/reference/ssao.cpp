@@ -55,8 +55,8 @@ glm::dvec3 DepthAndNormals::point(int x, int y) const {
   return {(2.0 * (x + 0.5) / width - 1.0) / cot_x * d, (1.0 - 2.0 * (y + 0.5) / height) / cot_y * d, -d};
 }
 
-HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
-  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
+HalfVisibility ssao(const DepthAndNormals& image, const SsaoSettings& s) {
+  HalfVisibility half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const Texel texel = texel_at(image, s.step, x, y);
@@ -70,13 +70,13 @@ HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
           sum += resolved * occlusion_by(image, s, texel.point + s.radius * offset, texel.point, texel.normal);
         }
       }
-      half.access.push_back(std::pow(1.0 - sum / static_cast<double>(s.offsets.size()), s.power));
+      half.visibility.push_back(std::pow(1.0 - sum / static_cast<double>(s.offsets.size()), s.power));
     }
   return half;
 }
 
-HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const HalfAccess& half, bool vertical) {
-  HalfAccess out{half.width, half.height, {}, {}};
+HalfVisibility blurred(const DepthAndNormals& image, const SsaoSettings& s, const HalfVisibility& half, bool vertical) {
+  HalfVisibility out{half.width, half.height, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const Texel middle = texel_at(image, s.step, x, y);
@@ -91,11 +91,11 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
         double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
         if (k != 0 && s.keep_edges)
           weight *= same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m);
-        sum += weight * half.access[index(half.width, at_x, at_y)];
+        sum += weight * half.visibility[index(half.width, at_x, at_y)];
         if (!half.bend.empty()) bend += weight * half.bend[index(half.width, at_x, at_y)];
         weights += weight;
       }
-      out.access.push_back(sum / weights);
+      out.visibility.push_back(sum / weights);
       if (!half.bend.empty())
         out.bend.push_back(middle.usable ? glm::normalize(middle.normal + bend / weights) - middle.normal
                                          : glm::dvec3(0.0));
@@ -103,8 +103,8 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
   return out;
 }
 
-PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& s, const HalfAccess& half) {
-  PixelAccess full;
+PixelVisibility full_size(const DepthAndNormals& image, const SsaoSettings& s, const HalfVisibility& half) {
+  PixelVisibility full;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::size_t i = index(image.width, x, y);
@@ -121,17 +121,17 @@ PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& s, const
           const double away = glm::length(other.point - p);
           if (away < nearest_m) {
             nearest_m = away;
-            nearest = half.access[at];
+            nearest = half.visibility[at];
             nearest_bend = bent;
           }
           const double weight =
               same_surface(s, p, n, other.point, other.normal, image.distance[i] / pixels_per_metre(image));
-          sum += weight * half.access[at];
+          sum += weight * half.visibility[at];
           bend += weight * bent;
           weights += weight;
         }
       const bool drawn = image.distance[i] > 0.0 && n != glm::dvec3(0.0);
-      full.access.push_back(!drawn ? 1.0 : weights > 1e-6 ? sum / weights : nearest);
+      full.visibility.push_back(!drawn ? 1.0 : weights > 1e-6 ? sum / weights : nearest);
       full.bend.push_back(!drawn ? glm::dvec3(0.0) : weights > 1e-6 ? bend / weights : nearest_bend);
     }
   return full;

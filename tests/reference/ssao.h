@@ -29,16 +29,16 @@ struct SsaoSettings {
   bool keep_edges = true;            ///< the blur stays on one surface
 };
 
-/// Ambient access of every second pixel, or of all.
-struct HalfAccess {
+/// Ambient visibility of every second pixel, or of all.
+struct HalfVisibility {
   int width = 0, height = 0;
-  std::vector<double> access;
+  std::vector<double> visibility;
   std::vector<glm::dvec3> bend;  ///< from the normal to the bent normal; empty = unknown
 };
 
 /// The same of every pixel.
-struct PixelAccess {
-  std::vector<double> access;
+struct PixelVisibility {
+  std::vector<double> visibility;
   std::vector<glm::dvec3> bend;
 };
 
@@ -46,16 +46,17 @@ struct PixelAccess {
 ///      r = surface seen in the direction of p + radius * offset;
 ///      offsets are mirrored at the noise vector
 ///      and flipped into the hemisphere of n
-HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);
+HalfVisibility ssao(const DepthAndNormals& image, const SsaoSettings& settings);
 
 /// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, times how far texels are on the same
 /// surface. The mean bend is that of a unit bent normal again.
 /// eq   (n . other n)^4 * exp(-(distance from the tangent plane / scale)^2 / 2); scale = epsilon + 1/4 of the distance on
 ///      screen
-HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half, bool vertical);
+HalfVisibility blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfVisibility& half,
+                       bool vertical);
 
-/// Access and bend of every pixel, from the half-size texels around it, weighted likewise; 1 and 0 where nothing was
-/// drawn.
-PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
+/// Visibility and bend of every pixel, from the half-size texels around it, weighted likewise; 1 and 0 where nothing
+/// was drawn.
+PixelVisibility full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfVisibility& half);
 
 }  // namespace sinew::reference

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/retarget/foot_contact.h"
-#include "runtime/retarget/hold_feet_animation.h"
+#include "runtime/retarget/leg_pose.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/scenes/two_legs.h"
 #include "tests/support/fixed_random.h"
@@ -16,7 +15,7 @@ namespace {
 
 using namespace scenes;
 
-/// Squats on a foot that stays where it is: by the cosine rule of the two bones, in the plane of the leg.
+/// Squats while the foot stays in place: by the cosine rule for the two leg bones, in the plane of the leg.
 Animation squat(const Skeleton& skeleton, const Build& build, double floor = 0.0) {
   Animation animation{"squat", 0.0, {}, {}};
   for (int i = 0; i <= 60; ++i) {
@@ -24,13 +23,13 @@ Animation squat(const Skeleton& skeleton, const Build& build, double floor = 0.0
     const double a = build.thigh, b = build.shank, height = a + b - drop, d = std::hypot(height, forward);
     const double inner = std::acos((a * a + b * b - d * d) / (2 * a * b)),
                  at_hip = std::acos((a * a + d * d - b * b) / (2 * a * d));
-    const double lean = std::atan2(-forward, height);  // of the line from hip to ankle, forward
+    const double lean = std::atan2(-forward, height);  // of the line from hip to ankle, positive forward
     add_key(skeleton, s, Vec3d(0, floor - drop, forward), {at_hip + lean, 3.14159265358979 - inner}, animation);
   }
   return animation;
 }
 
-/// Stands on its toes, which stay where they are, and goes down again.
+/// Rises onto the toes, which stay in place, and comes down again.
 Animation tiptoe(const Skeleton& skeleton, const Build& build) {
   Animation animation{"tiptoe", 0.0, {}, {}};
   for (int i = 0; i <= 60; ++i) {
@@ -158,7 +157,7 @@ TEST(hold_feet, hips_that_come_down_once_in_between_get_keys_for_all_of_it) {
 TEST(hold_feet, the_slide_is_the_mean_over_contacts_each_measured_by_itself) {
   Bodies b;
   Animation animation, slides;
-  for (int i = 0; i <= 40; ++i) {  // down, up and down again; the target slides while it is down first
+  for (int i = 0; i <= 40; ++i) {  // down, up and down again; the target slides during the first contact
     const double up = i > 14 && i < 26 ? 0.5 : 0.0;
     add_key(b.source, 0.025 * i, Vec3d(0, up, 0), {}, animation);
     add_key(b.target, 0.025 * i, Vec3d(0.01 * std::min(i, 14), b.feet.ratio * up, 0), {}, slides);
@@ -287,7 +286,7 @@ TEST(hold_feet, a_foot_is_held_below_4_percent_of_the_leg_and_free_above_12) {
   }
 }
 
-/// Where the knee of the left leg of a body goes that is straight, in model space while it rests.
+/// Direction of the straight left knee of a body, in model space at rest.
 Vec3d bend_at_rest(const Build& build) {
   const Skeleton skeleton = body(build, 4);
   const FeetMap feet = make_feet_map(make_skeleton_map(skeleton, skeleton), skeleton, skeleton);
@@ -301,7 +300,7 @@ TEST(hold_feet, straight_knees_go_where_they_are_bent_at_rest_else_where_the_toe
   EXPECT_TRUE(test::is_near(bend_at_rest({.knee_back = 0.1}), Vec3d(0, 0, -1), 1e-6)) << "as birds have them";
 }
 
-/// The bend of a leg of five joints, hips to toes, whose joints lie at these places below each other.
+/// Bend direction of a leg with five joints, hips to toes, at these places relative to their parents.
 Vec3d bend_of_leg(const glm::vec3& knee, const glm::vec3& ankle, const glm::vec3& toes, bool has_toes) {
   Skeleton skeleton = test::chain_skeleton(5);
   const glm::vec3 places[] = {{0, 1, 0}, {0.1f, 0, 0}, knee, ankle, toes};

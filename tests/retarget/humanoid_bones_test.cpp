@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Hips, three joints of a spine, neck and head, a left leg, a left arm with a thumb: names in this order.
+/// Hips, three spine joints, neck and head, a left leg, a left arm with a thumb; names are in this order.
 using Names = std::vector<std::string>;
 constexpr const char* kBones[] = {"hips",
                                   "spine",
@@ -68,7 +68,7 @@ TEST(humanoid_bones, are_found_by_the_names_of_known_rigs) {
   }
 }
 
-/// A chain of hips, `count` joints and a neck, or a head without one.
+/// The bones found in a chain of hips, `count` joints and a neck (or a head, if there is no neck).
 std::vector<std::uint32_t> bones_of_spine(std::uint32_t count, const char* last = "neck") {
   Skeleton skeleton = test::chain_skeleton(count + 2);
   skeleton.names.assign(count + 2, "joint");

@@ -12,7 +12,7 @@ namespace {
 
 using scenes::RightSide;
 
-/// Rotations of every kind on most joints; the hips move, and some joints have scales.
+/// Rotations of every interpolation on most joints; the hips move, and some joints have scales.
 Animation moving(const Skeleton& skeleton, bool all_move = false) {
   test::FixedRandom random(9);
   const std::vector<float> times = {0.0f, 0.4f, 0.9f, 2.0f};
@@ -76,7 +76,8 @@ TEST(retarget_animation, there_and_back_again_is_the_same_within_rounding) {
   }
 }
 
-/// Of the joints that the hand with the sword is seen over, each moves alone, one of its properties at a time.
+/// The hand with the sword is several joints below its mapped ancestor. Each joint between moves alone, one property at
+/// a time.
 TEST(retarget_animation, each_joint_on_a_way_over_several_moves_what_is_seen_over_it) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
   Skeleton to = scenes::two_sided(RightSide::another_posture, 2).skeleton;
@@ -87,7 +88,7 @@ TEST(retarget_animation, each_joint_on_a_way_over_several_moves_what_is_seen_ove
   test::FixedRandom random(5);
   for (const std::uint32_t joint : {9u, 11u, 13u})
     for (int property = 0; property < 3; ++property) {
-      if (joint == 13 && property == 2) continue;  // seen over the others, it has no scale
+      if (joint == 13 && property == 2) continue;  // relative to its ancestor it has no scale
       Animation animation{"one", 1.0, {}, {}};
       BoneAnimation& bone = animation.bones.emplace_back();
       bone.joint = joint;
@@ -175,7 +176,7 @@ TEST(retarget_animation, the_error_is_the_largest_of_all_joints_and_times) {
   for (std::size_t b = 0; b < animation.bones.size(); ++b) {
     Animation off = animation;
     BoneAnimation& bone = off.bones[b];
-    const std::size_t key = b % 2 == 0 ? 3 : 1;  // value of the second key, for cubics of the first
+    const std::size_t key = b % 2 == 0 ? 3 : 1;  // value of the second key; for cubics that of the first
     bone.translation.values[bone.translation.interpolation == Interpolation::cubic_spline ? 1 : key] +=
         glm::vec3(0, 2, 0);
     bone.rotation = {Interpolation::step, {0.0f}, {quat_xyzw(0.0f, 0.0f, 0.0f, 1.0f)}};

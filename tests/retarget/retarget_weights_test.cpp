@@ -14,7 +14,7 @@ struct Face {
   std::vector<std::string> targets;
 };
 
-/// One instance for each mesh, on one joint, with rest weights 0.1, 0.2, ... through all of them.
+/// One instance for each mesh, on one joint. Rest weights are 0.1, 0.2, ... over all meshes.
 Scene faces(const std::vector<Face>& all) {
   Scene scene;
   scene.first_weight = {0};

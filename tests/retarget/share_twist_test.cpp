@@ -24,8 +24,8 @@ using Vec3d = Vec3<double>;
 
 enum Joint : std::uint32_t { upper, upper_twist, lower, lower_twist, roll, hand, strap, helper };
 
-/// An arm with twist joints beside both bones, each joint with axes of its own: the bones go along no axis of theirs.
-/// `strap` lies aside of the lower bone, and `helper` on it without a telling name.
+/// An arm with twist joints along both bones. Joints have arbitrary axes, so no bone lies along an axis. `strap` lies
+/// beside the lower bone, and `helper` on it, but without a twist name.
 Skeleton arm(std::uint64_t seed) {
   test::FixedRandom random(seed);
   Skeleton skeleton =
@@ -119,7 +119,7 @@ TEST(share_twist, a_pose_at_rest_stays_at_rest) {
     EXPECT_LE(rotation_angle_between(pose[j].rotation, in_double(skeleton.rest[j]).rotation), 1e-7) << j;
 }
 
-/// Whatever the hand swings, and by up to almost half a turn either way.
+/// For any swing of the hand, and twists of up to almost half a turn either way.
 TEST(share_twist, joints_of_the_lower_bone_turn_by_their_share_of_the_hand_s_twist) {
   const Skeleton skeleton = arm(3);
   const TwistMap twists = twists_of(skeleton);
@@ -164,7 +164,7 @@ TEST(share_twist, the_job_has_the_bits_of_the_truth_in_float_and_allocates_nothi
   const ShareTwistJob job{&twists, memory.span()};
   ASSERT_EQ(check(job), ErrorCode::ok);
   const test::AllocationCounter allocations;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   EXPECT_EQ(allocations.count(), 0u);
   share_twist(twists, pose);
   for (std::uint32_t j = 0; j < 8; ++j) {
@@ -176,7 +176,7 @@ TEST(share_twist, the_job_has_the_bits_of_the_truth_in_float_and_allocates_nothi
   EXPECT_EQ(check(ShareTwistJob{nullptr, memory.span()}), ErrorCode::size_mismatch);
 }
 
-/// Between keys, linear ones of the shares follow the shares of what moves between, also where the hand swings.
+/// Linear keys between the driver's keys follow the shares of its motion, also while the hand swings.
 TEST(share_twist, an_animation_has_the_shares_of_its_poses) {
   const Skeleton skeleton = arm(6);
   const TwistMap twists = twists_of(skeleton);

@@ -25,7 +25,7 @@ Skeleton renamed(Skeleton skeleton) {
   return skeleton;
 }
 
-/// The body with names by which humanoid bones are found.
+/// The body with names that identify humanoid bones.
 Skeleton named(Skeleton skeleton) {
   skeleton.names[2] = "upperleg.l";
   skeleton.names[3] = "upperleg.r";
@@ -61,7 +61,7 @@ Vec3d direction(const Skeleton& skeleton, const std::vector<Transformd>& local, 
   return glm::normalize(translation_of(model[to]) - translation_of(model[from]));
 }
 
-/// The definition: each joint is turned from its rest pose, in model space, as the one that it follows.
+/// The definition of the map: in model space, each joint is turned from its rest pose like the joint that it follows.
 void expect_same_turns(const Skeleton& from, const std::vector<Transform>& pose, const Skeleton& to,
                        const std::vector<Transformd>& found, const SkeletonMap& map) {
   const auto rest = reference::model_rotations(from, from.rest), posed = reference::model_rotations(from, pose);
@@ -120,7 +120,7 @@ TEST(skeleton_map, joints_that_one_side_alone_has_do_not_matter) {
   TwoSided body = scenes::two_sided(RightSide::any_axes, 1);
   const Skeleton from = body.skeleton;
   Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
-  to.names[kForearm] = "something";  // the hand follows the hand, over a forearm that rests
+  to.names[kForearm] = "something";  // the hand follows the hand, below a forearm that rests
   const SkeletonMap map = make_skeleton_map(from, to);
   EXPECT_EQ(map.unmapped_target, (std::vector<std::uint32_t>{kForearm}));
   EXPECT_EQ(map.unmapped_source, (std::vector<std::uint32_t>{kForearm}));
@@ -142,7 +142,7 @@ TEST(skeleton_map, a_pair_that_does_not_hang_below_the_pair_above_it_is_left_out
 TEST(skeleton_map, hips_move_by_the_ratio_of_heights_under_a_root_of_scale_100) {
   const Skeleton from = named(scenes::two_sided(RightSide::any_axes, 1).skeleton);
   Skeleton inner = renamed(scenes::two_sided(RightSide::any_axes, 2).skeleton);
-  for (Transform& rest : inner.rest) rest.translation *= 2.0f;  // twice as tall, in a file of centimetres
+  for (Transform& rest : inner.rest) rest.translation *= 2.0f;  // twice as tall, and the file uses centimetres
   std::vector<std::uint32_t> parents = {kNone};
   for (const std::uint32_t parent : inner.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
   Skeleton to = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
@@ -166,7 +166,7 @@ TEST(skeleton_map, hips_move_by_the_ratio_of_heights_under_a_root_of_scale_100) 
       test::is_near(translation_of(model[1]), Vec3d(inner.rest[0].translation) + 2.0 * Vec3d(0.1, -0.2, 0.3), 1e-5));
 }
 
-/// The body with a joint above the hips that stands on the ground.
+/// The body with a root joint on the ground, above the hips.
 Skeleton with_root(const Skeleton& inner, const char* name) {
   std::vector<std::uint32_t> parents = {kNone};
   for (const std::uint32_t parent : inner.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
@@ -219,7 +219,7 @@ TEST(skeleton_map, a_root_joint_carries_the_character_by_the_ratio_of_the_hips_h
   EXPECT_TRUE(test::is_near(place_of(from, rooted, 1), Vec3d(2, 1, 3), 1e-5));
 }
 
-TEST(skeleton_map, hips_move_by_the_ratio_of_heights_whatever_scale_their_roots_have_and_whether_these_are_mapped) {
+TEST(skeleton_map, hips_move_by_the_height_ratio_for_any_root_scale) {
   const Skeleton body = named(scenes::two_sided(RightSide::any_axes, 1).skeleton),
                  tall = renamed(twice_as_tall(scenes::two_sided(RightSide::any_axes, 2).skeleton));
   const Vec3d step(0.1, -0.2, 0.3);
@@ -249,7 +249,7 @@ TEST(skeleton_map, names_that_are_there_twice_on_either_side_are_not_followed) {
   EXPECT_EQ(make_skeleton_map(twice, skeleton).unmapped_source, both);
 }
 
-/// Hips, a left arm and all bones of the fingers of its hand, each joint with axes of its own.
+/// Hips, a left arm and all finger bones of its hand; joints have arbitrary axes.
 Skeleton arm_with_fingers(std::uint64_t seed) {
   test::FixedRandom random(seed);
   std::vector<std::uint32_t> parents = {kNone, 0, 1, 2, 3, 3, 3, 3, 3};
@@ -309,7 +309,7 @@ TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
   EXPECT_NEAR(stretch(whole_arm, kHand), 1.5, 1e-5) << "below the forearm";
 }
 
-/// What a file says about bones comes before names, and what it does not say is not looked for.
+/// Bones that a file names take precedence over joint names. Bones that it does not name are not searched.
 TEST(skeleton_map, bones_that_are_given_are_those_that_are_mapped) {
   const Skeleton source = named(scenes::two_sided(RightSide::mirrored_axes, 3).skeleton),
                  target = renamed(scenes::two_sided(RightSide::mirrored_axes, 4).skeleton);

@@ -19,28 +19,48 @@ void count() noexcept {
 
 std::atomic<std::size_t> in_use{0}, most_in_use{0};
 
-void* taken(void* p) noexcept {
-  const std::size_t now = in_use.fetch_add(malloc_usable_size(p)) + malloc_usable_size(p);
+#ifdef _WIN32  // memory with an alignment has functions of its own there, and none that tells its size: it counts nothing
+std::size_t size_of(void* p) noexcept { return p != nullptr ? _msize(p) : 0; }
+std::size_t size_of(void*, std::size_t) noexcept { return 0; }
+void* allocate_aligned(std::size_t step, std::size_t size) noexcept { return _aligned_malloc(size, step); }
+void free_aligned(void* p) noexcept { _aligned_free(p); }
+#else
+std::size_t size_of(void* p) noexcept { return malloc_usable_size(p); }
+std::size_t size_of(void* p, std::size_t) noexcept { return malloc_usable_size(p); }
+void* allocate_aligned(std::size_t step, std::size_t size) noexcept { return std::aligned_alloc(step, size); }
+void free_aligned(void* p) noexcept { std::free(p); }
+#endif
+
+void take(std::size_t size) noexcept {
+  const std::size_t now = in_use.fetch_add(size) + size;
   for (std::size_t most = most_in_use.load(); now > most && !most_in_use.compare_exchange_weak(most, now);) {
   }
-  return p;
-}
-
-void give_back(void* p) noexcept {
-  in_use.fetch_sub(malloc_usable_size(p));
-  std::free(p);
 }
 
 void* allocate(std::size_t size) noexcept {
   count();
-  return taken(std::malloc(size != 0 ? size : 1));
+  void* const p = std::malloc(size != 0 ? size : 1);
+  take(size_of(p));
+  return p;
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
   count();
   const auto step = static_cast<std::size_t>(alignment);
   const std::size_t rounded = (size + step - 1) / step * step;
-  return taken(std::aligned_alloc(step, rounded != 0 ? rounded : step));
+  void* const p = allocate_aligned(step, rounded != 0 ? rounded : step);
+  take(size_of(p, step));
+  return p;
+}
+
+void give_back(void* p) noexcept {
+  in_use.fetch_sub(size_of(p));
+  std::free(p);
+}
+
+void give_back(void* p, std::align_val_t alignment) noexcept {
+  in_use.fetch_sub(size_of(p, static_cast<std::size_t>(alignment)));
+  free_aligned(p);
 }
 
 void* or_throw(void* p) {
@@ -67,6 +87,6 @@ void* operator new(std::size_t size, std::align_val_t alignment, const std::noth
 void operator delete(void* p) noexcept { give_back(p); }
 void operator delete(void* p, const std::nothrow_t&) noexcept { give_back(p); }
 void operator delete(void* p, std::size_t) noexcept { give_back(p); }
-void operator delete(void* p, std::align_val_t) noexcept { give_back(p); }
-void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept { give_back(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { give_back(p); }
+void operator delete(void* p, std::align_val_t alignment) noexcept { give_back(p, alignment); }
+void operator delete(void* p, std::align_val_t alignment, const std::nothrow_t&) noexcept { give_back(p, alignment); }
+void operator delete(void* p, std::size_t, std::align_val_t alignment) noexcept { give_back(p, alignment); }

@@ -9,7 +9,7 @@
 
 #include "runtime/threads/job_thread.h"
 #include "tests/plan/frame_equality.h"
-#include "tests/plan/held_by_the_book.h"
+#include "tests/plan/reference_held_input.h"
 #include "tests/threads/crowd.h"
 
 namespace sinew::test {
@@ -22,7 +22,7 @@ struct Driven {
   Plan plan;
   RandomInputs inputs{plan};
   HeldInput held{plan};
-  HeldByTheBook by_the_book{inputs};
+  ReferenceHeldInput reference_held{inputs};
   UpdateLevel level = UpdateLevel::every;
   bool is_gone = false;                                                      ///< another took its place: it sleeps
   std::map<std::size_t, std::map<std::uint64_t, std::uint64_t>> hash_since;  ///< [primitives]
@@ -39,7 +39,7 @@ class Drive {
   /// Two frames may be on their way at once, and some results are never looked at.
   void step(std::uint32_t seed) {
     FixedRandom random(seed);
-    if (random.below(64) == 0 && driven_.size() < 2 * kCharacters) go_over(random);
+    if (random.below(64) == 0 && driven_.size() < 2 * kCharacters) replace_one(random);
     std::vector<FrameInput> views;
     for (std::size_t c = 0; c < driven_.size(); ++c)
       views.push_back(next_input(c, seed + static_cast<std::uint32_t>(c)));
@@ -54,7 +54,7 @@ class Drive {
 
  private:
   struct Shown {
-    HeldByTheBook input;
+    ReferenceHeldInput input;
     bool is_gone;
   };
   struct Submitted {
@@ -67,7 +67,7 @@ class Drive {
     jobs_.add_character(added.plan);
   }
 
-  void go_over(FixedRandom& random) {
+  void replace_one(FixedRandom& random) {
     Driven& one = driven_[random.below(static_cast<std::uint32_t>(driven_.size()))];
     if (one.is_gone) return;
     one.is_gone = true;
@@ -79,7 +79,7 @@ class Drive {
     one.inputs.step(seed);
     if (seed % 7 == 0) one.level = static_cast<UpdateLevel>(seed / 7 % 3);
     const auto phase = static_cast<std::uint32_t>(c);
-    one.by_the_book.next(one.inputs, one.level, number_, phase);
+    one.reference_held.next(one.inputs, one.level, number_, phase);
     FrameInput input = one.held.next(one.inputs.view(), one.level, number_, phase);
     input.asleep |= one.is_gone;
     return input;
@@ -87,7 +87,7 @@ class Drive {
 
   std::vector<Shown> shown_now() const {
     std::vector<Shown> shown;
-    for (const Driven& one : driven_) shown.push_back({one.by_the_book, one.is_gone});
+    for (const Driven& one : driven_) shown.push_back({one.reference_held, one.is_gone});
     return shown;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each key does, alone: settings and playback before and after it.
+// The effect of each action on settings and playback.
 #include "viewer/app/actions.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(actions, that_switch_something_switch_it_back) {
   }
 }
 
-/// What a user sees of playback.
+/// The visible state of playback.
 struct Played {
   std::uint32_t clip;
   bool playing;

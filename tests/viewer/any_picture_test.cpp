@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of everything at once: materials, layers, textures, sides, lights, cameras and options drawn by lot,
-// compared with the reference renderer. Other tests hold one term each; this one holds that they do not disturb each
-// other.
+// Random combinations of materials, layers, textures, sides, lights, cameras and options, compared with the reference
+// renderer. Other tests check each term alone; this one checks that they do not affect each other.
 #include <glm/geometric.hpp>
 
 #include "samples/showcase/shapes.h"
@@ -37,13 +36,14 @@ void add_layers(FixedRandom& random, Material& material) {
   }
 }
 
-/// Textures on some of what a material can have one on, each with coordinates of its own.
+/// Adds textures to random slots of a material, each with its own coordinates.
 void add_textures(FixedRandom& random, BuiltScene& built, Material& material) {
   const std::uint32_t noise = add_noise_texture(built), leaning = add_plain_texture(built, {176, 100, 225, 255});
   const auto places = placed_textures();
   for (TextureUse* use : texture_uses(material)) {
     if (!chance(random, 0.35)) continue;
-    // Mesa 22.3 reads one copy of what is behind for four pixels, which shows where roughness changes within them.
+    // Mesa 22.3 chooses one mip level of the picture behind for each 2 x 2 pixels, which is visible if roughness varies
+    // within them.
     if (use == &material.metallic_roughness_texture && material.transmission.factor > 0.0f) continue;
     *use = one_of(random, {places[0], places[1], places[2], places[3]});
     use->texture = use == &material.normal_texture || use == &material.clearcoat.normal_texture ? leaning : noise;
@@ -67,7 +67,7 @@ Material any_material(FixedRandom& random) {
   return material;
 }
 
-/// Turned and stretched a little, and mirrored at times.
+/// A random transform: slightly rotated and scaled, sometimes mirrored.
 Affine any_place(FixedRandom& random, const glm::vec3& at, bool& mirrored) {
   Affine place = affine_from(glm::mat3_cast(random.rotation_by(random.in(0.0, 0.5))), at);
   mirrored = chance(random, 0.3);

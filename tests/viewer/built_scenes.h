@@ -12,7 +12,7 @@ namespace sinew::viewer {
 class BuiltScene {
  public:
   std::uint32_t add_material(const Material& material);
-  /// Returns the instance.
+  /// Adds an instance of a mesh of one primitive; returns its index.
   std::uint32_t add(const Primitive& primitive, std::uint32_t material, const Affine& world_from_mesh = {},
                     bool mirrored = false);
   void add_light(const Light& light, const Affine& world_from_light);

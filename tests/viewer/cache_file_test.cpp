@@ -18,7 +18,7 @@ std::string fault_of(const std::string& path) {
   return file ? std::string() : file.error();
 }
 
-/// Of a file that is there and that cannot be opened, since this process may have no more.
+/// The error for an existing file that cannot be opened, because the process has no free descriptors.
 std::string fault_without_files(const std::string& path) {
   rlimit before{};
   EXPECT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small geometry caches that the viewer's tests play, as bytes and as files.
+// Small geometry caches for the viewer's tests, in memory and as files.
 #pragma once
 #include <unistd.h>
 
@@ -45,14 +45,14 @@ class WrittenFile {
   std::filesystem::path path_;
 };
 
-/// The bytes of a cache with one bit of a frame turned over.
+/// The bytes of a cache with one flipped bit in a frame.
 inline Bytes with_damage(Bytes bytes, std::uint32_t frame) {
   const auto cache = GeometryCache::open(bytes);
   bytes[cache->frames()[frame].offset + cache->frames()[frame].size / 2] ^= std::byte{1};
   return bytes;
 }
 
-/// A cache alone.
+/// A cache shown without a glTF file.
 inline CacheAlone flag_alone(const Bytes& bytes) {
   auto file = open_cache_bytes("flag", bytes);
   if (!file) throw std::runtime_error(file.error());

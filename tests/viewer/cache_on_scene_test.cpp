@@ -22,19 +22,19 @@ const GeometryCache& showcase_cache() {
 
 TEST(cache_on_scene, binds_meshes_by_name_and_says_what_it_does_not) {
   const Scene scene = showcase::flag_in_wind({}).scene;
-  std::vector<std::string> said;
-  const auto say = [&](const std::string& line) { said.push_back(line); };
-  const auto bound = bind_cache(*open_cache_bytes("showcase", showcase::flag_cache()), scene, say);
+  std::vector<std::string> messages;
+  const auto log_line = [&](const std::string& line) { messages.push_back(line); };
+  const auto bound = bind_cache(*open_cache_bytes("showcase", showcase::flag_cache()), scene, log_line);
   ASSERT_TRUE(bound) << bound.error();
-  EXPECT_THAT(said, testing::IsEmpty());
+  EXPECT_THAT(messages, testing::IsEmpty());
   EXPECT_THAT((*bound)->instances(), ElementsAre(0u));
   EXPECT_NEAR((*bound)->duration_s(), 4.0, 1e-9);
 
   const Bytes other = flag_bytes(4);  // its mesh is called "mesh"
-  const auto nothing = bind_cache(*open_cache_bytes("other.sgeo", other), scene, say);
+  const auto nothing = bind_cache(*open_cache_bytes("other.sgeo", other), scene, log_line);
   ASSERT_FALSE(nothing);
   EXPECT_THAT(nothing.error(), HasSubstr("other.sgeo"));
-  EXPECT_THAT(said, ElementsAre(testing::AllOf(HasSubstr("other.sgeo: warning: "), HasSubstr("\"mesh\""))));
+  EXPECT_THAT(messages, ElementsAre(testing::AllOf(HasSubstr("other.sgeo: warning: "), HasSubstr("\"mesh\""))));
 }
 
 TEST(cache_on_scene, a_cache_alone_plays_from_its_start_and_beside_clips_on_their_clock) {

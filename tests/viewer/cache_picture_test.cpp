@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of geometry caches beside the reference renderer, which is given vertices that come another way.
+// Pictures of geometry caches, compared with the reference renderer, which gets its vertices directly from the decoder.
 #include <algorithm>
 #include <cstdlib>
 #include <glm/geometric.hpp>
@@ -51,7 +51,7 @@ std::vector<glm::vec3> points_of(const Bytes& bytes, std::uint32_t frame) {
 /// Frame and pictures of a scene on which a cache plays, as the program makes them.
 class Pictures {
  public:
-  Pictures(const Scene& scene, const CacheOnScene& cache, CacheReader::Reads reads = CacheReader::Reads::at_once)
+  Pictures(const Scene& scene, const CacheOnScene& cache, CacheReader::Reads reads = CacheReader::Reads::blocking)
       : cache_(cache, scene, reads),
         plan_(compile_plan(lend(scene), needs(cache))),
         frame_(plan_),

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using Reads = CacheReader::Reads;
 
-/// A cache alone, evaluated at any time.
+/// A cache without a glTF file, evaluated at any time.
 class Played {
  public:
   Played(const CacheAlone& alone, Reads reads)
@@ -54,7 +54,7 @@ std::vector<glm::vec3> positions(const FrameResult& frame) {
 TEST(cache_playback, shows_the_frame_of_the_time) {
   const Bytes bytes = flag_bytes(20, 1.5);
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   GeometryDecoder decoder(alone.cache->file.cache);
   MappedFrames source{alone.cache->file.cache, bytes};
   std::vector<glm::vec3> expected(alone.cache->file.cache.meshes()[0].vertex_count);
@@ -70,7 +70,7 @@ TEST(cache_playback, order_of_times_changes_nothing) {
   const CacheAlone alone = flag_alone(bytes);
   const std::vector<double> times = {0.0, 0.01, 0.2, 0.333, 0.5, 0.61, 0.633};
   std::vector<std::vector<glm::vec3>> forward;
-  Played first(alone, Reads::at_once), second(alone, Reads::at_once), third(alone, Reads::beside);
+  Played first(alone, Reads::blocking), second(alone, Reads::blocking), third(alone, Reads::on_thread);
   for (const double t : times) forward.push_back(positions(first.at(t)));
   for (std::size_t i = times.size(); i-- > 0;) EXPECT_EQ(positions(second.at(times[i])), forward[i]) << times[i];
   for (const std::size_t i : {3u, 0u, 6u, 1u, 5u, 2u, 4u}) {
@@ -82,7 +82,7 @@ TEST(cache_playback, order_of_times_changes_nothing) {
 TEST(cache_playback, plays_forward_and_backward_within_one_window_and_reads_each_frame_once) {
   const Bytes bytes = flag_bytes(16);
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   std::uint64_t frames = 0;
   for (const GeometryFrame& frame : alone.cache->file.cache.frames()) frames += frame.size;
   for (int f = 0; f < 16; ++f) played.at(f / 30.0);
@@ -93,7 +93,7 @@ TEST(cache_playback, plays_forward_and_backward_within_one_window_and_reads_each
 TEST(cache_playback, tells_what_it_takes) {
   const Bytes bytes = flag_bytes();
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   EXPECT_FALSE(played.playback.facts().ns_per_vertex);
   for (int f = 0; f < 6; ++f) played.at(f / 30.0);
   const CacheFacts facts = played.playback.facts();
@@ -102,21 +102,21 @@ TEST(cache_playback, tells_what_it_takes) {
   EXPECT_EQ(facts.frame_count, 20u);
   EXPECT_EQ(facts.vertex_count, 33u * 25u);
   EXPECT_EQ(facts.window_frames, 16u) << "a segment and what is read ahead";
-  EXPECT_GT(facts.frames_there, 5u);
-  EXPECT_LE(facts.frames_there, facts.window_frames);
+  EXPECT_GT(facts.frames_loaded, 5u);
+  EXPECT_LE(facts.frames_loaded, facts.window_frames);
   EXPECT_GT(facts.window_bytes, 0u);
   ASSERT_TRUE(facts.ns_per_vertex);
   EXPECT_GT(*facts.ns_per_vertex, 0.0);
   EXPECT_EQ(facts.late, 0u);
   const Bytes few = flag_bytes(10);
   const CacheAlone brief = flag_alone(few);
-  EXPECT_EQ(CachePlayback(*brief.cache, brief.scene, Reads::at_once).facts().window_frames, 10u) << "all of it";
+  EXPECT_EQ(CachePlayback(*brief.cache, brief.scene, Reads::blocking).facts().window_frames, 10u) << "all of it";
   EXPECT_EQ(describe_cost({.ns_per_vertex = 3.14, .late = 2}), "3.1 ns a decoded vertex, pictures late: 2");
-  EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_there = 3, .window_frames = 40, .window_bytes = 1234567}),
+  EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_loaded = 3, .window_frames = 40, .window_bytes = 1234567}),
             "18 kB a second read, window 3 of 40 frames in 1.2 MB");
 }
 
-/// A frame that decoded vertices, as a plan with stage times tells it.
+/// A frame result with decoded vertices and stage times.
 struct Decoded {
   std::array<std::uint64_t, kStageCount> stage_ns{};
   FrameResult frame;
@@ -133,7 +133,7 @@ struct Decoded {
 TEST(cache_playback, time_of_a_vertex_follows_the_frames_that_decode_and_each_frame_counts_once) {
   const Bytes bytes = flag_bytes();
   const CacheAlone alone = flag_alone(bytes);
-  CachePlayback playback(*alone.cache, alone.scene, Reads::at_once);
+  CachePlayback playback(*alone.cache, alone.scene, Reads::blocking);
   const auto watched = [&](const FrameResult& frame) {
     playback.watch(frame);
     return playback.facts().ns_per_vertex.value_or(-1.0);
@@ -158,7 +158,7 @@ TEST(cache_playback, time_of_a_vertex_follows_the_frames_that_decode_and_each_fr
 TEST(cache_playback, bytes_a_second_are_those_of_the_last_half_second_or_longer) {
   const Bytes bytes = flag_bytes(40);
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   std::uint64_t number = 1000;
   const auto start = CachePlayback::Clock::now() + std::chrono::hours(1);
   const auto rate_after = [&](std::chrono::milliseconds time) {
@@ -185,7 +185,7 @@ TEST(cache_playback, bytes_a_second_are_those_of_the_last_half_second_or_longer)
 TEST(cache_playback, first_picture_of_a_window_is_not_late) {
   const Bytes bytes = flag_bytes();
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::beside);
+  Played played(alone, Reads::on_thread);
   EXPECT_FALSE(is_late(played.at(0.0)));
   EXPECT_EQ(played.playback.facts().late, 0u);
 }
@@ -193,7 +193,7 @@ TEST(cache_playback, first_picture_of_a_window_is_not_late) {
 TEST(cache_playback, says_which_rule_a_damaged_frame_breaks_and_shows_the_pose) {
   const Bytes bytes = with_damage(flag_bytes(), 10);
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   EXPECT_TRUE(played.at(9 / 30.0).instances[0].from_cache);
   EXPECT_EQ(played.playback.fault(), "");
   const FrameResult& damaged = played.at(12 / 30.0);
@@ -209,7 +209,7 @@ TEST(cache_playback, frames_that_cannot_be_read_are_late_and_for_pictures_a_faul
   CacheOnScene gone = *alone.cache;
   gone.file.path = "/nothing/here.sgeo";
   alone.cache = std::make_shared<const CacheOnScene>(gone);
-  Played pictures(alone, Reads::at_once), window(alone, Reads::beside);
+  Played pictures(alone, Reads::blocking), window(alone, Reads::on_thread);
   EXPECT_TRUE(is_late(pictures.at(0.1)));
   EXPECT_THAT(pictures.playback.fault(), HasSubstr("cache-size"));
   EXPECT_TRUE(is_late(window.at(0.1)));
@@ -220,7 +220,7 @@ TEST(cache_playback, frames_that_cannot_be_read_are_late_and_for_pictures_a_faul
 TEST(cache_playback, without_weight_nothing_is_read) {
   const Bytes bytes = flag_bytes();
   const CacheAlone alone = flag_alone(bytes);
-  Played played(alone, Reads::at_once);
+  Played played(alone, Reads::blocking);
   EXPECT_FALSE(played.at(0.3, 0.0f).instances[0].from_cache);
   EXPECT_EQ(played.playback.bytes_read(), 0u);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of the picture that ambient occlusion is computed for: by numbers, and in pictures that must not show it.
+// The area for which ambient occlusion is computed: its texels, and that it has no effect on pictures.
 #include "viewer/passes/covered_area.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ View view_ahead() { return look_at({0, 0, 0}, {0, 0, -1}, 2.0 * std::atan(0.5), 
 
 Aabb box_around(const glm::vec3& middle, const glm::vec3& half) { return {middle - half, middle + half}; }
 
-/// Of one box, in a picture twice as wide as it is high.
+/// The texels of one box, in a picture with aspect 2.
 VkRect2D texels_of(const View& view, const Aabb& box, VkExtent2D picture, std::uint32_t step) {
   CoveredArea area(view, 2.0);
   area.add_box(view.view_from_world, box);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each attribute that a frame deforms takes the place of the mesh's own, alone and with all others.
+// Each deformed attribute replaces the static one, alone and together with all others.
 #include "tests/viewer/reference_picture.h"
 #include "viewer/app/headless.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 class deformed_attributes : public DeviceTest {};
 
-/// A wall in all ways different from wall(), but for its texture coordinates.
+/// A wall that differs from wall() in all attributes except texture coordinates.
 Primitive moved_wall() {
   Primitive p = wall();
   p.positions = {{-0.9f, -0.8f, 0.1f}, {1.0f, -0.9f, 0.0f}, {0.8f, 0.9f, -0.1f}, {-0.8f, 1.0f, 0.2f}};

@@ -6,12 +6,11 @@
 
 namespace sinew::viewer {
 
-/// Graphics cards move vertices to a grid of this many pixels before they interpolate; Mesa's software driver
-/// interpolates from where they are.
+/// Graphics cards snap vertices to a grid of this size in pixels; Mesa's software driver does not.
 inline double vertex_grid_px() { return test_device()->is_software() ? 0.0 : 1.0 / 256.0; }
 
-/// Base of tests that draw. They are skipped, with the reason, without a Vulkan device, and fail if a validation
-/// message occurs. Without the validation layer none does: tests that claim silence skip then.
+/// Base of tests that draw. Skips with a reason if there is no Vulkan device, and fails on any validation message.
+/// Tests that check for silence skip if the validation layer is missing.
 class DeviceTest : public testing::Test {
  protected:
   void SetUp() override {

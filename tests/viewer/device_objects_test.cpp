@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers and images on a driver of the test's own, whose calls fail one after another.
+// Buffers and images on a fake driver whose calls fail one after another.
 #include <gtest/gtest.h>
 
 #include <utility>

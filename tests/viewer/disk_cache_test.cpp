@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is kept between runs: files that are damaged or foreign are as if they were not there.
+// The disk cache between runs: damaged or foreign files are ignored.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, removed with it.
+/// A temporary folder, removed by the destructor.
 class Folder {
  public:
   Folder()
@@ -134,8 +134,8 @@ TEST(stored_environment, is_made_again_where_the_file_is_of_another_sky_or_shape
   expect_same_light(*load_environment("studio", disk).value(), *studio_environment());
 }
 
-/// Stored environments are found again by their sky and by kVersion of stored_environment.cpp. Where these values move,
-/// kVersion must grow, or users keep the light of older versions.
+/// Stored environments are identified by their sky and by kVersion of stored_environment.cpp. If these values change,
+/// increase kVersion, or users keep the light of older versions.
 TEST(stored_environment, is_of_the_version_that_these_values_belong_to) {
   const auto studio = studio_environment();
   EXPECT_NEAR(studio->diffuse[0].x, 0.319446f, 1e-5f);

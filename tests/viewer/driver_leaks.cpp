@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs that open a device do not look for leaks: drivers keep memory until the process ends, and are unloaded
-// before leaks are looked for, so that no suppression can name them. Device memory that is not freed is told by the
-// validation layers, and leaks of the parts without a device by the programs without one.
+// Turns leak checks off in programs that open a device. Drivers keep memory until the process ends and are unloaded
+// before the check, so no suppression can name them. Validation layers check device memory, and programs without a
+// device check the rest.
 extern "C" int __lsan_is_turned_off();
 extern "C" int __lsan_is_turned_off() { return 1; }

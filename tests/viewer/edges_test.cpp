@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smooth edges beside the area that surfaces cover.
+// Multisampled edges, compared with exact pixel coverage.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ RenderOptions plain(bool smooth) {
   return options;
 }
 
-/// Share of a pixel's area where `inside` holds, of 400 points.
+/// Fraction of a pixel's area where `inside` is true, from 400 points.
 template <class Inside>
 double area(int x, int y, const Inside& inside) {
   int count = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A target whose format encodes to sRGB by itself shows what one shows that does not: colours, and values that no
-// display changes.
+// A target with an sRGB format and one without show the same: colours, and data such as normals.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -13,7 +12,7 @@ namespace {
 
 class encoded_target : public DeviceTest {};
 
-/// The largest difference of two bytes; -1 where one picture has only one value.
+/// The largest difference of two bytes; -1 if one picture is uniform.
 int difference(const BuiltScene& built, const RenderOptions& options) {
   const View view = look_at({3.0, 2.5, 4.0}, {0.0, 0.5, 0.0}, 0.8, 0.05);
   const auto plain = render_bytes(built, 40, 32, view, options, VK_FORMAT_R8G8B8A8_UNORM);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ambient light: the environment as the shaders need it, and the split sum, beside plain double-precision sums.
+// Prefiltered environments and the split sum, compared with plain double-precision sums.
 #include "viewer/light/environment.h"
 
 #include <gtest/gtest.h>
@@ -29,13 +29,13 @@ glm::vec3 random_direction(test::FixedRandom& random) {
   }
 }
 
-/// Lopsided on all axes, with a bright spot.
+/// A sky that is asymmetric on all axes, with a bright spot.
 glm::vec3 some_sky(const glm::vec3& d) {
   const float spot = std::exp(-30.0f * (1.0f - glm::dot(d, glm::normalize(glm::vec3(0.5f, 0.6f, -0.7f)))));
   return glm::vec3(0.3f + 0.2f * d.x, 0.4f - 0.3f * d.y * d.z, 0.5f + 0.1f * d.z) + glm::vec3(6.0f, 5.0f, 2.0f) * spot;
 }
 
-/// The sum over all texels of a map of `share` of their direction, times their solid angle.
+/// Integrates `share(direction)` times radiance over a map.
 template <class Share>
 glm::dvec3 gathered(const CubeMap& cube, const Share& share) {
   glm::dvec3 sum(0.0);
@@ -183,7 +183,7 @@ TEST(sheen_albedo, is_that_of_the_integral_over_the_half_sphere) {
   EXPECT_EQ(sheen_albedo(0.3f, 0.0f), sheen_albedo(0.3f, kLeastSheenRoughness));
 }
 
-TEST(split_sum, table_has_rows_of_roughness_and_columns_of_the_root_of_the_cosine_and_never_more_light_than_there_is) {
+TEST(split_sum, axes_are_roughness_and_sqrt_cosine) {
   const auto& table = split_sum_table();
   ASSERT_EQ(table.size(), std::size_t{kSplitSumSize} * kSplitSumSize);
   constexpr float last = kSplitSumSize - 1;
@@ -194,7 +194,10 @@ TEST(split_sum, table_has_rows_of_roughness_and_columns_of_the_root_of_the_cosin
       EXPECT_EQ(glm::vec2(at), split_sum(root * root, static_cast<float>(row) / last));
       EXPECT_EQ(at.z, sheen_albedo(root * root, static_cast<float>(row) / last));
     }
-  for (const glm::vec3& sums : table) {
+}
+
+TEST(split_sum, conserves_energy) {
+  for (const glm::vec3& sums : split_sum_table()) {
     EXPECT_GE(std::min(sums.x, sums.y), 0.0f);
     EXPECT_LE(sums.x + sums.y, 1.0f + 1e-4f);
   }

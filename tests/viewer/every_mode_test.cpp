@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every value of every option that changes how a picture is made, in a picture of one pixel and in a very wide one.
-// Validation, which looks at synchronization, has nothing to say.
+// Draws with every value of every rendering option, in a picture of one pixel and in a very wide one, without
+// validation messages.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -117,14 +117,14 @@ BuiltScene all_kinds() {
   return built;
 }
 
-VertexAccess half_access(const Scene& scene) {
-  VertexAccess access;
+VertexVisibility half_visibility(const Scene& scene) {
+  VertexVisibility visibility;
   for (const Mesh& mesh : scene.meshes)
-    access.values.push_back({std::vector<float>(mesh.primitives[0].vertex_count(), 0.5f)});
-  return access;
+    visibility.values.push_back({std::vector<float>(mesh.primitives[0].vertex_count(), 0.5f)});
+  return visibility;
 }
 
-/// The row through the middle of the balls, as wide as 60 degrees.
+/// A view of one row of pixels through the middle of the balls, 60 degrees wide.
 View view_of(std::uint32_t width) {
   return look_at({0.3, 1.2, 5.0}, {0.0, 0.6, 0.0}, 2.0 * std::atan(std::tan(0.52) / width), 0.05);
 }
@@ -165,7 +165,7 @@ class Pictures {
     SCOPED_TRACE(words);
     const Options options = parsed(words);
     if (!scene_ || scene_->filter() != options.filter)
-      scene_ = std::make_unique<SceneUpload>(*test_device(), built_.scene, 1, &access_, options.filter);
+      scene_ = std::make_unique<SceneUpload>(*test_device(), built_.scene, 1, &visibility_, options.filter);
     const std::uint64_t before = test_device()->validation_messages();
     draw(one_, options);
     const auto pixels = draw(wide_, options);
@@ -191,7 +191,7 @@ class Pictures {
   }
 
   BuiltScene built_ = all_kinds();
-  VertexAccess access_ = half_access(built_.scene);
+  VertexVisibility visibility_ = half_visibility(built_.scene);
   ClipExtent extent_;
   std::map<std::string, std::shared_ptr<const Environment>> environments_;
   std::unique_ptr<SceneUpload> scene_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Automatic exposure: the log average of light becomes middle grey, the same bits each time.
+// Automatic exposure: maps the log average to middle grey; deterministic.
 #include <tuple>
 #include <utility>
 
@@ -33,7 +33,7 @@ BuiltScene wall_and_panes() {
   return built;
 }
 
-/// The picture with automatic exposure is the one with the exposure that the reference says.
+/// Expects that automatic exposure gives the same picture as the reference's exposure set by hand.
 void expect_exposure_of_reference(const BuiltScene& built, const View& view, int width, int height, float key) {
   RenderOptions options = automatic();
   options.lighting.key *= key;

@@ -59,9 +59,10 @@ const std::string& no_device_reason() { return only().reason; }
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion,
-                          const VertexAccess* access, const AccessBlend& blend, const TextureFilter& filter) {
+                          const VertexVisibility* visibility, const VisibilityBlend& blend,
+                          const TextureFilter& filter) {
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  const SceneUpload scene(*test_device(), built.scene, 1, access, filter);
+  const SceneUpload scene(*test_device(), built.scene, 1, visibility, filter);
   FrameInputs inputs = extras;
   inputs.view = view;
   inputs.options = options;

@@ -15,7 +15,7 @@ namespace sinew::viewer {
 Device* test_device();
 const std::string& no_device_reason();
 
-/// Pixels as the last pass wrote them, in float instead of 8 bits.
+/// Output of the last pass, in float instead of 8 bits.
 struct FloatPicture {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
@@ -25,8 +25,8 @@ struct FloatPicture {
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras = {},
-                          const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
-                          const AccessBlend& blend = {}, const TextureFilter& filter = {});
+                          const OcclusionShape& occlusion = {}, const VertexVisibility* visibility = nullptr,
+                          const VisibilityBlend& blend = {}, const TextureFilter& filter = {});
 
 /// The bytes of a picture in an 8-bit format.
 std::vector<std::uint8_t> render_bytes(const BuiltScene& built, int width, int height, const View& view,
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> render_bytes(const BuiltScene& built, int width, int h
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
                                                  RenderOptions options);
 
-/// The same camera, for the reference.
+/// An image without surfaces, with the same camera, for the reference.
 reference::DepthAndNormals empty_image(int width, int height, const View& view);
 
 }  // namespace sinew::viewer

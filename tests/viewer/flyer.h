@@ -6,7 +6,8 @@
 
 namespace sinew::viewer {
 
-/// One joint that flies 10 m along x in 2 s, and back to 4 m in the third; with or without a triangle of 1 m on it.
+/// One joint that moves 10 m along x in 2 s, and back to 4 m in the third second; optionally with a triangle of 1 m on
+/// it.
 inline Scene flyer(bool with_mesh) {
   Scene scene;
   auto& skeleton = scene.skeleton;

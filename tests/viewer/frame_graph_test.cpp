@@ -75,25 +75,25 @@ TEST(frame_graph, has_no_occlusion_without_opaque_surfaces) {
   EXPECT_THAT(passes({.opaque = false, .blended = true}), ElementsAre(Pass::opaque, Pass::transparent, Pass::tonemap));
 }
 
-TEST(frame_graph, P17_has_no_pass_for_ambient_access_that_comes_with_the_vertices) {
+TEST(frame_graph, P17_has_no_pass_for_ambient_visibility_that_comes_with_the_vertices) {
   const FrameNeeds needs{.opaque = true, .occlusion = false, .baked = true};
   EXPECT_THAT(passes(needs), ElementsAre(Pass::opaque, Pass::tonemap));
-  EXPECT_TRUE(FrameGraph(needs).vertex_access);
+  EXPECT_TRUE(FrameGraph(needs).vertex_visibility);
   EXPECT_FALSE(FrameGraph(needs).normal_image || FrameGraph(needs).ao_image);
   for (const PassStage& stage : describe_passes(needs, {.opaque_draws = 1, .extent = {8, 8}, .ao_texels = 16}))
     if (stage.pass == Pass::normal_depth || stage.pass == Pass::ssao || stage.pass == Pass::blur_vertical) {
       EXPECT_FALSE(stage.runs);
       EXPECT_EQ(stage.count, 0u);
-      EXPECT_EQ(stage.reason, "ambient access comes with the vertices, baked by rays");
+      EXPECT_EQ(stage.reason, "ambient visibility comes with the vertices, baked by rays");
     } else if (stage.pass == Pass::opaque) {
-      EXPECT_EQ(stage.reason, "shades what is opaque or alpha-tested, with the ambient access of the vertices");
+      EXPECT_EQ(stage.reason, "shades what is opaque or alpha-tested, with the ambient visibility of the vertices");
     }
   const FrameNeeds shown{.opaque = true, .occlusion = false, .baked = true, .show = Show::ao};
   EXPECT_THAT(passes(shown), ElementsAre(Pass::normal_depth, Pass::show));
-  EXPECT_TRUE(FrameGraph(shown).normal_image && FrameGraph(shown).vertex_access);
-  EXPECT_FALSE(FrameGraph({.opaque = true, .ambient = false, .occlusion = false, .baked = true}).vertex_access);
-  EXPECT_FALSE(FrameGraph({.opaque = true, .baked = true, .show = Show::normals}).vertex_access);
-  EXPECT_TRUE(FrameGraph({.blended = true, .occlusion = false, .baked = true}).vertex_access);
+  EXPECT_TRUE(FrameGraph(shown).normal_image && FrameGraph(shown).vertex_visibility);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .ambient = false, .occlusion = false, .baked = true}).vertex_visibility);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .baked = true, .show = Show::normals}).vertex_visibility);
+  EXPECT_TRUE(FrameGraph({.blended = true, .occlusion = false, .baked = true}).vertex_visibility);
 }
 
 TEST(frame_graph, sums_what_blends_in_any_order_behind_what_is_sorted) {
@@ -104,7 +104,7 @@ TEST(frame_graph, sums_what_blends_in_any_order_behind_what_is_sorted) {
   EXPECT_FALSE(FrameGraph({.opaque = true, .blended = true}).weighted_images);
   const FrameNeeds alone{.weighted = true, .occlusion = false, .baked = true, .auto_exposure = true};
   EXPECT_TRUE(FrameGraph(alone).has(Pass::exposure));
-  EXPECT_TRUE(FrameGraph(alone).vertex_access);
+  EXPECT_TRUE(FrameGraph(alone).vertex_visibility);
   EXPECT_TRUE(FrameGraph({.weighted = true, .shadows = true}).has(Pass::shadow));
   EXPECT_FALSE(FrameGraph({.weighted = true, .show = Show::normals}).weighted_images) << "buffers show what is opaque";
 }

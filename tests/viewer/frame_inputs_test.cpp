@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a renderer is given may change from frame to frame: scenes, slots, and the size of the picture.
+// Inputs of a renderer that change from frame to frame: scenes, slots, picture size.
 #include <cstring>
 
 #include "samples/showcase/shapes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame says of itself, for the live plan: each pass as often as it drew, and what was left out.
+// The report of a frame for the live plan: draw counts of passes, and what was skipped.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a slot holds after an update, and what was copied for it.
+// Content of a slot after an update, and the counts of copied data.
 #include "viewer/upload/frame_upload.h"
 
 #include <cstring>
@@ -64,7 +64,7 @@ std::vector<glm::vec4> rows(float first, std::size_t count) {
   return out;
 }
 
-/// Whether the slot holds the values at an offset.
+/// True if the slot holds the values at an offset.
 template <class T>
 bool holds(const FrameVertices& slot, VkDeviceSize at, const std::vector<T>& values) {
   return at != kAbsent && at + values.size() * sizeof(T) <= slot.buffer.size() &&

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The user's camera beside what it frames: poses that move, clips that change, and files that change.
+// The user's camera while its subject moves, the clip changes, or the file changes.
 #include "viewer/app/framed_camera.h"
 
 #include <glm/geometric.hpp>
 
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
-#include "tests/viewer/cache_exhibit.h"
+#include "tests/viewer/cache_scene.h"
 #include "tests/viewer/device_fixture.h"
-#include "viewer/app/reload/go_over.h"
+#include "viewer/app/reload/replace_shown_scene.h"
 
 namespace sinew::viewer {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double kAspect = 1.6;
 
 /// A box that glides 4 m along x in each of these clips, which begin at these places.
-Exhibit gliding(std::initializer_list<float> begins_m) {
+LoadedScene gliding(std::initializer_list<float> begins_m) {
   showcase::SceneBuilder scene;
   const std::uint32_t joint = scene.add_joint("box", kNone, {});
   scene.add_instance(joint, scene.add_mesh({"box", {showcase::box({0, 0, 0}, glm::vec3(0.5f))}, {}, {}}));
@@ -28,20 +28,20 @@ Exhibit gliding(std::initializer_list<float> begins_m) {
     bone.translation.values = {{begin, 0.0f, 0.0f}, {begin + 4.0f, 0.0f, 0.0f}};
     scene.add_animation({"glide " + std::to_string(++number), 2.0, {bone}, {}});
   }
-  Exhibit exhibit;
-  exhibit.scene = scene.finish();
-  return exhibit;
+  LoadedScene loaded;
+  loaded.scene = scene.finish();
+  return loaded;
 }
 
-std::unique_ptr<ShownScene> show(const Exhibit& exhibit, const Evaluation& evaluation) {
-  return std::make_unique<ShownScene>(*test_device(), exhibit, evaluation, 2, TextureFilter{});
+std::unique_ptr<ShownScene> show(const LoadedScene& loaded, const Evaluation& evaluation) {
+  return std::make_unique<ShownScene>(*test_device(), loaded, evaluation, 2, TextureFilter{});
 }
 
 class framed_camera : public DeviceTest {
  protected:
   void SetUp() override {
     DeviceTest::SetUp();
-    if (!IsSkipped()) shown_ = show(exhibit_, {});
+    if (!IsSkipped()) shown_ = show(loaded_, {});
     camera_.orbit.yaw_rad = camera_.orbit.pitch_rad = 0.0;  // along -z, so that the middle of the box is the target
   }
   void TearDown() override {
@@ -52,13 +52,13 @@ class framed_camera : public DeviceTest {
     shown_->playback().seek(time_s);
     camera_.follow(*shown_, kAspect);
   }
-  void change_to(Exhibit changed) {
-    ASSERT_TRUE(go_over(*test_device(), std::move(changed), exhibit_, shown_, show));
-    camera_.go_on(*shown_);
+  void change_to(LoadedScene changed) {
+    ASSERT_TRUE(replace_shown_scene(*test_device(), std::move(changed), loaded_, shown_, show));
+    camera_.keep_following(*shown_);
   }
   const glm::dvec3& target() const { return camera_.orbit.target; }
 
-  Exhibit exhibit_ = gliding({0.0f, 10.0f});
+  LoadedScene loaded_ = gliding({0.0f, 10.0f});
   std::unique_ptr<ShownScene> shown_;
   FramedCamera camera_;
 };
@@ -105,9 +105,9 @@ TEST_F(framed_camera, frames_another_clip_in_what_is_free_of_the_picture) {
 TEST_F(framed_camera, frames_and_follows_a_geometry_cache_where_it_is) {
   const Bytes bytes = gliding_cache();
   shown_.reset();
-  exhibit_ = exhibit_of_cache(bytes);
-  shown_ = show(exhibit_, {});
-  const double end_s = exhibit_.cache->duration_s();
+  loaded_ = scene_of_cache_file(bytes);
+  shown_ = show(loaded_, {});
+  const double end_s = loaded_.cache->duration_s();
   shown_->playback().seek(end_s);
   camera_.frame(Framing::pose, *shown_, kAspect);
   EXPECT_NEAR(target().x, 4.5, 0.01);
@@ -115,7 +115,7 @@ TEST_F(framed_camera, frames_and_follows_a_geometry_cache_where_it_is) {
   EXPECT_NEAR(target().x, 4.5, 0.01);
   follow_at(0.5 * end_s);
   EXPECT_NEAR(target().x, 2.5, 0.01);
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(framed_camera, keeps_its_place_beside_what_it_follows_when_the_file_changes) {

@@ -81,18 +81,18 @@ TEST(frustum_culling, keeps_what_casts_a_shadow_into_view) {
 TEST(frustum_culling, shadows_fall_away_from_the_key_light_or_anywhere) {
   Scene scene = three_arms();
   const Aabb reached{glm::vec3(-3.0f, 0.0f, 0.0f), glm::vec3(0.0f, 4.0f, 0.0f)};
-  EXPECT_EQ(shadow_way(scene, false, reached), glm::vec3(0.0f));
-  EXPECT_EQ(shadow_way(scene, true, {}), glm::vec3(0.0f));
-  const auto way = shadow_way(scene, true, reached);
+  EXPECT_EQ(shadow_sweep(scene, false, reached), glm::vec3(0.0f));
+  EXPECT_EQ(shadow_sweep(scene, true, {}), glm::vec3(0.0f));
+  const auto way = shadow_sweep(scene, true, reached);
   ASSERT_TRUE(way);
   EXPECT_NEAR(-way->y, 5.0f, 1e-5f) << "from the highest point to the ground";
   EXPECT_NEAR(glm::dot(glm::normalize(*way), glm::normalize(Lighting{}.to_key)), -1.0f, 1e-6f);
   scene.lights.push_back({.kind = Light::Kind::point});
-  EXPECT_EQ(shadow_way(scene, true, reached), glm::vec3(0.0f)) << "a point light casts none";
+  EXPECT_EQ(shadow_sweep(scene, true, reached), glm::vec3(0.0f)) << "a point light casts none";
   scene.lights.push_back({.kind = Light::Kind::spot});
-  EXPECT_FALSE(shadow_way(scene, true, reached)) << "a spot light does";
+  EXPECT_FALSE(shadow_sweep(scene, true, reached)) << "a spot light does";
   scene.lights.back().kind = Light::Kind::directional;
-  EXPECT_FALSE(shadow_way(scene, true, reached)) << "the pose tells where from it shines";
+  EXPECT_FALSE(shadow_sweep(scene, true, reached)) << "the pose tells where from it shines";
   FrustumCulling culling(scene, viewer_needs());
   EXPECT_EQ(culling.of(0, view_of_none(), 1.5, std::nullopt), culling.all_in_view());
 }
@@ -116,12 +116,12 @@ TEST(frustum_culling, what_comes_into_view_is_told_from_what_leaves_it) {
 TEST(frustum_culling, a_character_sleeps_only_while_nobody_watches_its_joints) {
   const CulledInstances all{{1}, true}, some{{1, 0}, false};
   FrameInput input;
-  leave_out(all, false, input);
+  apply_culling(all, false, input);
   EXPECT_TRUE(input.asleep);
-  leave_out(all, true, input);
+  apply_culling(all, true, input);
   EXPECT_FALSE(input.asleep);
   EXPECT_EQ(input.out_of_view.size(), 1u);
-  leave_out(some, false, input);
+  apply_culling(some, false, input);
   EXPECT_FALSE(input.asleep);
 }
 
@@ -138,7 +138,7 @@ TEST_F(frustum_culling_on_device, pictures_have_the_same_bytes_and_cost_less) {
       input.layers = {&layer, 1};
       ASSERT_EQ(run_plan(plan, input, whole), ErrorCode::ok);
       const CulledInstances culled = culling.of(0, view, 1.5);
-      leave_out(culled, false, input);
+      apply_culling(culled, false, input);
       ASSERT_EQ(run_plan(plan, input, seen), ErrorCode::ok);
       const Picture expected = renderer.render(whole.result(), view, {});
       const std::uint32_t out_of_view = renderer.report().out_of_view;

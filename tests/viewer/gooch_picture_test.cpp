@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gooch shading beside the reference renderer: tones, outlines, and what is left out.
+// Gooch shading, compared with the reference renderer: tones, outlines, and skipped passes.
 #include <algorithm>
 
 #include "samples/showcase/shapes.h"
@@ -16,7 +16,7 @@ RenderOptions gooch() {
   return options;
 }
 
-/// Colours of 8 bits are nearer than this.
+/// Tolerance for 8-bit display colours.
 constexpr PictureBounds kBounds{.width = 32, .height = 26, .bound = 0.003, .sharp = 0.5};
 
 View the_view() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ground beside a diffuse floor whose light is known: rays towards the light, and ambient light in closed form.
+// The ground, compared with a diffuse floor whose light is computed by rays towards the light and ambient light in
+// closed form.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ double ambient_irradiance() {
 
 double key_irradiance(const Lighting& lighting) { return luminance(lighting.key) * glm::normalize(lighting.to_key).y; }
 
-/// The point of the ground that is seen at a pixel; nothing where something is in front of it.
+/// The visible point of the ground at a pixel; empty if something is in front.
 std::optional<glm::dvec3> ground_at(const BuiltScene& built, const View& view, const Ground& ground, int x, int y) {
   const FrameResult frame = built.frame();
   const auto line =
@@ -76,7 +77,8 @@ bool in_shadow(const BuiltScene& built, const glm::dvec3& point, const glm::dvec
   return std::any_of(above.begin(), above.end(), [](const reference::SurfacePoint& p) { return p.distance_m > 0.0; });
 }
 
-/// Nothing where the pixel or one around it does not show the ground, or where lit and dark pixels meet.
+/// True if a pixel and its neighbours are in shadow, false if all are lit; empty at shadow edges and where the ground
+/// is hidden.
 std::optional<bool> shadow_around(const BuiltScene& built, const RenderOptions& options, int x, int y) {
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(options.lighting.to_key));
   std::optional<bool> all;
@@ -129,7 +131,7 @@ TEST_F(ground, is_black_in_the_shadow_of_the_only_light) {
 }
 
 TEST_F(ground, is_darker_in_the_shadow_of_the_light_that_casts_it) {
-  RenderOptions options = options_for(GroundLook::shadows);  // its key light says what the directional light is
+  RenderOptions options = options_for(GroundLook::shadows);  // its key light defines the directional light
   options.lighting.scene_lights = true;
   BuiltScene built = box_and_ball();
   add_light_at(built, {.kind = Light::Kind::point, .intensity = 1e-6f}, {0.0f, 3.0f, 0.0f}, {0, -1, 0});
@@ -143,10 +145,10 @@ TEST_F(ground, has_less_ambient_light_beside_what_stands_on_it) {
   RenderOptions options = options_for(GroundLook::shadows);
   options.shadows.on = false;
   options.ao = {.radius_m = 0.6f, .surface_epsilon_m = 0.01f, .fade_start_m = 0.3f, .fade_end_m = 1.2f};
-  RenderOptions access = options;
-  access.show = Show::ao;
+  RenderOptions visibility = options;
+  visibility.show = Show::ao;
   const FloatPicture drawn = render_float(built, kGroundWidth, kGroundHeight, from_above(), options),
-                     seen = render_float(built, kGroundWidth, kGroundHeight, from_above(), access);
+                     seen = render_float(built, kGroundWidth, kGroundHeight, from_above(), visibility);
   const double key = key_irradiance(options.lighting), ambient = ambient_irradiance();
   int touched = 0, beside = 0;
   for (int y = 0; y < kGroundHeight; ++y)

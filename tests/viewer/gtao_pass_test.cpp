@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares ambient access by horizons with plain double precision on depth and normals drawn by the GPU, and with what
-// is known in closed form.
+// Compares horizon-based ambient visibility with a double-precision reference on depth and normals drawn by the GPU,
+// and with closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "samples/showcase/shapes.h"
 #include "tests/viewer/device_fixture.h"
-#include "tests/viewer/reference_access.h"
+#include "tests/viewer/reference_visibility.h"
 
 namespace sinew::viewer {
 namespace {
@@ -39,9 +39,9 @@ TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the
         options.ao.blur = blur;
         options.ao.power = blur ? 1.7f : 1.0f;
         const auto image = gpu_depth_and_normals(built, kGtaoWidth, kGtaoHeight, view_of_floor(), options);
-        const AccessDifference d =
-            difference_of_access(render_float(built, kGtaoWidth, kGtaoHeight, view_of_floor(), options, {}, shape),
-                                 reference_access(image, options, shape).access);
+        const VisibilityDifference d =
+            difference_of_visibility(render_float(built, kGtaoWidth, kGtaoHeight, view_of_floor(), options, {}, shape),
+                                     reference_visibility(image, options, shape).visibility);
         EXPECT_LT(d.darkest, 0.7) << "nothing is occluded: the comparison is empty";
         EXPECT_LT(d.mean, 2e-3) << shape.slices << ' ' << blur;
         // In float, a point on the border of two pixels, or at the radius, may fall to either side.
@@ -50,7 +50,7 @@ TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the
 }
 
 TEST_F(gtao_pass, agrees_with_the_reference_where_normals_point_away_from_the_picture) {
-  // At the edges of a wide view one sees spheres beyond their equators, down to the wall in which they stick.
+  // At the edges of a wide view, spheres are visible beyond their equators, down to the wall that they intersect.
   BuiltScene built;
   const std::uint32_t white = built.add_material(matte({1, 1, 1}));
   for (const glm::vec3& side : {glm::vec3(2.6f, 0, -1.2f), {-2.6f, 0, -1.2f}, {0, 2.6f, -1.2f}, {0, -2.6f, -1.2f}})
@@ -59,7 +59,7 @@ TEST_F(gtao_pass, agrees_with_the_reference_where_normals_point_away_from_the_pi
   const View view = look_at({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 2.2, 0.05);
   const RenderOptions options = gtao_with(0.6f);
   const auto image = gpu_depth_and_normals(built, kGtaoWidth, kGtaoHeight, view, options);
-  const std::vector<double> expected = reference_access(image, options).access;
+  const std::vector<double> expected = reference_visibility(image, options).visibility;
   const FloatPicture picture = render_float(built, kGtaoWidth, kGtaoHeight, view, options);
   double mean = 0.0, occluded = 0.0;
   int quadrants[2][2] = {};
@@ -89,11 +89,11 @@ TEST_F(gtao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
   }
 }
 
-/// Access beside a wall that is wider and higher than the radius R, at the distance a < R.
+/// Visibility beside a wall that is wider and higher than the radius R, at the distance a < R.
 /// eq   rays at the angle t from the floor's normal towards the wall, and turned by f from its normal, meet it within R
 ///      where sin t cos f >= a / R; the cosine-weighted share of these is
 ///      (acos(a/R) - a/R sqrt(1 - (a/R)^2)) / pi
-double access_beside_wall(double part) {
+double visibility_beside_wall(double part) {
   return 1.0 - (std::acos(part) - part * std::sqrt(1.0 - part * part)) / std::numbers::pi;
 }
 
@@ -126,7 +126,7 @@ TEST_F(gtao_pass, is_what_is_open_beside_a_wall) {
       const auto i = static_cast<std::size_t>(y * width + x);
       const glm::dvec3 p = transform_point(world_from_view, image.point(x, y));
       if (std::abs(p.y) > 0.01 || p.x < 0.1 || p.x > 0.9) continue;
-      const double off = std::abs(static_cast<double>(picture.pixels[i].r) - access_beside_wall(p.x));
+      const double off = std::abs(static_cast<double>(picture.pixels[i].r) - visibility_beside_wall(p.x));
       EXPECT_LT(off, 0.05) << "at " << p.x << " m";
       sum += off;
       ++compared;

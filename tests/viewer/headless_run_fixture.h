@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program writes without a window, and the same picture made here by itself.
+// Fixture that compares pictures written by the program with the same pictures drawn by the test.
 #pragma once
 #include <unistd.h>
 
@@ -32,9 +32,9 @@ inline Material glowing(const char* name, const glm::vec3& color) {
   return material;
 }
 
-/// A box that glides 2 m to the right beside one that stands, with a camera on the one that glides and one far before
-/// both, which glides as well.
-inline Exhibit gliding_box() {
+/// A moving box (2 m to the right) next to a static one. One camera is on the moving box; another moving camera is far
+/// in front of both.
+inline LoadedScene gliding_box() {
   showcase::SceneBuilder builder;
   const std::uint32_t red = builder.add_material(glowing("red", {1, 0, 0})),
                       blue = builder.add_material(glowing("blue", {0, 0, 1}));
@@ -51,14 +51,14 @@ inline Exhibit gliding_box() {
   seen_from.joint = eye;
   seen_from.translation.values = {{0, 0, 70}, {1, 0, 70}};
   builder.add_animation({"glide", kDuration_s, {bone, seen_from}, {}});
-  Exhibit exhibit;
-  exhibit.scene = builder.finish();
-  exhibit.scene.variants = {"red", "blue"};
-  exhibit.scene.meshes[0].primitives[0].variant_materials = {{1, blue}};
-  exhibit.scene.cameras = {{.name = "on box", .joint = joint, .fov_y_rad = 1.2f},
-                           {.name = "far", .joint = eye, .fov_y_rad = 0.17f}};
-  exhibit.name = "gliding box";
-  return exhibit;
+  LoadedScene loaded;
+  loaded.scene = builder.finish();
+  loaded.scene.variants = {"red", "blue"};
+  loaded.scene.meshes[0].primitives[0].variant_materials = {{1, blue}};
+  loaded.scene.cameras = {{.name = "on box", .joint = joint, .fov_y_rad = 1.2f},
+                          {.name = "far", .joint = eye, .fov_y_rad = 0.17f}};
+  loaded.name = "gliding box";
+  return loaded;
 }
 
 inline Options small_picture() {
@@ -82,34 +82,36 @@ class HeadlessRunTest : public DeviceTest {
     DeviceTest::TearDown();
   }
 
-  /// What the program writes.
-  std::string written(Options options, const Exhibit& exhibit, std::uint32_t clip = 0) {
+  /// The picture that the program writes.
+  std::string written(Options options, const LoadedScene& loaded, std::uint32_t clip = 0) {
     options.headless = (folder_ / "a.png").string();
-    EXPECT_EQ(write_pictures(*test_device(), options, exhibit, clip), 0);
+    EXPECT_EQ(write_pictures(*test_device(), options, loaded, clip), 0);
     return test::text_of_file(options.headless);
   }
-  /// The picture of this view, evaluated and drawn here.
-  std::string drawn(Options options, const Exhibit& exhibit, const View& view, double time_s, std::uint32_t clip = 0) {
+  /// The picture of this view, evaluated and drawn by the test.
+  std::string drawn(Options options, const LoadedScene& loaded, const View& view, double time_s,
+                    std::uint32_t clip = 0) {
     options.headless = "a.png";
-    const Settings settings = settings_from(options, exhibit.scene);
-    const Plan plan = compile_plan(lend(exhibit.scene), needs_of(exhibit, {settings.skinning, Updates::every}));
+    const Settings settings = settings_from(options, loaded.scene);
+    const Plan plan = compile_plan(lend(loaded.scene), needs_of(loaded, {settings.skinning, Updates::every}));
     FrameBuffer frame(plan);
     const ClipLayer layer{clip, time_s};
     FrameInput input;
     if (clip != kNone) input.layers = {&layer, 1};
     EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
-    const ClipExtent extent = clip_extent(exhibit.scene, clip);
-    RenderOptions look = render_options(settings, exhibit.environment, extent, eye_of(view));
+    const ClipExtent extent = clip_extent(loaded.scene, clip);
+    RenderOptions look = render_options(settings, loaded.environment, extent, eye_of(view));
     look.transparent_background = options.transparent;
-    SkeletonLines skeleton(exhibit.scene);
+    SkeletonLines skeleton(loaded.scene);
     const auto lines = skeleton.make(frame.result().model, skeleton.axis_length_m(extent.largest));
-    Headless renderer(*test_device(), exhibit.scene, options.width, options.height, {}, exhibit.access.get(),
+    Headless renderer(*test_device(), loaded.scene, options.width, options.height, {}, loaded.visibility.get(),
                       options.filter);
-    const AccessBlend access = exhibit.access ? access_blend(*exhibit.access, clip, time_s) : AccessBlend{};
+    const VisibilityBlend visibility =
+        loaded.visibility ? visibility_blend(*loaded.visibility, clip, time_s) : VisibilityBlend{};
     PngWriter writer;
     writer.write(folder_ / "b.png",
                  renderer.render(frame.result(), view, look, settings.skeleton ? lines : std::span<const LineVertex>(),
-                                 settings.variant, access));
+                                 settings.variant, visibility));
     EXPECT_TRUE(writer.finish().empty());
     return test::text_of_file(folder_ / "b.png");
   }
@@ -117,9 +119,9 @@ class HeadlessRunTest : public DeviceTest {
   fs::path folder_ = fs::temp_directory_path() / ("sinew-headless-run-" + std::to_string(getpid()));
 };
 
-inline View placed(const Exhibit& exhibit, const PlacedCamera& camera, double fov_y_rad) {
+inline View placed(const LoadedScene& loaded, const PlacedCamera& camera, double fov_y_rad) {
   const glm::dvec3 eye(camera.eye);
-  return look_at(eye, camera.target, fov_y_rad, near_plane_for(eye, clip_extent(exhibit.scene, 0).reached));
+  return look_at(eye, camera.target, fov_y_rad, near_plane_for(eye, clip_extent(loaded.scene, 0).reached));
 }
 
 }  // namespace sinew::viewer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures that the program writes without a window: byte for byte those of the view, the time and the look that the
-// options say, each made here by itself.
+// Pictures written by the program without a window. They must be byte-identical to pictures that the test draws with
+// the view, time and look of the options.
 #include <sys/stat.h>
 
 #include <atomic>
@@ -18,42 +18,40 @@ namespace {
 
 class headless_run : public HeadlessRunTest {};
 
-View orbiting(const Exhibit& exhibit, std::span<const glm::vec3> points, double fov_y_rad,
+View orbiting(const LoadedScene& loaded, std::span<const glm::vec3> points, double fov_y_rad,
               const glm::vec3& moved = glm::vec3(0.0f)) {
   OrbitCamera camera;
   camera.fov_y_rad = fov_y_rad;
   camera.frame(points, kAspect);
   camera.target += glm::dvec3(moved);
-  return camera.view(clip_extent(exhibit.scene, 0).reached);
+  return camera.view(clip_extent(loaded.scene, 0).reached);
 }
 
-TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_exhibit_or_the_one_that_is_asked_for) {
-  Exhibit exhibit = gliding_box();
-  const ClipExtent extent = clip_extent(exhibit.scene, 0);
+TEST_F(headless_run, frames_the_whole_clip_with_the_angle_of_the_scene_or_the_one_that_is_asked_for) {
+  LoadedScene loaded = gliding_box();
+  const ClipExtent extent = clip_extent(loaded.scene, 0);
   Options options = small_picture();
-  for (const double fov : {exhibit.fov_y_rad, 0.5}) {
-    exhibit.fov_y_rad = fov;
-    EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, orbiting(exhibit, extent.outline.points(), fov), 0.0));
+  for (const double fov : {loaded.fov_y_rad, 0.5}) {
+    loaded.fov_y_rad = fov;
+    EXPECT_EQ(written(options, loaded), drawn(options, loaded, orbiting(loaded, extent.outline.points(), fov), 0.0));
   }
   options.fov_y_deg = 90.0;
-  const View wide = orbiting(exhibit, extent.outline.points(), std::atan(1.0) * 2.0);
+  const View wide = orbiting(loaded, extent.outline.points(), std::atan(1.0) * 2.0);
   for (const double time_s : {0.0, 1.2}) {
     options.time_s = time_s;
-    EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, wide, time_s));
+    EXPECT_EQ(written(options, loaded), drawn(options, loaded, wide, time_s));
   }
 }
 
-TEST_F(headless_run, looks_from_where_the_user_else_the_exhibit_says) {
-  Exhibit exhibit = gliding_box();
+TEST_F(headless_run, looks_from_where_the_user_else_the_scene_says) {
+  LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.time_s = 0.8;
-  exhibit.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
-  EXPECT_EQ(written(options, exhibit),
-            drawn(options, exhibit, placed(exhibit, *exhibit.camera, exhibit.fov_y_rad), 0.8));
+  loaded.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
+  EXPECT_EQ(written(options, loaded), drawn(options, loaded, placed(loaded, *loaded.camera, loaded.fov_y_rad), 0.8));
   options.camera = PlacedCamera{{1, 6, 0.1f}, {1, 0, 0}};
   options.fov_y_deg = 30.0;
-  EXPECT_EQ(written(options, exhibit),
-            drawn(options, exhibit, placed(exhibit, *options.camera, 0.523598775598299), 0.8));
+  EXPECT_EQ(written(options, loaded), drawn(options, loaded, placed(loaded, *options.camera, 0.523598775598299), 0.8));
 }
 
 TEST_F(headless_run, a_placed_camera_sees_what_the_clip_brings_near) {
@@ -69,39 +67,38 @@ TEST_F(headless_run, a_placed_camera_sees_what_the_clip_brings_near) {
   bone.translation.times_s = {0.0f, static_cast<float>(kDuration_s)};
   bone.translation.values = {{0, 0, 0}, {5, 0, 4}};
   builder.add_animation({"come", kDuration_s, {bone}, {}});
-  Exhibit exhibit;
-  exhibit.scene = builder.finish();
+  LoadedScene loaded;
+  loaded.scene = builder.finish();
   Options options = small_picture();
   options.camera = PlacedCamera{{5, 0, 5.5f}, {5, 0, 0}};
   options.time_s = kDuration_s;
-  const View view = placed(exhibit, *options.camera, exhibit.fov_y_rad);
-  const std::string picture = drawn(options, exhibit, view, kDuration_s);
-  EXPECT_EQ(written(options, exhibit), picture);
+  const View view = placed(loaded, *options.camera, loaded.fov_y_rad);
+  const std::string picture = drawn(options, loaded, view, kDuration_s);
+  EXPECT_EQ(written(options, loaded), picture);
   const glm::dvec3 eye(options.camera->eye);
-  const View late = look_at(eye, options.camera->target, exhibit.fov_y_rad,
-                            near_plane_for(eye, clip_extent(exhibit.scene, 0).largest));
-  EXPECT_NE(drawn(options, exhibit, late, kDuration_s), picture) << "that of the largest pose cuts the box off";
+  const View late =
+      look_at(eye, options.camera->target, loaded.fov_y_rad, near_plane_for(eye, clip_extent(loaded.scene, 0).largest));
+  EXPECT_NE(drawn(options, loaded, late, kDuration_s), picture) << "that of the largest pose cuts the box off";
 }
 
-TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_exhibit_says) {
-  Exhibit exhibit = gliding_box();
-  exhibit.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
+TEST_F(headless_run, frames_one_pose_or_goes_along_whatever_the_scene_says) {
+  LoadedScene loaded = gliding_box();
+  loaded.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
   Options options = small_picture();
   options.time_s = 1.2;
   options.framing = Framing::pose;
-  const Framed pose = framed(Framing::pose, exhibit.scene, 0, 1.2),
-               along = framed(Framing::follow, exhibit.scene, 0, 0);
-  EXPECT_EQ(written(options, exhibit),
-            drawn(options, exhibit, orbiting(exhibit, pose.outline.points(), exhibit.fov_y_rad), 1.2));
+  const Framed pose = framed(Framing::pose, loaded.scene, 0, 1.2), along = framed(Framing::follow, loaded.scene, 0, 0);
+  EXPECT_EQ(written(options, loaded),
+            drawn(options, loaded, orbiting(loaded, pose.outline.points(), loaded.fov_y_rad), 1.2));
   options.framing = Framing::follow;
-  const glm::vec3 gone(along.place_at(1.2));
+  const glm::vec3 gone(along.offset_at(1.2));
   EXPECT_GT(glm::length(gone), 0.5f);
-  EXPECT_EQ(written(options, exhibit),
-            drawn(options, exhibit, orbiting(exhibit, along.outline.points(), exhibit.fov_y_rad, gone), 1.2));
+  EXPECT_EQ(written(options, loaded),
+            drawn(options, loaded, orbiting(loaded, along.outline.points(), loaded.fov_y_rad, gone), 1.2));
 }
 
 TEST_F(headless_run, looks_through_a_camera_of_the_file_that_moves_with_the_clip) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.file_camera = "on box";
   for (const double time_s : {0.0, 1.2}) {
@@ -109,15 +106,15 @@ TEST_F(headless_run, looks_through_a_camera_of_the_file_that_moves_with_the_clip
     Affine box;
     box.row[0].w = static_cast<float>(2.0 * time_s / kDuration_s);
     box.row[1].w = static_cast<float>(0.5 * time_s / kDuration_s);
-    const View view = view_of_camera(exhibit.scene.cameras[0], box, kAspect, clip_extent(exhibit.scene, 0).reached);
-    EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, view, time_s)) << time_s;
+    const View view = view_of_camera(loaded.scene.cameras[0], box, kAspect, clip_extent(loaded.scene, 0).reached);
+    EXPECT_EQ(written(options, loaded), drawn(options, loaded, view, time_s)) << time_s;
   }
 }
 
 TEST_F(headless_run, shows_what_is_asked_for_over_and_in_the_picture) {
-  Exhibit exhibit = gliding_box();
-  exhibit.environment = plain_environment();
-  const View view = orbiting(exhibit, clip_extent(exhibit.scene, 0).outline.points(), exhibit.fov_y_rad);
+  LoadedScene loaded = gliding_box();
+  loaded.environment = plain_environment();
+  const View view = orbiting(loaded, clip_extent(loaded.scene, 0).outline.points(), loaded.fov_y_rad);
   std::vector<Options> all(7, small_picture());
   all[1].skeleton = true;
   all[1].width = 240;  // axes of a few pixels
@@ -130,8 +127,8 @@ TEST_F(headless_run, shows_what_is_asked_for_over_and_in_the_picture) {
   std::vector<std::string> pictures;
   for (Options& options : all) {
     options.time_s = 0.4;
-    pictures.push_back(written(options, exhibit));
-    EXPECT_EQ(pictures.back(), drawn(options, exhibit, view, 0.4)) << pictures.size() - 1;
+    pictures.push_back(written(options, loaded));
+    EXPECT_EQ(pictures.back(), drawn(options, loaded, view, 0.4)) << pictures.size() - 1;
     if (pictures.size() > 1) {
       EXPECT_NE(pictures.back(), pictures.front()) << pictures.size() - 1;
     }
@@ -139,71 +136,71 @@ TEST_F(headless_run, shows_what_is_asked_for_over_and_in_the_picture) {
 }
 
 TEST_F(headless_run, axes_of_joints_are_as_long_as_the_largest_pose_asks_for_however_far_the_clip_goes) {
-  Exhibit exhibit;
-  exhibit.scene = flyer(true);
+  LoadedScene loaded;
+  loaded.scene = flyer(true);
   Options options = small_picture();
   options.skeleton = true;
   options.width = 240;
   options.height = 160;
   options.camera = PlacedCamera{{0.5f, 0.5f, 3.0f}, {0.5f, 0.5f, 0.0f}};
-  EXPECT_EQ(written(options, exhibit), drawn(options, exhibit, placed(exhibit, *options.camera, exhibit.fov_y_rad), 0));
+  EXPECT_EQ(written(options, loaded), drawn(options, loaded, placed(loaded, *options.camera, loaded.fov_y_rad), 0));
 }
 
-TEST_F(headless_run, ambient_access_at_vertices_is_that_of_the_time) {
-  Exhibit exhibit = gliding_box();
-  VertexAccess access;
-  access.times_s = {0.0, kDuration_s};
-  access.clip = 0;
-  for (const Mesh& mesh : exhibit.scene.meshes) {
+TEST_F(headless_run, ambient_visibility_at_vertices_is_that_of_the_time) {
+  LoadedScene loaded = gliding_box();
+  VertexVisibility visibility;
+  visibility.times_s = {0.0, kDuration_s};
+  visibility.clip = 0;
+  for (const Mesh& mesh : loaded.scene.meshes) {
     const std::size_t vertices = mesh.primitives[0].vertex_count();
     std::vector<float> values(vertices, 0.9f);
     values.resize(2 * vertices, 0.1f);
-    access.values.push_back({values});
+    visibility.values.push_back({values});
   }
-  exhibit.access = std::make_shared<const VertexAccess>(access);
+  loaded.visibility = std::make_shared<const VertexVisibility>(visibility);
   Options options = small_picture();
   options.ambient_occlusion = true;
   options.occlusion_method = OcclusionMethod::rays;
   options.show = Show::ao;
-  const View view = orbiting(exhibit, clip_extent(exhibit.scene, 0).outline.points(), exhibit.fov_y_rad);
+  const View view = orbiting(loaded, clip_extent(loaded.scene, 0).outline.points(), loaded.fov_y_rad);
   std::string before;
   for (const double time_s : {0.2, 1.4}) {
     options.time_s = time_s;
-    const std::string picture = written(options, exhibit);
-    EXPECT_EQ(picture, drawn(options, exhibit, view, time_s));
+    const std::string picture = written(options, loaded);
+    EXPECT_EQ(picture, drawn(options, loaded, view, time_s));
     EXPECT_NE(picture, before);
     before = picture;
   }
 }
 
 TEST_F(headless_run, what_the_clip_or_a_shadow_brings_into_view_is_drawn) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.time_s = kDuration_s;
   options.camera = PlacedCamera{{2, 0.5f, 1.6f}, {2, 0.5f, 0}};  // sees no more of the box than the clip's end
-  const auto seen = [&] { return placed(exhibit, *options.camera, exhibit.fov_y_rad); };
-  const std::string end = written(options, exhibit);
-  EXPECT_EQ(end, drawn(options, exhibit, seen(), kDuration_s));
-  EXPECT_NE(end, written(options, exhibit, kNone));
+  const auto seen = [&] { return placed(loaded, *options.camera, loaded.fov_y_rad); };
+  const std::string end = written(options, loaded);
+  EXPECT_EQ(end, drawn(options, loaded, seen(), kDuration_s));
+  EXPECT_NE(end, written(options, loaded, kNone));
   options.camera = PlacedCamera{{1.4f, -0.35f, -0.5f}, {1.4f, -0.6f, -0.75f}};  // the ground alone
   options.fov_y_deg = 20.0;
   options.ground = GroundLook::shadows;
-  const std::string bright = written(options, exhibit);
+  const std::string bright = written(options, loaded);
   options.shadows = true;
-  const std::string dark = written(options, exhibit);
+  const std::string dark = written(options, loaded);
   EXPECT_NE(dark, bright);
-  EXPECT_EQ(dark, drawn(options, exhibit, placed(exhibit, *options.camera, 0.349065850398866), kDuration_s));
+  EXPECT_EQ(dark, drawn(options, loaded, placed(loaded, *options.camera, 0.349065850398866), kDuration_s));
 }
 
 TEST_F(headless_run, the_rest_pose_is_shown_without_a_clip) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.time_s = 1.2;
   OrbitCamera camera;
-  camera.fov_y_rad = exhibit.fov_y_rad;
-  const ClipExtent extent = clip_extent(exhibit.scene, kNone);
+  camera.fov_y_rad = loaded.fov_y_rad;
+  const ClipExtent extent = clip_extent(loaded.scene, kNone);
   camera.frame(extent.outline.points(), kAspect);
-  EXPECT_EQ(written(options, exhibit, kNone), drawn(options, exhibit, camera.view(extent.reached), 0.0, kNone));
+  EXPECT_EQ(written(options, loaded, kNone), drawn(options, loaded, camera.view(extent.reached), 0.0, kNone));
 }
 
 TEST(picture_time, goes_on_by_the_rate_and_starts_again_after_the_end) {
@@ -216,14 +213,14 @@ TEST(picture_time, goes_on_by_the_rate_and_starts_again_after_the_end) {
 }
 
 TEST_F(headless_run, prints_the_plan_of_the_last_picture_with_times_that_are_not_those_of_the_first) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   testing::internal::CaptureStdout();
-  written(options, exhibit);
+  written(options, loaded);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   options.plan = true;
   testing::internal::CaptureStdout();
-  written(options, exhibit);
+  written(options, loaded);
   const std::string plan = testing::internal::GetCapturedStdout();
   for (const char* row : {"evaluation, on the CPU\n  update rate", "every frame: one picture", "\n  sample ",
                           "drawing, on the CPU\n  upload ", "modes of the picture\n  samples ",
@@ -252,13 +249,13 @@ TEST(png_writer, is_finished_when_the_last_picture_is_written_and_not_when_it_is
 }
 
 TEST_F(headless_run, says_what_cannot_be_written) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   std::ofstream(folder_ / "file") << "x";
   const auto complaint = [&](const std::string& to) {
     options.headless = to;
     testing::internal::CaptureStderr();
-    EXPECT_EQ(write_pictures(*test_device(), options, exhibit, 0), 3) << to;
+    EXPECT_EQ(write_pictures(*test_device(), options, loaded, 0), 3) << to;
     return testing::internal::GetCapturedStderr();
   };
   EXPECT_NE(complaint((folder_ / "none" / "a.png").string()).find("none/a.png: cannot be written"), std::string::npos);

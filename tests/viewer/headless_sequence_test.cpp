@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sequences of pictures: each is that of its time, as if it were made alone, whatever was drawn before it.
-#include "tests/viewer/cache_exhibit.h"
+// Sequences of pictures: each equals the single picture of its time, independent of earlier pictures.
+#include "tests/viewer/cache_scene.h"
 #include "tests/viewer/headless_run_fixture.h"
 
 namespace sinew::viewer {
@@ -11,12 +11,12 @@ class headless_sequence : public HeadlessRunTest {
   static fs::path picture_in(const fs::path& folder, std::uint32_t number) {
     return folder / ("0000" + std::to_string(number) + ".png");
   }
-  /// The pictures that the program writes, and in plan_ what it says of the last one.
-  std::vector<std::string> sequence(Options options, const Exhibit& exhibit, std::uint32_t clip = 0) {
+  /// The pictures that the program writes; plan_ gets the live plan of the last one.
+  std::vector<std::string> sequence(Options options, const LoadedScene& loaded, std::uint32_t clip = 0) {
     options.headless = (folder_ / "new" / std::to_string(++sequences_)).string();
     options.plan = true;
     testing::internal::CaptureStdout();
-    EXPECT_EQ(write_pictures(*test_device(), options, exhibit, clip), 0);
+    EXPECT_EQ(write_pictures(*test_device(), options, loaded, clip), 0);
     plan_ = testing::internal::GetCapturedStdout();
     std::vector<std::string> pictures;
     for (std::uint32_t n = options.frames->first; n <= options.frames->last; ++n)
@@ -25,14 +25,15 @@ class headless_sequence : public HeadlessRunTest {
     return pictures;
   }
   /// The same pictures, each written by itself.
-  std::vector<std::string> alone(Options options, const Exhibit& exhibit, double duration_s, std::uint32_t clip = 0) {
+  std::vector<std::string> alone(Options options, const LoadedScene& loaded, double duration_s,
+                                 std::uint32_t clip = 0) {
     const auto [first, last] = *options.frames;
     options.frames.reset();
     options.updates.reset();
     std::vector<std::string> pictures;
     for (std::uint32_t n = first; n <= last; ++n) {
       options.time_s = picture_time_s(n, options.fps, duration_s);
-      pictures.push_back(written(options, exhibit, clip));
+      pictures.push_back(written(options, loaded, clip));
     }
     return pictures;
   }
@@ -42,7 +43,7 @@ class headless_sequence : public HeadlessRunTest {
   int sequences_ = 0;
 };
 
-/// From so far away that poses are evaluated less often. What moves is seen to move.
+/// From so far away that poses are evaluated less often, but motion is still visible.
 Options far_away(Updates updates) {
   Options options = small_picture();
   options.updates = updates;
@@ -56,14 +57,14 @@ Options far_away(Updates updates) {
 }
 
 TEST_F(headless_sequence, is_numbered_and_each_picture_is_that_of_its_time) {
-  const Exhibit exhibit = gliding_box();
+  const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.frames = FrameRange{3, 7};
   options.fps = 4.0;
-  EXPECT_EQ(sequence(options, exhibit), alone(options, exhibit, kDuration_s));
+  EXPECT_EQ(sequence(options, loaded), alone(options, loaded, kDuration_s));
   options.framing = Framing::pose;  // that of the first picture
   options.frames = FrameRange{4, 4};
-  EXPECT_EQ(sequence(options, exhibit), alone(options, exhibit, kDuration_s));
+  EXPECT_EQ(sequence(options, loaded), alone(options, loaded, kDuration_s));
 }
 
 TEST_F(headless_sequence, small_meshes_are_held_between_updates_only_where_pictures_are_near_in_time) {
@@ -98,38 +99,38 @@ TEST_F(headless_sequence, small_meshes_are_not_held_while_the_camera_moves) {
 
 TEST_F(headless_sequence, a_geometry_cache_is_shown_wherever_it_goes_and_begins_again_after_its_end) {
   const Bytes bytes = gliding_cache();
-  const Exhibit exhibit = exhibit_of_cache(bytes);
+  const LoadedScene loaded = scene_of_cache_file(bytes);
   Options options = small_picture();
   options.camera = PlacedCamera{{4.5f, 0.5f, 1.6f}, {4.5f, 0.5f, 0.0f}};  // sees the end alone
   options.fps = 10.0;
   options.frames = FrameRange{4, 7};
-  const std::vector<std::string> pictures = sequence(options, exhibit, kNone);
-  EXPECT_EQ(pictures, alone(options, exhibit, exhibit.cache->duration_s(), kNone));
+  const std::vector<std::string> pictures = sequence(options, loaded, kNone);
+  EXPECT_EQ(pictures, alone(options, loaded, loaded.cache->duration_s(), kNone));
   EXPECT_NE(pictures[2], pictures[3]) << "it is there, and then at its start again";
 }
 
 TEST_F(headless_sequence, a_geometry_cache_is_framed_where_it_is_at_the_time) {
   const Bytes bytes = gliding_cache();
-  const Exhibit exhibit = exhibit_of_cache(bytes);
+  const LoadedScene loaded = scene_of_cache_file(bytes);
   Options options = small_picture();
   options.transparent = true;
   options.camera = PlacedCamera{{0, 0, 9}, {0, 0, 90}};
-  const std::string nothing = written(options, exhibit, kNone);
+  const std::string nothing = written(options, loaded, kNone);
   options.camera.reset();
   for (const Framing framing : {Framing::pose, Framing::follow})
-    for (const double time_s : {0.0, exhibit.cache->duration_s()}) {
+    for (const double time_s : {0.0, loaded.cache->duration_s()}) {
       options.framing = framing;
       options.time_s = time_s;
-      EXPECT_NE(written(options, exhibit, kNone), nothing) << static_cast<int>(framing) << ' ' << time_s;
+      EXPECT_NE(written(options, loaded, kNone), nothing) << static_cast<int>(framing) << ' ' << time_s;
     }
 }
 
 TEST_F(headless_sequence, small_meshes_are_not_held_while_a_geometry_cache_plays) {
   const Bytes bytes = gliding_cache();
-  const Exhibit exhibit = exhibit_of_cache(bytes);
+  const LoadedScene loaded = scene_of_cache_file(bytes);
   Options options = far_away(Updates::held);
   options.frames = FrameRange{0, 4};
-  EXPECT_EQ(sequence(options, exhibit, kNone), alone(options, exhibit, exhibit.cache->duration_s(), kNone));
+  EXPECT_EQ(sequence(options, loaded, kNone), alone(options, loaded, loaded.cache->duration_s(), kNone));
   EXPECT_TRUE(plan_says("every frame: a geometry cache plays")) << plan_;
 }
 

@@ -177,7 +177,7 @@ TEST_F(light_picture, white_surfaces_in_white_light_return_all_of_it) {
     }
 }
 
-/// Lopsided on all axes.
+/// A sky that is asymmetric on all axes.
 glm::vec3 colored_sky(const glm::vec3& d) {
   return {0.4f + 0.3f * d.x, 0.3f + 0.2f * d.y * d.z + 0.1f * d.z, 0.4f - 0.2f * d.z + 0.1f * d.x * d.y};
 }
@@ -224,7 +224,7 @@ TEST_F(light_picture, small_bright_light_takes_no_light_from_the_other_side) {
   EXPECT_GT(covered, 200);
 }
 
-/// What the terms of Environment::diffuse are multiplied by.
+/// The factors of the terms of Environment::diffuse.
 std::array<double, 9> diffuse_terms(const glm::dvec3& n) {
   return {1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
 }
@@ -285,7 +285,7 @@ TEST_F(light_picture, exposure_scales_light_before_the_tone_curve) {
   }
 }
 
-/// A wall whose colour goes from one end to the other, as light.
+/// An emissive wall with a horizontal colour gradient.
 BuiltScene glowing_wall(const glm::vec3& left, const glm::vec3& right) {
   BuiltScene built;
   Primitive p = wall();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines over the picture beside plain double precision: as much of a pixel as they cover, and their depth cue.
+// Overlay lines, compared with a double-precision reference: pixel coverage and depth cue.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ glm::dvec2 pixel_of(const glm::dvec3& p) {
   return 0.5 * kSize * glm::dvec2(1.0 + p.x / (0.5 * (2.0 - p.z)), 1.0 - p.y / (0.5 * (2.0 - p.z)));
 }
 
-/// Share of the pixel that a white line over black leaves, but for its ends.
+/// Expected value of a pixel near a white line on black, except at its ends.
 /// eq   clamp(1.25 - pixels from the line, 0, 1), halved linearly from the nearest to the farthest distance, times 3/4
 ///      where something is in front of it
 struct Line {

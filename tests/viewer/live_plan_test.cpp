@@ -61,7 +61,7 @@ TEST(live_plan, tells_the_modes_of_the_picture_before_its_passes) {
 
 TEST(live_plan, tells_what_a_frame_took_from_a_geometry_cache) {
   LivePlan live;
-  const CacheFacts facts{.frames_there = 5, .window_frames = 40, .ns_per_vertex = 3.0, .late = 1};
+  const CacheFacts facts{.frames_loaded = 5, .window_frames = 40, .ns_per_vertex = 3.0, .late = 1};
   live.cache(facts, {.cache_frames_decoded = 2, .vertices_from_cache = 825});
   EXPECT_TRUE(row(live, "cache window").runs);
   EXPECT_EQ(row(live, "cache window").count, 2u);

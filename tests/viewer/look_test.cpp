@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What changes the picture without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
+// Features that change the picture without moving a vertex: orthographic cameras, copies, variants, animated materials
+// and visibility.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/passes/draw_list.h"
@@ -80,7 +81,7 @@ TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
   EXPECT_LT(kept, drawn * 3 / 4);
 }
 
-TEST_F(look, ambient_access_of_a_plane_is_open_in_a_parallel_view) {
+TEST_F(look, ambient_visibility_of_a_plane_is_open_in_a_parallel_view) {
   Seen seen;
   seen.built.scene.materials[0] = matte({0.5f, 0.5f, 0.5f});
   Headless renderer(*test_device(), seen.built.scene, kLookSize, kLookSize);

@@ -25,8 +25,8 @@ VkPhysicalDeviceMemoryProperties device_with(std::initializer_list<VkMemoryPrope
 
 using Types = std::vector<std::uint32_t>;
 
-/// Memory types as drivers of graphics cards list them: system memory that cannot be mapped, memory of the card, two
-/// kinds of mapped system memory, and the part of the card's memory that the CPU can write.
+/// Memory types as in drivers of graphics cards. They are: system memory that cannot be mapped, memory of the card, two
+/// kinds of mapped system memory, and card memory that the CPU can write.
 VkPhysicalDeviceMemoryProperties card() {
   return device_with({0, kLocal, kMapped, kMapped | kCached, kLocal | kMapped});
 }
@@ -72,7 +72,7 @@ class memory_blocks : public OwnDriverTest {
   static VkMemoryRequirements needs(VkDeviceSize size, VkDeviceSize alignment = 1, std::uint32_t types = kAll) {
     return {size, alignment, types};
   }
-  /// Types of the blocks that were made, and their sizes.
+  /// Types and sizes of the allocated blocks.
   static std::vector<std::pair<std::uint32_t, VkDeviceSize>> made() {
     std::vector<std::pair<std::uint32_t, VkDeviceSize>> blocks;
     for (const VkMemoryAllocateInfo& info : own_driver().allocated)

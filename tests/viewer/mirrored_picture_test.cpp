@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflections of ambient light where other surfaces hide some of it: beside the reference renderer, and beside rays.
+// Occluded reflections of environment light, compared with the reference renderer and with ray casting.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 #include "tests/reference/picture.h"
 #include "tests/reference/ray_cast.h"
 #include "tests/reference/shade.h"
-#include "tests/viewer/reference_access.h"
 #include "tests/viewer/reference_picture.h"
+#include "tests/viewer/reference_visibility.h"
 
 namespace sinew::viewer {
 namespace {
@@ -87,15 +87,15 @@ TEST_F(mirrored_picture, is_that_of_the_reference_with_bent_normals) {
     options.ao.blur = blur;
     options.ao.power = blur ? 3.0f : 1.0f;
     reference::PictureOf picture{built.scene, frame, the_view(), options, kWidth, kHeight};
-    const reference::PixelAccess open = reference_access(seen_by_reference(picture), options);
-    picture.access = open.access;
+    const reference::PixelVisibility open = reference_visibility(seen_by_reference(picture), options);
+    picture.visibility = open.visibility;
     const FloatPicture drawn = render_float(built, kWidth, kHeight, the_view(), options);
-    const Difference by_access = from_reference(drawn, picture);
+    const Difference by_visibility = from_reference(drawn, picture);
     picture.bend = open.bend;
     const Difference d = from_reference(drawn, picture);
     EXPECT_LT(d.mean, 1.5e-3) << blur;
     EXPECT_LT(d.far, kWidth * kHeight / 50) << blur;  // a sample may fall to either side of an edge
-    EXPECT_GT(by_access.mean, 3.0 * d.mean) << "bent normals make no difference: the comparison is empty";
+    EXPECT_GT(by_visibility.mean, 3.0 * d.mean) << "bent normals make no difference: the comparison is empty";
   }
 }
 
@@ -116,7 +116,7 @@ std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built) {
   return triangles;
 }
 
-/// Share of the reflection at each pixel that no surface nearer than the radius hides; negative where nothing is seen.
+/// Fraction of the reflection at each pixel that is not occluded within the radius; negative where nothing is visible.
 std::vector<double> unhidden_by_rays(const BuiltScene& built, double roughness) {
   const auto triangles = triangles_of(built);
   const reference::DepthAndNormals image = gpu_depth_and_normals(built, kWidth, kHeight, the_view(), {});
@@ -135,7 +135,7 @@ std::vector<double> unhidden_by_rays(const BuiltScene& built, double roughness) 
   return shares;
 }
 
-TEST_F(mirrored_picture, is_nearer_to_rays_than_reflections_that_access_alone_scales) {
+TEST_F(mirrored_picture, is_nearer_to_rays_than_reflections_that_visibility_alone_scales) {
   for (const float roughness : {0.1f, 0.3f, 0.5f, 0.7f}) {
     BuiltScene built = box_and_sphere_on_floor();
     for (Material& material : built.scene.materials) {
@@ -143,16 +143,16 @@ TEST_F(mirrored_picture, is_nearer_to_rays_than_reflections_that_access_alone_sc
       material.roughness = roughness;
       material.base_color = {0.02f, 0.02f, 0.02f, 1.0f};  // surroundings scatter nothing
     }
-    RenderOptions options = occluded_ambient_light(), unhindered = options, access = options;
+    RenderOptions options = occluded_ambient_light(), unhindered = options, visibility = options;
     options.lighting.tone_curve = unhindered.lighting.tone_curve = ToneCurve::none;
     unhindered.ao.on = false;
-    access.show = Show::ao;
+    visibility.show = Show::ao;
     const auto drawn_with = [&](const RenderOptions& with) {
       return render_float(built, kWidth, kHeight, the_view(), with);
     };
-    const FloatPicture hidden = drawn_with(options), all = drawn_with(unhindered), open = drawn_with(access);
+    const FloatPicture hidden = drawn_with(options), all = drawn_with(unhindered), open = drawn_with(visibility);
     const std::vector<double> truth = unhidden_by_rays(built, static_cast<double>(roughness));
-    double bent_error = 0.0, access_error = 0.0, count = 0.0;
+    double bent_error = 0.0, visibility_error = 0.0, count = 0.0;
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
         const double expected = truth[static_cast<std::size_t>(y * kWidth + x)];
@@ -160,11 +160,11 @@ TEST_F(mirrored_picture, is_nearer_to_rays_than_reflections_that_access_alone_sc
         const double share = reference::srgb_decoded(static_cast<double>(hidden.at(x, y).g)) /
                              reference::srgb_decoded(static_cast<double>(all.at(x, y).g));
         bent_error += std::pow(share - expected, 2.0);
-        access_error += std::pow(static_cast<double>(open.at(x, y).r) - expected, 2.0);
+        visibility_error += std::pow(static_cast<double>(open.at(x, y).r) - expected, 2.0);
         ++count;
       }
     EXPECT_GT(count, kWidth * kHeight / 6);
-    EXPECT_LT(std::sqrt(bent_error), (roughness < 0.2f ? 0.98 : 0.93) * std::sqrt(access_error)) << roughness;
+    EXPECT_LT(std::sqrt(bent_error), (roughness < 0.2f ? 0.98 : 0.93) * std::sqrt(visibility_error)) << roughness;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a word of the command line to what the renderer is told: each option changes its own field and no other.
+// Each command-line option changes exactly one field of the renderer's options.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ double number(Value value) {
 
 using Fields = std::map<std::string, double>;
 
-/// All that may follow from the command line, by name.
+/// All fields that depend on the command line, by name.
 Fields fields_of(const std::string& words) {
   Scene scene;
   scene.instances.emplace_back();

@@ -12,14 +12,14 @@ namespace {
 
 using testing::HasSubstr;
 
-std::variant<Options, Leave> parse(std::vector<const char*> arguments) {
+std::variant<Options, EarlyExit> parse(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "sinew-viewer");
   return parse_options(static_cast<int>(arguments.size()), arguments.data());
 }
 
 Options accepted(std::vector<const char*> arguments) {
   const auto parsed = parse(std::move(arguments));
-  if (const auto* leave = std::get_if<Leave>(&parsed)) {
+  if (const auto* leave = std::get_if<EarlyExit>(&parsed)) {
     ADD_FAILURE() << leave->text;
     return {};
   }
@@ -30,7 +30,7 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   const Options options = accepted({});
   EXPECT_EQ(options.file, "");
   EXPECT_EQ(options.headless, "");
-  EXPECT_EQ(options.first_exhibit(), 0u);
+  EXPECT_EQ(options.first_scene(), 0u);
   EXPECT_EQ(options.width, 1280u);
   EXPECT_EQ(options.height, 720u);
   EXPECT_TRUE(options.ambient_occlusion && options.shadows);
@@ -136,7 +136,8 @@ TEST(options, read_a_camera_and_a_variant_of_the_file) {
   const Options options = accepted({"a.glb", "--camera", "Front", "--variant", "1"});
   EXPECT_EQ(options.file_camera, "Front");
   EXPECT_EQ(options.variant, "1");
-  EXPECT_TRUE(std::holds_alternative<Leave>(parse({"a.glb", "--camera", "0", "--eye", "0,0,1", "--target", "0,0,0"})));
+  EXPECT_TRUE(
+      std::holds_alternative<EarlyExit>(parse({"a.glb", "--camera", "0", "--eye", "0,0,1", "--target", "0,0,0"})));
 }
 
 TEST(options, read_points_with_or_without_a_digit_before_their_point) {
@@ -159,9 +160,9 @@ TEST(options, read_a_geometry_cache_and_its_weight) {
 
 TEST(options, read_a_range_of_pictures) {
   const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
-  EXPECT_EQ(options.first_exhibit(), 2u);
+  EXPECT_EQ(options.first_scene(), 2u);
   EXPECT_EQ(accepted({"a.glb", "--scene", "1"}).scene, 1u);
-  EXPECT_EQ(accepted({"a.glb", "--scene", "1"}).first_exhibit(), 0u) << "a file is one exhibit";
+  EXPECT_EQ(accepted({"a.glb", "--scene", "1"}).first_scene(), 0u) << "a file is one scene";
   ASSERT_TRUE(options.frames);
   EXPECT_EQ(options.frames->first, 3u);
   EXPECT_EQ(options.frames->last, 16u);
@@ -200,7 +201,7 @@ TEST(options, accept_each_word_of_show_and_skinning) {
 
 struct WrongUsage {
   std::vector<const char*> arguments;
-  const char* says;  // what the message must name, so that the user finds the place
+  const char* says;  // text that the message must contain
 };
 
 TEST(options, read_how_what_is_small_is_updated) {
@@ -209,9 +210,9 @@ TEST(options, read_how_what_is_small_is_updated) {
   EXPECT_EQ(accepted({"--updates", "interpolated"}).updates, Updates::interpolated);
   EXPECT_EQ(accepted({"--headless", "d/", "--frames", "0:9", "--updates", "held"}).updates, Updates::held);
   const auto refused = parse({"--updates", "sometimes"});
-  ASSERT_TRUE(std::holds_alternative<Leave>(refused));
-  EXPECT_EQ(std::get<Leave>(refused).code, 2);
-  EXPECT_THAT(std::get<Leave>(refused).text, HasSubstr("every, interpolated, held"));
+  ASSERT_TRUE(std::holds_alternative<EarlyExit>(refused));
+  EXPECT_EQ(std::get<EarlyExit>(refused).code, 2);
+  EXPECT_THAT(std::get<EarlyExit>(refused).text, HasSubstr("every, interpolated, held"));
 }
 
 TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
@@ -273,7 +274,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
     for (const char* argument : wrong.arguments) line += std::string(argument) + " ";
     SCOPED_TRACE(line);
     const auto parsed = parse(wrong.arguments);
-    const auto* leave = std::get_if<Leave>(&parsed);
+    const auto* leave = std::get_if<EarlyExit>(&parsed);
     ASSERT_NE(leave, nullptr);
     EXPECT_EQ(leave->code, 2);
     EXPECT_THAT(leave->text, HasSubstr(wrong.says));
@@ -282,7 +283,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 }
 
 struct Limits {
-  std::vector<const char*> before;  ///< what the option needs
+  std::vector<const char*> before;  ///< other options that it requires
   const char* option;
   std::vector<const char*> within, beyond;
 };
@@ -317,7 +318,7 @@ TEST(options, numbers_are_taken_up_to_their_limits_and_no_further) {
 TEST(options, that_need_or_exclude_each_other_say_so) {
   const auto is_refused = [](const std::vector<const char*>& arguments) {
     const auto parsed = parse(arguments);
-    const auto* leave = std::get_if<Leave>(&parsed);
+    const auto* leave = std::get_if<EarlyExit>(&parsed);
     return leave != nullptr && leave->code == 2;
   };
   for (const std::vector<const char*>& wrong :
@@ -351,7 +352,7 @@ TEST(options, that_need_or_exclude_each_other_say_so) {
 }
 
 TEST(options, help_has_a_line_for_each_with_what_it_takes) {
-  const std::string help = std::get<Leave>(parse({"--help"})).text;
+  const std::string help = std::get<EarlyExit>(parse({"--help"})).text;
   std::istringstream lines(help.substr(help.find("\nOptions:\n")));
   std::vector<std::string> found;
   for (std::string line; std::getline(lines, line);) {
@@ -373,10 +374,10 @@ TEST(options, help_has_a_line_for_each_with_what_it_takes) {
 }
 
 TEST(options, help_and_version_leave_with_code_0) {
-  const auto help = std::get<Leave>(parse({"--help"}));
+  const auto help = std::get<EarlyExit>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);
   for (const char* word : {"space", "play / pause", "skeleton", "Exit code"}) EXPECT_THAT(help.text, HasSubstr(word));
-  const auto version = std::get<Leave>(parse({"--version"}));
+  const auto version = std::get<EarlyExit>(parse({"--version"}));
   EXPECT_EQ(version.code, 0);
   EXPECT_THAT(version.text, testing::MatchesRegex("sinew-viewer [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

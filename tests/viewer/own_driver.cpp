@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program's own definitions come before those of the library.
+// The program's definitions take precedence over those of the library.
 #include "tests/viewer/own_driver.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 std::size_t last_handle = 0;
 
-/// Another object, of whatever kind.
+/// Creates a new fake object of any type.
 template <typename Handle>
 VkResult make(Handle* handle) {
   ++own_driver().alive;
@@ -29,7 +29,7 @@ OwnDevice& device_of(VkPhysicalDevice device) {
   return own_driver().devices.at(reinterpret_cast<std::size_t>(device) - 1);
 }
 
-/// A list as Vulkan gives it: its length alone, or what there is room for.
+/// Implements a Vulkan enumeration: the count only, or as many entries as fit.
 template <typename T>
 VkResult list(const std::vector<T>& all, std::uint32_t* count, T* out) {
   const auto length = static_cast<std::uint32_t>(all.size());

@@ -10,57 +10,57 @@
 
 namespace sinew::viewer {
 
-/// A device of the test's own driver. As it is made, it can run the passes.
+/// A device of the fake driver. By default it is suitable for the viewer.
 struct OwnDevice {
   VkPhysicalDeviceProperties properties{};
   VkPhysicalDeviceFeatures features{};
   bool dynamic_rendering = true, synchronization2 = true;
   std::vector<VkQueueFamilyProperties> queues;
-  std::vector<bool> presents;  ///< of each queue family; true where none is named
+  std::vector<bool> presents;  ///< [queue families] can present; missing entries = true
   std::vector<std::string> extensions;
 
   explicit OwnDevice(const std::string& name = "own", VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
 };
 
-/// The test's own driver: a program that has own_driver.cpp calls its functions in place of those of the Vulkan
-/// library. It answers as the test says, and notes what it is asked for.
+/// A fake driver: programs linked with own_driver.cpp call its functions in place of the Vulkan library's. Tests set
+/// its answers and inspect the recorded calls.
 struct OwnDriver {
   std::vector<OwnDevice> devices;
   std::uint32_t loader_version = VK_API_VERSION_1_3;
-  std::uint32_t leaving = 0;  ///< devices that go away while they are listed
+  std::uint32_t leaving = 0;  ///< devices that disappear during enumeration
 
   VkPhysicalDeviceMemoryProperties memory{};
-  std::vector<VkDeviceSize> room;               ///< bytes of each type; without end where none is named
+  std::vector<VkDeviceSize> room;               ///< [memory types] bytes available; missing entries = unlimited
   bool maps = true;                             ///< whether memory can be mapped
-  std::vector<VkMemoryAllocateInfo> allocated;  ///< in order, those that failed left out
+  std::vector<VkMemoryAllocateInfo> allocated;  ///< successful allocations, in order
   std::vector<VkDeviceMemory> freed;            ///< in order
   VkResult on_bind = VK_SUCCESS, on_view = VK_SUCCESS;
 
   std::vector<VkSurfaceFormatKHR> formats;
   VkSurfaceCapabilitiesKHR surface{};
-  std::vector<VkSwapchainCreateInfoKHR> swapchains;  ///< as they were asked for
+  std::vector<VkSwapchainCreateInfoKHR> swapchains;  ///< requested, in order
   VkResult on_acquire = VK_SUCCESS, on_present = VK_SUCCESS;
-  std::vector<VkImageViewCreateInfo> views;  ///< as they were asked for
-  int waits = 0;                             ///< until the device is idle
+  std::vector<VkImageViewCreateInfo> views;  ///< requested, in order
+  int waits = 0;                             ///< number of waits for an idle device
   std::vector<std::uint32_t> presented;
-  VkSemaphore waited_for = VK_NULL_HANDLE;  ///< by what was shown last
+  VkSemaphore waited_for = VK_NULL_HANDLE;  ///< semaphore that the last present waited for
   VkSwapchainKHR shown_on = VK_NULL_HANDLE;
 
-  std::vector<std::uint64_t> ticks;  ///< what the queries hold
-  std::vector<std::uint32_t> marks;  ///< queries that were written, in order
+  std::vector<std::uint64_t> ticks;  ///< values of the queries
+  std::vector<std::uint32_t> marks;  ///< written queries, in order
   VkQueryResultFlags query_flags = 0;
 
-  VkDeviceCreateInfo device_info{};  ///< its pointers are dead
+  VkDeviceCreateInfo device_info{};  ///< its pointers are dangling
   VkPhysicalDeviceFeatures enabled{};
   std::uint32_t queue_family = ~0u;
   std::function<void(const VkGraphicsPipelineCreateInfo&)> on_pipeline;
 
-  int alive = 0;  ///< objects that were made and not destroyed
+  int alive = 0;  ///< number of live objects
 };
 
 OwnDriver& own_driver();
 
-/// A surface that nothing is shown on; destroyed with the device that it is given to.
+/// A fake surface; destroyed together with the device that receives it.
 VkSurfaceKHR own_surface();
 
 /// Base of tests on a driver with one device.

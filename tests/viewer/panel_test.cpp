@@ -22,30 +22,30 @@ class PanelTest : public ImguiTest {
     facts_.name = "test";
     facts_.scene = &scene_;
     facts_.needs = &needs_;
-    facts_.exhibits = names_;
+    facts_.scene_names = names_;
   }
 
-  PanelWishes frame(Playback& playback) {
+  PanelRequests frame(Playback& playback) {
     ImGui::NewFrame();
-    const PanelWishes wishes = lay_out_panel(facts_, settings_, playback);
+    const PanelRequests requests = lay_out_panel(facts_, settings_, playback);
     ImGui::Render();
-    return wishes;
+    return requests;
   }
 
-  // Presses the item with that label. True if some frame reported it active.
-  PanelWishes click(const char* label, Playback& playback) {
+  // Clicks the item with that label. Returns the requests of all frames.
+  PanelRequests click(const char* label, Playback& playback) {
     frame(playback);
     return click(label, "sinew (h hides this)", playback);
   }
 
   // Opens a list of choices and presses one of them.
-  PanelWishes choose(const char* list, const char* item, Playback& playback) {
+  PanelRequests choose(const char* list, const char* item, Playback& playback) {
     click(list, playback);
     frame(playback);
     return click(item, "##Combo_00", playback);
   }
 
-  // Holds a slider and goes to that end of the screen.
+  // Drags a slider to that end of the screen.
   void slide(const char* label, float x, Playback& playback) {
     frame(playback);
     if (!hover(id_of(label, "sinew (h hides this)"), label, playback)) return;
@@ -69,7 +69,7 @@ class PanelTest : public ImguiTest {
     return g.HoveredId == id;
   }
 
-  // in   number  of the item, where names may repeat
+  // in   number  id of the item, for repeated names
   static ImGuiID id_of(const char* label, const char* window_name, const int* number = nullptr) {
     ImGuiWindow* window = ImGui::FindWindowByName(window_name);
     if (window == nullptr) {
@@ -79,16 +79,16 @@ class PanelTest : public ImguiTest {
     return number ? ImHashStr(label, 0, ImHashData(number, sizeof *number, window->ID)) : window->GetID(label);
   }
 
-  PanelWishes click(const char* label, const char* window_name, Playback& playback) {
-    PanelWishes wishes;
-    if (!hover(id_of(label, window_name), label, playback)) return wishes;
+  PanelRequests click(const char* label, const char* window_name, Playback& playback) {
+    PanelRequests requests;
+    if (!hover(id_of(label, window_name), label, playback)) return requests;
     for (const bool down : {true, false}) {
       ImGui::GetIO().MouseDown[0] = down;
-      const PanelWishes now = frame(playback);
-      wishes.frame_all |= now.frame_all;
-      if (now.exhibit) wishes.exhibit = now.exhibit;
+      const PanelRequests now = frame(playback);
+      requests.frame_all |= now.frame_all;
+      if (now.scene) requests.scene = now.scene;
     }
-    return wishes;
+    return requests;
   }
 
   Scene scene_;
@@ -210,7 +210,7 @@ TEST_F(PanelTest, switches_change_the_settings) {
   EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::ssao);
   choose("occlusion", "none", playback);
   EXPECT_FALSE(settings_.ambient_occlusion);
-  facts_.has_access = true;
+  facts_.has_visibility = true;
   choose("occlusion", "rays: at vertices", playback);
   EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::rays);
   choose("occlusion", "gtao: horizons", playback);
@@ -397,12 +397,12 @@ TEST_F(PanelTest, the_live_plan_is_as_high_as_its_rows_and_no_higher_than_the_wi
 
 TEST_F(PanelTest, another_scene_is_wished_by_its_number) {
   Playback playback(scene_);
-  EXPECT_FALSE(click("scene", playback).exhibit);
+  EXPECT_FALSE(click("scene", playback).scene);
   frame(playback);
-  EXPECT_EQ(click("second", "##Combo_00", playback).exhibit, 1u);
+  EXPECT_EQ(click("second", "##Combo_00", playback).scene, 1u);
   click("scene", playback);
   frame(playback);
-  EXPECT_EQ(click("first", "##Combo_00", playback).exhibit, 0u);
+  EXPECT_EQ(click("first", "##Combo_00", playback).scene, 0u);
 }
 
 TEST_F(PanelTest, each_choice_of_updates_is_the_one_by_its_name) {
@@ -416,7 +416,7 @@ TEST_F(PanelTest, each_choice_of_updates_is_the_one_by_its_name) {
 TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {
   scene_ = Scene{};
   names_ = {"only"};
-  facts_.exhibits = names_;
+  facts_.scene_names = names_;
   Playback playback(scene_);
   frame(playback);
   frame(playback);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every word of the panels, and where the live plan stands. ImGui writes what it lays out into a log.
+// Every text of the panels, and the position of the live plan. Uses ImGui's logging.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -33,8 +33,8 @@ class PanelText : public ImguiTest {
     facts_.needs = &needs_;
   }
 
-  /// What a window says in a frame after some in which it finds its size. The log goes to the clipboard when the window
-  /// ends.
+  /// The text of a window, after some frames in which it finds its size. ImGui puts the log on the clipboard when the
+  /// window ends.
   template <class LayOut>
   std::string logged(const LayOut& lay_out) {
     std::string text;
@@ -114,13 +114,13 @@ TEST_F(PanelText, the_file_is_named_or_the_scenes_are_offered) {
   EXPECT_THAT(written(), HasSubstr("knight.glb"));
   EXPECT_THAT(written(), HasSubstr("two left feet"));
   const std::vector<std::string> names{"arm", "flag"};
-  facts_.exhibits = names;
-  facts_.exhibit = 1;
+  facts_.scene_names = names;
+  facts_.scene_index = 1;
   EXPECT_THAT(written(), HasSubstr("flag"));
   EXPECT_THAT(written(), Not(HasSubstr("knight.glb")));
   EXPECT_THAT(written(), Not(HasSubstr("arm")));
-  facts_.exhibits = std::span(names).first(1);
-  facts_.exhibit = 0;
+  facts_.scene_names = std::span(names).first(1);
+  facts_.scene_index = 0;
   EXPECT_THAT(written(), HasSubstr("knight.glb")) << "one is no choice";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Panoramas: files made here, read back, and laid on the faces of a cube.
+// Panoramas: writes files, reads them back, and resamples them to cube maps.
 #include "viewer/light/panorama.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// In the folder for temporary files, for this process alone.
+/// A path in the temporary folder, unique to this process.
 std::filesystem::path own_path(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("sinew-" + std::to_string(getpid()) + "-" + name);
 }
@@ -40,7 +40,7 @@ std::string why(const std::string& bytes) {
   return panorama ? "it was read" : panorama.error();
 }
 
-/// A Radiance file without run lengths, as narrow pictures have it.
+/// A Radiance file without run-length encoding, as for narrow pictures.
 std::string radiance(int width, int height, const std::string& rgbe) {
   return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n" +
          rgbe;

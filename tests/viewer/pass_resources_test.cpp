@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images between passes are made only where something changes, and pipelines are shared where their shaders agree.
+// Intermediate images are recreated only on changes; pipelines are shared if their shaders are the same.
 #include "viewer/passes/pass_resources.h"
 
 #include <functional>
@@ -112,7 +112,7 @@ class pass_pipelines : public DeviceTest {
 
   using Change = std::function<void(MeshPipelineKey&)>;
 
-  /// Whether a pipeline is the same one before and after a change of its key.
+  /// True if a change of the key gives the same pipeline.
   bool shared(MeshPipelineKey key, const Change& change) {
     const VkPipeline before = pipelines_->mesh(key);
     EXPECT_EQ(pipelines_->mesh(key), before);
@@ -124,7 +124,7 @@ class pass_pipelines : public DeviceTest {
   std::unique_ptr<PassPipelines> pipelines_;
 };
 
-/// A surface with everything.
+/// The key of a surface with all features.
 MeshPipelineKey full_key(Pass pass) {
   MeshPipelineKey key;
   key.pass = pass;

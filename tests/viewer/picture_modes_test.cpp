@@ -10,7 +10,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// What the plan says of one mode, as "on" or "off", the count where there is one, and the reason.
+/// The live plan's text of one mode: "on" or "off", the count if any, and the reason.
 std::string told(std::string_view name, const FrameNeeds& needs, const RenderOptions& options = {},
                  const TextureFilter& filter = {}) {
   for (const PictureMode& mode : describe_modes(needs, options, filter))
@@ -41,9 +41,9 @@ TEST(picture_modes, tell_each_texture_filter_in_other_words) {
   std::set<std::string> words;
   for (const FilterKind kind : {FilterKind::file, FilterKind::nearest, FilterKind::bilinear, FilterKind::trilinear,
                                 FilterKind::anisotropic, FilterKind::rip_map}) {
-    const std::string said = told("texture filter", kPicture, {}, {.kind = kind});
-    EXPECT_EQ(said.starts_with("off"), kind == FilterKind::file) << said;
-    words.insert(said);
+    const std::string messages = told("texture filter", kPicture, {}, {.kind = kind});
+    EXPECT_EQ(messages.starts_with("off"), kind == FilterKind::file) << messages;
+    words.insert(messages);
   }
   EXPECT_EQ(words.size(), 6u);
   EXPECT_EQ(told("texture filter", kPicture, {}, {.kind = FilterKind::anisotropic, .anisotropy = 8}),

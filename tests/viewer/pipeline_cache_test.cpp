@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a driver compiled is kept for the next run. The driver is the test's own: this program defines the four
-// functions of Vulkan that the cache calls, and the program's own definitions come before those of the library.
+// Compiled pipelines are kept for the next run. Uses a fake driver: this program defines the four Vulkan functions that
+// the cache calls, and its definitions take precedence over the library's.
 #include "viewer/device/pipeline_cache.h"
 
 #include <gmock/gmock.h>
@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 using Bytes = std::vector<std::byte>;
 using testing::ElementsAre;
 
-/// A driver with one device. It notes what it is given, and answers as the test says.
+/// A fake driver with one device. Records its inputs; tests set its answers.
 struct Driver {
   VkPhysicalDeviceProperties device{};
-  Bytes data;             ///< what the cache holds when it is asked
-  std::size_t fewer = 0;  ///< bytes that it writes less than it promised
+  Bytes data;             ///< data returned by vkGetPipelineCacheData
+  std::size_t fewer = 0;  ///< number of bytes by which the result is shorter than announced
   VkResult on_size = VK_SUCCESS, on_data = VK_SUCCESS;
   bool takes_data = true, makes_caches = true;
-  std::vector<Bytes> given;  ///< the initial data of each call that makes a cache
+  std::vector<Bytes> given;  ///< initial data of each created cache
   int asked = 0, alive = 0;
 
   Driver() {
@@ -64,7 +64,7 @@ class pipeline_cache : public testing::Test {
   /// One run of a program: makes the cache, compiles, and ends.
   void run() const { const PipelineCache cache(VK_NULL_HANDLE, VK_NULL_HANDLE, DiskCache(folder_)); }
 
-  /// What the driver is given in another run.
+  /// The data that the driver receives in another run.
   Bytes given_next() const {
     driver.given.clear();
     run();

@@ -11,12 +11,12 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 
-/// What a pipeline was asked to do; its pointers would be dead.
+/// Copies of a pipeline's create info, whose pointers are only valid during the call.
 struct Asked {
   std::vector<VkPipelineColorBlendAttachmentState> blends;
   std::vector<VkFormat> formats;
   std::vector<VkDynamicState> dynamic;
-  std::vector<std::vector<std::uint32_t>> constants;  ///< of each stage, by their ids
+  std::vector<std::vector<std::uint32_t>> constants;  ///< [stages][constant_id]
   std::vector<VkShaderStageFlagBits> stages;
   VkPipelineDepthStencilStateCreateInfo depth{};
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
@@ -24,7 +24,7 @@ struct Asked {
   VkSampleCountFlagBits samples{};
   VkPrimitiveTopology topology{};
   std::uint32_t viewports = 0, scissors = 0;
-  std::vector<std::uint32_t> bindings, attributes;  ///< their strides and offsets
+  std::vector<std::uint32_t> bindings, attributes;  ///< strides of bindings, offsets of attributes
 };
 
 std::vector<std::uint32_t> constants_of(const VkSpecializationInfo& info) {
@@ -80,7 +80,7 @@ struct Texel {
 };
 constexpr Texel kDrawn{0.3, 0.7}, kStored{0.6, 0.2};
 
-/// What a factor is for colours or for alpha.
+/// The numeric value of a blend factor.
 double value_of(VkBlendFactor factor, double own) {
   switch (factor) {
     case VK_BLEND_FACTOR_ZERO: return 0.0;

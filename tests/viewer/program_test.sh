@@ -116,7 +116,7 @@ for change in ': > $kept' 'printf x >> $kept' 'rm -r cache && touch cache'; do
   if cmp -s a.png b.png; then echo "ok: the same picture after '$change'"; else complain "'$change' of kept files changes the picture"; fi
 done
 export SINEW_CACHE=none
-# Ambient access at vertices: baked at load, for key poses, or as the file has it.
+# Ambient visibility at vertices: baked at load, for key poses, or as the file has it.
 size='--size 320x180'
 ends 2 'rays are cast with --ao rays only' --ao gtao --key-poses 3 --headless c.png
 ends 2 'not a number from 2 to 64' --ao rays --key-poses 1 --headless c.png
@@ -125,13 +125,13 @@ printf '%s' '{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primiti
 {"bufferView":0,"componentType":5126,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":36}],
 "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}' > dark.gltf
 if "$viewer" dark.gltf --ao rays --headless c.png 2>&1 | grep -q 'without Embree'; then
-  echo "left out: ambient access by rays, in a build without Embree"
+  echo "left out: ambient visibility by rays, in a build without Embree"
 else
   ends 0 '' dark.gltf --ao rays --show ao --headless c.png $size --ground none --validate
-  holds "a file's own ambient access is shown" 'minima==0&&maxima==1' c.png
-  ends 0 'ambient access of 3 key poses, 256 rays a vertex, baked in ' --scene 1 --ao rays --key-poses 3 --headless d.png $size --time 1 --validate
-  ends 0 'ambient access of 1 pose, 256 rays a vertex, baked in ' --scene 1 --ao rays --headless c.png $size --time 1 --validate --plan
-  grep -q 'ssao .* off  *0 .*ambient access comes with the vertices' out || complain "--plan does not say why there is no ssao"
+  holds "a file's own ambient visibility is shown" 'minima==0&&maxima==1' c.png
+  ends 0 'ambient visibility of 3 key poses, 256 rays a vertex, baked in ' --scene 1 --ao rays --key-poses 3 --headless d.png $size --time 1 --validate
+  ends 0 'ambient visibility of 1 pose, 256 rays a vertex, baked in ' --scene 1 --ao rays --headless c.png $size --time 1 --validate --plan
+  grep -q 'ssao .* off  *0 .*ambient visibility comes with the vertices' out || complain "--plan does not say why there is no ssao"
   cmp -s c.png d.png && complain "--key-poses changes nothing"
   ends 0 '' --scene 1 --no-ao --headless d.png $size --time 1
   cmp -s c.png d.png && complain "--ao rays changes nothing"

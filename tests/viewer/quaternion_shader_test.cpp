@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arithmetic of viewer/shaders/quaternion_normal.glsl on the device: the numerical cases of Hast's interpolation,
-// and cases of its own beside double precision.
+// The arithmetic of viewer/shaders/quaternion_normal.glsl on the device: numeric cases of Hast's interpolation, and
+// comparisons with double precision.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -42,10 +42,11 @@ double greatest(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
 }  // namespace
 
 void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
-                              const PictureBounds& bounds, std::span<const double> access, const Gradient& ambient) {
+                              const PictureBounds& bounds, std::span<const double> visibility,
+                              const Gradient& ambient) {
   const FloatPicture drawn = render_float(built, bounds.width, bounds.height, view, options);
   const FrameResult frame = built.frame();
-  reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, ambient, access};
+  reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, ambient, visibility};
   std::optional<reference::Blurred> blurred;
   if (std::ranges::any_of(built.scene.materials, blurs_behind)) blurred = reference::blurred_opaque(picture);
   if (blurred) picture.blurred = &*blurred;

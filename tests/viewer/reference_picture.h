@@ -7,30 +7,30 @@
 
 namespace sinew::viewer {
 
-/// How near the drawn picture must be to the reference renderer's.
+/// Tolerances for comparing a picture with the reference renderer.
 struct PictureBounds {
   int width = 24, height = 20;
   double bound =
       0.001;  ///< per channel, a quarter of a step of 8 bits. Light is stored as half floats between the passes
-  double sharp = 0.7;  ///< least share of pixels whose range is narrower than 5 bounds
+  double sharp = 0.7;  ///< minimum fraction of pixels whose range is narrower than 5 bounds
 };
 
-/// Draws the scene and compares each pixel with the reference renderer (tests/reference/picture.h). The reference looks
-/// along five rays through each pixel, its middle and 1/32 pixel around it; each channel must lie within their range,
-/// widened by the bound. So a pixel on an edge may be on either side of it.
-/// in   access   [width * height] ambient access for the reference; empty = 1
-///      ambient  what the environment of the options is made of
+/// Draws the scene and compares each pixel with the reference renderer (tests/reference/picture.h). The reference
+/// samples five rays per pixel: the center and 1/32 pixel around it. Each channel must lie within the range of these
+/// samples, widened by the bound, so a pixel on an edge may fall on either side.
+/// in   visibility   [width * height] ambient visibility for the reference; empty = 1
+///      ambient  gradient of the environment in `options`
 void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
-                              const PictureBounds& bounds = {}, std::span<const double> access = {},
+                              const PictureBounds& bounds = {}, std::span<const double> visibility = {},
                               const Gradient& ambient = {});
 
-/// No environment, no occlusion, and no light at all but the scene's.
+/// Only the lights of the scene: no environment, no occlusion.
 RenderOptions only_scene_lights();
 
 /// All light, without occlusion.
 RenderOptions every_light();
 
-/// No light but the ambient light.
+/// Only environment light.
 RenderOptions only_ambient_light();
 
 /// A wall in the plane z = 0 that faces +z: 2.4 m wide and high, with tangents and two sets of texture coordinates.
@@ -43,13 +43,13 @@ Material plain();
 BuiltScene lit_wall(BuiltScene built, const Material& material, const Primitive& primitive = wall(),
                     const Affine& world_from_wall = {}, bool mirrored = false);
 
-/// In front of the wall, aside: the wall fills the picture.
+/// A view from the front and the side; the wall fills the picture.
 View view_of_wall();
 
-/// Bound for pictures of sRGB textures: Mesa's software driver decodes them by a polynomial.
+/// Bound for pictures of sRGB textures: Mesa's software driver decodes with a polynomial approximation.
 inline constexpr double kDecodedBound = 0.006;
 
-/// White surfaces in white light return all of it within this share of it, in linear light.
+/// Relative tolerance of the white furnace test, in linear light.
 inline constexpr float kFurnaceBound = 0.01f;
 
 /// Adds an image of 8 x 8 random colours and alphas, and a texture that shows it without filter. Returns the texture.
@@ -57,7 +57,7 @@ std::uint32_t add_noise_texture(BuiltScene& built,
                                 const Sampler& sampler = {
                                     .magnify = Filter::nearest, .minify = Filter::nearest, .use_mipmaps = false});
 
-/// Both sets of texture coordinates, as they are, and moved, turned and scaled. They name no texture.
+/// Texture references without a texture: both coordinate sets, each without and with a transform.
 std::array<TextureUse, 4> placed_textures();
 
 /// A texture of one colour.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A renderer that has drawn in other ways draws and tells what a fresh one does, whatever images, sets and pipelines
-// are there.
+// A renderer that has drawn with other options gives the same pictures and reports as a fresh one.
 #include "samples/showcase/shapes.h"
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
@@ -64,7 +63,7 @@ std::vector<Way> ways() {
           {"one light again", plain, 1}};
 }
 
-/// The frame of a way. It refers to `built` and to what is given.
+/// The frame for a set of options. It refers to the arguments.
 FrameResult frame_of(const BuiltScene& built, const Way& way, std::vector<char>& hidden,
                      std::vector<InstanceResult>& instances) {
   FrameResult frame = built.frame();
@@ -78,7 +77,7 @@ FrameResult frame_of(const BuiltScene& built, const Way& way, std::vector<char>&
   return frame;
 }
 
-/// What the live plan says of a frame, without its times.
+/// The live plan's text of a frame, without times.
 std::string told(FrameReport report) {
   report.collect_us = 0.0;
   LivePlan live;

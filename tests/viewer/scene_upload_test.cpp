@@ -224,10 +224,10 @@ TEST_F(mesh_set, streams_lie_one_after_another_on_multiples_of_16_bytes_behind_t
   bare.texcoords = {std::vector<glm::vec2>(5)};
   bare.indices = {0, 1, 2, 2, 3, 4};
   Staging copies(*test_device());
-  VertexAccess access;
-  access.times_s = {0.0, 1.0};
-  access.values = {{{}, {}}, {std::vector<float>(10, 0.5f)}};
-  const MeshSet set(*test_device(), scene, &access, copies);
+  VertexVisibility visibility;
+  visibility.times_s = {0.0, 1.0};
+  visibility.values = {{{}, {}}, {std::vector<float>(10, 0.5f)}};
+  const MeshSet set(*test_device(), scene, &visibility, copies);
   const auto waiting = copies.waiting_bytes();
   copies.send();
   using Places = std::array<VkDeviceSize, kAttributeCount>;
@@ -241,34 +241,34 @@ TEST_F(mesh_set, streams_lie_one_after_another_on_multiples_of_16_bytes_behind_t
   EXPECT_EQ(set.primitive(1, 0).indices, 480u) << "behind two key poses of five vertices";
   EXPECT_EQ(set.primitive(1, 0).index_count, 6u);
   EXPECT_EQ(waiting, 480u + 6 * 4);
-  for (const Attribute one : {Attribute::color, Attribute::access, Attribute::next_access})
+  for (const Attribute one : {Attribute::color, Attribute::visibility, Attribute::next_visibility})
     EXPECT_EQ(set.default_of(one), 16u);
   EXPECT_EQ(set.default_of(Attribute::tangent), 32u) << "x, right-handed";
   for (const Attribute zero : {Attribute::position, Attribute::normal, Attribute::texcoord_0, Attribute::texcoord_1})
     EXPECT_EQ(set.default_of(zero), 0u);
 }
 
-TEST_F(mesh_set, each_primitive_brings_its_own_access) {
+TEST_F(mesh_set, each_primitive_brings_its_own_visibility) {
   Scene scene;
   scene.meshes.resize(2);
-  VertexAccess access;
+  VertexVisibility visibility;
   std::size_t lists = 0;
   for (Mesh& mesh : scene.meshes) {
     mesh.primitives.resize(2);
-    auto& values = access.values.emplace_back();
+    auto& values = visibility.values.emplace_back();
     for (Primitive& primitive : mesh.primitives) {
       primitive.positions.resize(1);
       values.emplace_back(4 * ++lists, 0.5f);  // of 4 key poses, 8, 12 and 16
     }
   }
   Staging copies(*test_device());
-  const MeshSet set(*test_device(), scene, &access, copies);
+  const MeshSet set(*test_device(), scene, &visibility, copies);
   copies.send();
   VkDeviceSize at = 48;  // behind the defaults
   for (std::uint32_t i = 0; i < 4; ++i) {
     const auto& places = set.primitive(i / 2, i % 2).attributes;
     EXPECT_EQ(places[0], at) << i;
-    EXPECT_EQ(places[static_cast<std::size_t>(Attribute::access)], at + 16) << i;
+    EXPECT_EQ(places[static_cast<std::size_t>(Attribute::visibility)], at + 16) << i;
     at += 16 + 16 * (i + 1);
   }
 }
@@ -314,11 +314,15 @@ TEST_F(material_set, G66_features_leave_out_data_that_cannot_be_read_but_not_col
   EXPECT_EQ(set.features_of(kNone).texcoord_sets, (Sets{}));
 }
 
-TEST(texel_use, base_colours_cover_where_alpha_counts_and_the_cutoff_is_the_least_code_that_an_alpha_test_keeps) {
+TEST(texel_use, base_colours_cover_where_alpha_counts) {
   Material m;
   EXPECT_EQ(base_color_use(m), (TexelUse{true, false, 0}));
   m.alpha_mode = AlphaMode::blend;
   EXPECT_EQ(base_color_use(m), (TexelUse{true, true, 0}));
+}
+
+TEST(texel_use, cutoff_is_the_least_code_that_an_alpha_test_keeps) {
+  Material m;
   m.alpha_mode = AlphaMode::mask;
   const auto cutoff = [&](float alpha_cutoff, float factor) {
     m.alpha_cutoff = alpha_cutoff;

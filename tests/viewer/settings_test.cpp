@@ -101,11 +101,11 @@ TEST(settings, the_live_plan_comes_with_the_panel) {
   Settings settings;
   settings.panel = false;
   toggle_plan(settings);
-  EXPECT_TRUE(settings.panel && settings.plan && settings.watches_plan());
+  EXPECT_TRUE(settings.panel && settings.plan && settings.shows_plan());
   settings.panel = false;
-  EXPECT_FALSE(settings.watches_plan()) << "what nobody sees is not measured";
+  EXPECT_FALSE(settings.shows_plan()) << "what nobody sees is not measured";
   toggle_plan(settings);
-  EXPECT_TRUE(settings.watches_plan());
+  EXPECT_TRUE(settings.shows_plan());
   toggle_plan(settings);
   EXPECT_TRUE(settings.panel && !settings.plan);
 }

@@ -48,7 +48,7 @@ struct Seen {
   std::vector<glm::dvec3> points;
   std::vector<bool> inner;
 
-  /// How much the depth of an inner pixel differs from those beside and above it: metres per pixel.
+  /// Depth differences between an inner pixel and its neighbours, in metres per pixel.
   double slope(std::size_t i) const {
     return std::abs(points[i].z - points[i + 1].z) + std::abs(points[i].z - points[i - 1].z) +
            std::abs(points[i].z - points[i + kWidth].z) + std::abs(points[i].z - points[i - kWidth].z);
@@ -103,18 +103,18 @@ struct Sun {
 };
 
 glm::dvec3 expected_color(const Material& material, const glm::dvec3& p, const glm::dvec3& n, const View& view,
-                          const Lighting& lighting, double access, const Sun& sun) {
+                          const Lighting& lighting, double visibility, const Sun& sun) {
   reference::ShadedPoint point{glm::dvec3(material.base_color), static_cast<double>(material.metallic),
                                static_cast<double>(material.roughness), n, -glm::normalize(p)};
   const glm::dvec3 up = transform_vector(view.view_from_world, glm::dvec3(0.0, 1.0, 0.0));
-  const glm::dvec3 light =
-      reference::direct(point, sun.to_light, sun.irradiance) + glm::dvec3(material.emissive) +
-      reference::ambient(point, {up, glm::dvec3(Gradient{}.sky), glm::dvec3(Gradient{}.ground)}, {.access = access});
+  const glm::dvec3 light = reference::direct(point, sun.to_light, sun.irradiance) + glm::dvec3(material.emissive) +
+                           reference::ambient(point, {up, glm::dvec3(Gradient{}.sky), glm::dvec3(Gradient{}.ground)},
+                                              {.visibility = visibility});
   const glm::dvec3 mapped = reference::tone_mapped(light * static_cast<double>(lighting.exposure));
   return {reference::srgb_encoded(mapped.r), reference::srgb_encoded(mapped.g), reference::srgb_encoded(mapped.b)};
 }
 
-void expect_shaded(const BuiltScene& built, const RenderOptions& options, const std::vector<double>& access,
+void expect_shaded(const BuiltScene& built, const RenderOptions& options, const std::vector<double>& visibility,
                    const Sun& sun) {
   const View view = the_view();
   const Seen seen = look(built, view);
@@ -125,7 +125,7 @@ void expect_shaded(const BuiltScene& built, const RenderOptions& options, const 
     if (!seen.inner[i] || !seen.hits[i]) continue;
     const Material& material = built.scene.materials[seen.hits[i]->material];
     const glm::dvec3 expected =
-        expected_color(material, seen.points[i], seen.hits[i]->normal, view, options.lighting, access[i], sun);
+        expected_color(material, seen.points[i], seen.hits[i]->normal, view, options.lighting, visibility[i], sun);
     const double error = glm::length(glm::dvec3(picture.pixels[i]) - expected);
     // Scene light is stored as half floats (2^-11); the narrow highlight of a smooth metal amplifies rounding of the
     // normal.
@@ -164,17 +164,17 @@ TEST_F(shade_pass, occlusion_scales_the_ambient_term_only) {
   options.ao.radius_m = 0.8f;
   options.ao.fade_start_m = 0.4f;
   options.ao.fade_end_m = 1.6f;
-  RenderOptions access_only = options;
-  access_only.show = Show::ao;
-  const FloatPicture picture = render_float(shiny_scene(), kWidth, kHeight, the_view(), access_only);
-  std::vector<double> access;
+  RenderOptions visibility_only = options;
+  visibility_only.show = Show::ao;
+  const FloatPicture picture = render_float(shiny_scene(), kWidth, kHeight, the_view(), visibility_only);
+  std::vector<double> visibility;
   double darkest = 1.0;
   for (const glm::vec4& pixel : picture.pixels) {
-    access.push_back(static_cast<double>(pixel.r));
-    darkest = std::min(darkest, access.back());
+    visibility.push_back(static_cast<double>(pixel.r));
+    darkest = std::min(darkest, visibility.back());
   }
   ASSERT_LT(darkest, 0.8);
-  expect_shaded(shiny_scene(), options, access, sun_of(options.lighting));
+  expect_shaded(shiny_scene(), options, visibility, sun_of(options.lighting));
 }
 
 TEST_F(shade_pass, a_directional_light_of_the_file_replaces_the_key_light) {

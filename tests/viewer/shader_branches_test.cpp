@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drivers that run on the CPU compile a shader again for each value of a uniform that it branches on. So no shader may
-// branch on uniforms alone: features of frame, draw and material are specialisation constants.
+// No shader may branch on uniforms alone, because software drivers recompile a shader for each value of such a uniform.
+// Features of frame, draw and material are specialisation constants instead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::span<const std::uint32_t>;
 
-/// What a value depends on, in rising order.
+/// Kinds of inputs that a value depends on; higher ones win.
 enum class Source { constants, uniforms, varying };
 
 /// Numbers of the SPIR-V specification.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows beside rays towards the light, pixel by pixel.
+// Shadows, compared pixel by pixel with rays towards the light.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -43,14 +43,14 @@ struct Seen {
   bool in_shadow = false;
   glm::dvec3 normal{0.0};
 
-  /// The same side of a shadow, and no crease between them: the filter looks around there.
+  /// True if both are lit or both in shadow, with similar normals, so that filtering across them has no effect.
   bool like(const std::optional<Seen>& other) const {
     return other && other->in_shadow == in_shadow && glm::dot(normal, other->normal) > 0.9;
   }
 };
 
-/// The nearest surface along each pixel; nothing where there is none, or where it faces away from the light or is
-/// nearly along it.
+/// The visible surface at each pixel; empty where there is none, or where it faces away from the light or is nearly
+/// parallel to it.
 /// in   light  world space: the position of a lamp (w = 1) or the unit direction to it (w = 0)
 std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view, const glm::dvec4& light) {
   Scene two_sided = built.scene;
@@ -75,7 +75,8 @@ std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view
   return pixels;
 }
 
-/// Each pixel whose neighbours are all lit or all in shadow looks so: as without shadows, or as without the light.
+/// Expects that pixels with only lit neighbours look as without shadows, and pixels with only shadowed neighbours as
+/// without the light.
 /// in   dark_scene  the scene without the light; null = the key light casts the shadows
 void expect_shadows(const BuiltScene& built, const View& view, const RenderOptions& options, const glm::dvec4& light,
                     const BuiltScene* dark_scene = nullptr) {
@@ -184,7 +185,7 @@ TEST_F(shadows, of_a_spot_light_amid_the_scene_are_those_of_what_it_shines_on) {
   expect_shadows(built, from_above(), options, {glm::dvec3(position), 1.0}, &without);
 }
 
-/// What a light of the test shines on: where it is, and how its rays go (see truth()).
+/// A light of the test, and its position or direction for truth().
 struct Lamp {
   Light light;
   glm::vec3 position, target;
@@ -262,7 +263,7 @@ TEST_F(shadows, fall_from_four_lights_of_the_scene_each_where_its_own_rays_meet_
 }
 
 TEST_F(shadows, of_a_spot_light_end_where_its_cone_is_wider_than_the_map) {
-  // The map reaches 2.93 m aside. What casts a shadow at its border must cast none beyond it.
+  // The map extends 2.93 m to each side. A caster at its border must cast no shadow beyond it.
   BuiltScene built;
   const std::uint32_t white = built.add_material(matte({1, 1, 1}));
   built.add(square(4.0f), white);

@@ -5,8 +5,8 @@
 
 #include "samples/showcase/shapes.h"
 #include "tests/reference/picture.h"
-#include "tests/viewer/reference_access.h"
 #include "tests/viewer/reference_picture.h"
+#include "tests/viewer/reference_visibility.h"
 
 namespace sinew::viewer {
 namespace {
@@ -75,7 +75,7 @@ TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
     expect_reference_picture(shapes(), view, options, {.width = kShownWidth, .height = kShownHeight, .sharp = 0.5});
 }
 
-TEST_F(show_picture, ambient_access_is_white_where_nothing_asks_for_it) {
+TEST_F(show_picture, ambient_visibility_is_white_where_nothing_asks_for_it) {
   RenderOptions off, rays;
   off.ao.on = false;
   rays.ao.method = OcclusionMethod::rays;  // and no vertex has any
@@ -86,8 +86,8 @@ TEST_F(show_picture, ambient_access_is_white_where_nothing_asks_for_it) {
   }
 }
 
-/// Compares ambient access with the reference's, from the depth and the normals that the reference sees.
-void expect_reference_access(const BuiltScene& built, double bound) {
+/// Compares ambient visibility with the reference's, from the depth and the normals that the reference sees.
+void expect_reference_visibility(const BuiltScene& built, double bound) {
   RenderOptions options;
   options.show = Show::ao;
   options.ao.radius_m = 0.7f;
@@ -100,26 +100,26 @@ void expect_reference_access(const BuiltScene& built, double bound) {
       image.distance.push_back(at.distance_m);
       image.normals.push_back(at.normal);
     }
-  const std::vector<double> access = reference_access(image, options).access;
+  const std::vector<double> visibility = reference_visibility(image, options).visibility;
   const FloatPicture drawn = render_float(built, kShownWidth, kShownHeight, the_view(), options);
   double mean = 0.0, occluded = 0.0;
-  for (std::size_t i = 0; i < access.size(); ++i) {
-    mean += std::abs(static_cast<double>(drawn.pixels[i].r) - access[i]) / static_cast<double>(access.size());
-    occluded += (1.0 - access[i]) / static_cast<double>(access.size());
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
+    mean += std::abs(static_cast<double>(drawn.pixels[i].r) - visibility[i]) / static_cast<double>(visibility.size());
+    occluded += (1.0 - visibility[i]) / static_cast<double>(visibility.size());
   }
   EXPECT_GT(occluded, 0.015) << "nothing is occluded: the comparison is empty";
   EXPECT_LT(mean, bound);  // a sample may fall to either side of an edge
 }
 
-TEST_F(show_picture, ambient_access_is_that_of_the_reference_from_its_own_depth_and_normals) {
-  expect_reference_access(box_and_sphere_on_floor(), 2e-3);
+TEST_F(show_picture, ambient_visibility_is_that_of_the_reference_from_its_own_depth_and_normals) {
+  expect_reference_visibility(box_and_sphere_on_floor(), 2e-3);
 }
 
-TEST_F(show_picture, ambient_access_is_that_of_the_normals_of_normal_maps) {
+TEST_F(show_picture, ambient_visibility_is_that_of_the_normals_of_normal_maps) {
   BuiltScene built = box_and_sphere_on_floor();
   const std::uint32_t leaning = add_plain_texture(built, {196, 100, 225, 255});
   for (Material& material : built.scene.materials) material.normal_texture.texture = leaning;
-  expect_reference_access(built, 5e-3);  // the floor rises above the horizon of leaning normals everywhere
+  expect_reference_visibility(built, 5e-3);  // the floor rises above the horizon of leaning normals everywhere
 }
 
 }  // namespace

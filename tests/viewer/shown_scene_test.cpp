@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the window asks of the job thread: the pose of the time, without what is out of view, and never without what
+// Requests of the window to the job thread: the pose of the current time, with culling, but never without a mesh that
 // comes into view.
 #include "viewer/app/shown_scene.h"
 
@@ -12,14 +12,14 @@
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
 #include "tests/scenes/hand_scenes.h"
-#include "tests/viewer/cache_exhibit.h"
+#include "tests/viewer/cache_scene.h"
 #include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
 namespace {
 
 /// A box that glides 4 m along x in 2 s; with a camera on it, or without, and among other joints that do the same.
-Exhibit gliding_box(bool camera, std::uint32_t others = 0) {
+LoadedScene gliding_box(bool camera, std::uint32_t others = 0) {
   showcase::SceneBuilder builder;
   const std::uint32_t joint = builder.add_joint("box", kNone, {});
   builder.add_instance(joint, builder.add_mesh({"box", {showcase::box({0, 0, 0}, glm::vec3(0.5f))}, {}, {}}));
@@ -33,10 +33,10 @@ Exhibit gliding_box(bool camera, std::uint32_t others = 0) {
     bones.push_back(bone);
   }
   builder.add_animation({"glide", 2.0, bones, {}});
-  Exhibit exhibit;
-  exhibit.scene = builder.finish();
-  if (camera) exhibit.scene.cameras = {{.name = "on box", .joint = joint}};
-  return exhibit;
+  LoadedScene loaded;
+  loaded.scene = builder.finish();
+  if (camera) loaded.scene.cameras = {{.name = "on box", .joint = joint}};
+  return loaded;
 }
 
 const View kAhead = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 0.0}, 0.8, 0.05),
@@ -46,18 +46,18 @@ const View kAhead = look_at({2.0, 1.0, 9.0}, {2.0, 0.0, 0.0}, 0.8, 0.05),
 
 class shown_scene : public DeviceTest {
  protected:
-  void show(Exhibit exhibit, const Evaluation& evaluation = {}) {
+  void show(LoadedScene loaded, const Evaluation& evaluation = {}) {
     shown_.reset();
-    exhibit_ = std::move(exhibit);
-    shown_ = std::make_unique<ShownScene>(*test_device(), exhibit_, evaluation, 2, TextureFilter{});
+    loaded_ = std::move(loaded);
+    shown_ = std::make_unique<ShownScene>(*test_device(), loaded_, evaluation, 2, TextureFilter{});
     shown_->playback().pause();
   }
   void TearDown() override {
     shown_.reset();
     DeviceTest::TearDown();
   }
-  void submit(const View& view, bool joints_watched = false) { shown_->submit(view, false, 1.5, joints_watched); }
-  /// The newest pose once it is the one that was asked for last.
+  void submit(const View& view, bool joints_needed = false) { shown_->submit(view, false, 1.5, joints_needed); }
+  /// Waits until the newest pose is the last requested one.
   const FrameResult& settled() {
     for (int i = 0; i < 4000; ++i) {
       shown_->newest();
@@ -67,7 +67,7 @@ class shown_scene : public DeviceTest {
     ADD_FAILURE() << "the pose does not come";
     return shown_->newest();
   }
-  /// A box that plays so far away that it is not evaluated for every frame.
+  /// Plays a box so far away that it is not evaluated in every frame.
   void play_far_away() {
     show(gliding_box(false), {.updates = Updates::held});
     shown_->playback().toggle();
@@ -78,13 +78,13 @@ class shown_scene : public DeviceTest {
     }
     ASSERT_NE(shown_->update_levels().level(), UpdateLevel::every);
   }
-  /// Negative where no joint was evaluated.
+  /// Position of the box; negative if no joint was evaluated.
   double place_m() {
     const auto& model = shown_->newest().model;
     return model.empty() ? -1.0 : static_cast<double>(model[0].row[0].w);
   }
 
-  Exhibit exhibit_;
+  LoadedScene loaded_;
   std::unique_ptr<ShownScene> shown_;
 };
 
@@ -179,7 +179,7 @@ TEST_F(shown_scene, joints_that_sleep_wake_as_soon_as_somebody_watches_them) {
 }
 
 TEST_F(shown_scene, what_is_out_of_view_is_that_of_the_kind_of_skinning_that_is_evaluated) {
-  Exhibit arm;
+  LoadedScene arm;
   arm.scene = test::arm_scene();
   const auto beside = [](double x) { return look_at({x, 1.0, 10.0}, {x, 1.0, 0.0}, 0.1, 0.05); };
   FrustumCulling linear(arm.scene, needs_of(arm, {})),
@@ -208,8 +208,8 @@ TEST_F(shown_scene, the_coming_view_of_a_camera_is_the_view_of_the_pose_that_com
 }
 
 TEST_F(shown_scene, each_camera_has_a_view_of_its_own_as_the_clip_animates_it) {
-  Exhibit exhibit = gliding_box(true);
-  Scene& scene = exhibit.scene;
+  LoadedScene loaded = gliding_box(true);
+  Scene& scene = loaded.scene;
   scene.cameras.push_back({.name = "wide", .joint = scene.cameras[0].joint, .fov_y_rad = 1.2f});
   WeightTrack zoom;
   zoom.interpolation = Interpolation::linear;
@@ -219,7 +219,7 @@ TEST_F(shown_scene, each_camera_has_a_view_of_its_own_as_the_clip_animates_it) {
   scene.animations[0].properties.push_back({{PropertyKind::camera_fov_y, 0}, zoom});
   scene.clips.clear();
   finish_scene(scene);
-  show(std::move(exhibit));
+  show(std::move(loaded));
   shown_->playback().seek(1.0);
   submit(kAhead);
   settled();
@@ -233,13 +233,13 @@ TEST_F(shown_scene, the_extent_is_that_of_the_clip_or_of_the_rest_pose) {
   show(gliding_box(false));
   for (const std::uint32_t clip : {0u, kNone, 0u}) {
     shown_->playback().choose(clip);
-    EXPECT_EQ(shown_->bounds().reached.upper, clip_extent(exhibit_.scene, clip).reached.upper);
+    EXPECT_EQ(shown_->bounds().reached.upper, clip_extent(loaded_.scene, clip).reached.upper);
   }
 }
 
 TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stands_still) {
   const Bytes bytes = flag_bytes();
-  show(exhibit_of_cache(bytes));
+  show(scene_of_cache_file(bytes));
   shown_->playback().seek(0.5);
   const auto corner = [&](float weight) {
     shown_->set_cache_weight(weight);
@@ -250,12 +250,12 @@ TEST_F(shown_scene, another_weight_of_the_cache_is_asked_for_while_the_time_stan
   const glm::dvec3 whole = corner(1.0f), half = corner(0.5f), quarter = corner(0.25f);
   EXPECT_GT(glm::length(whole - half), 0.01);
   EXPECT_LT(glm::length(whole - half - 2.0 * (half - quarter)), 1e-5);
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) {
   const Bytes bytes = with_damage(flag_bytes(), 10);
-  show(exhibit_of_cache(bytes));
+  show(scene_of_cache_file(bytes));
   shown_->playback().seek(0.1);
   submit(kAhead);
   settled();
@@ -269,7 +269,7 @@ TEST_F(shown_scene, says_of_a_damaged_cache_what_is_wrong_wherever_it_is_asked) 
   submit(kAhead);
   settled();
   EXPECT_EQ(shown_->cache_fault(), "") << "this frame is whole";
-  shown_.reset();  // before the bytes
+  shown_.reset();  // must be destroyed before the bytes
 }
 
 TEST_F(shown_scene, what_is_small_is_evaluated_less_often_but_not_while_the_time_stands_still) {
@@ -303,20 +303,20 @@ TEST_F(shown_scene, catches_up_with_a_time_that_was_set_however_small_it_is_seen
   }
 }
 
-TEST_F(shown_scene, vertices_have_the_ambient_access_of_the_time) {
-  Exhibit exhibit = gliding_box(false);
-  VertexAccess access;
-  access.clip = 0;
-  access.times_s = {0.0, 2.0};
-  access.values = {{std::vector<float>(2 * exhibit.scene.meshes[0].primitives[0].positions.size(), 0.5f)}};
-  for (const bool has_access : {true, false}) {
-    exhibit.access = has_access ? std::make_shared<const VertexAccess>(access) : nullptr;
-    show(exhibit);
+TEST_F(shown_scene, vertices_have_the_ambient_visibility_of_the_time) {
+  LoadedScene loaded = gliding_box(false);
+  VertexVisibility visibility;
+  visibility.clip = 0;
+  visibility.times_s = {0.0, 2.0};
+  visibility.values = {{std::vector<float>(2 * loaded.scene.meshes[0].primitives[0].positions.size(), 0.5f)}};
+  for (const bool has_visibility : {true, false}) {
+    loaded.visibility = has_visibility ? std::make_shared<const VertexVisibility>(visibility) : nullptr;
+    show(loaded);
     shown_->playback().seek(0.5);
     const DrawnScene drawn = shown_->upload(0, kNone);
-    EXPECT_EQ(drawn.access, (has_access ? AccessBlend{0, 1, 0.25f} : AccessBlend{}));
+    EXPECT_EQ(drawn.visibility, (has_visibility ? VisibilityBlend{0, 1, 0.25f} : VisibilityBlend{}));
     const PrimitiveBuffers& buffers = drawn.scene->meshes().primitive(0, 0);
-    EXPECT_EQ(buffers.attributes[static_cast<std::size_t>(Attribute::access)] != kAbsent, has_access);
+    EXPECT_EQ(buffers.attributes[static_cast<std::size_t>(Attribute::visibility)] != kAbsent, has_visibility);
   }
 }
 

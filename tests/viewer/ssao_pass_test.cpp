@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares the passes from depth to ambient access with plain double precision, on depth and normals drawn by the GPU.
+// Compares the ambient occlusion passes with a double-precision reference, on depth and normals drawn by the GPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
 #include "tests/viewer/device_fixture.h"
-#include "tests/viewer/reference_access.h"
+#include "tests/viewer/reference_visibility.h"
 
 namespace sinew::viewer {
 namespace {
@@ -36,8 +36,8 @@ std::vector<glm::vec4> greys(const std::vector<double>& values) {
   return pixels;
 }
 
-/// A corridor seen from its open end, with a post one pixel wide before its back wall, at an odd column of 64 x 48
-/// pixels: half-size texels miss it.
+/// A corridor seen from its open end, with a post one pixel wide in front of the back wall. The post is at an odd
+/// column of 64 x 48 pixels, which half-size texels miss.
 BuiltScene post_in_a_corridor(float pixel_m) {
   BuiltScene built;
   const std::uint32_t grey = built.add_material(matte({0.5f, 0.5f, 0.5f}));
@@ -49,7 +49,7 @@ BuiltScene post_in_a_corridor(float pixel_m) {
   return built;
 }
 
-TEST_F(ssao_pass, what_no_texel_shows_has_the_access_of_the_nearest_one) {
+TEST_F(ssao_pass, what_no_texel_shows_has_the_visibility_of_the_nearest_one) {
   constexpr double kFov_rad = 0.5, kPost_m = 4.69;
   const auto pixel_m = static_cast<float>(2.0 * kPost_m * std::tan(0.5 * kFov_rad) / 48.0);
   const BuiltScene built = post_in_a_corridor(pixel_m);
@@ -71,9 +71,9 @@ TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
     RenderOptions options = ssao_with(0.6f);
     options.ao.blur = blur;
     const auto image = gpu_depth_and_normals(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options);
-    const AccessDifference d =
-        difference_of_access(render_float(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options),
-                             reference_access(image, options).access);
+    const VisibilityDifference d =
+        difference_of_visibility(render_float(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options),
+                                 reference_visibility(image, options).visibility);
     EXPECT_LT(d.darkest, 0.7) << "nothing is occluded: the comparison is empty";
     // In float, a sample on the border of two pixels may fall to either side: rarely, and for one of 14 samples.
     EXPECT_LT(d.mean, 5e-4) << "blur " << blur;
@@ -89,9 +89,9 @@ TEST_F(ssao_pass, agrees_with_the_reference_for_other_radii_fades_and_powers) {
     options.ao.fade_end_m = radius;
     options.ao.surface_epsilon_m = 0.1f * radius;
     const auto image = gpu_depth_and_normals(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options);
-    const AccessDifference d =
-        difference_of_access(render_float(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options),
-                             reference_access(image, options).access);
+    const VisibilityDifference d =
+        difference_of_visibility(render_float(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options),
+                                 reference_visibility(image, options).visibility);
     EXPECT_LT(d.darkest, 0.95);
     EXPECT_LT(d.mean, 1e-3) << radius;
   }
@@ -101,15 +101,15 @@ TEST_F(ssao_pass, agrees_with_the_reference_whatever_the_samples_the_size_and_th
   const BuiltScene built = box_and_sphere_on_floor();
   const RenderOptions options = ssao_with(0.6f);
   const auto image = gpu_depth_and_normals(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options);
-  std::vector<double> before = reference_access(image, options).access;
+  std::vector<double> before = reference_visibility(image, options).visibility;
   for (const OcclusionShape& shape :
        {OcclusionShape{.samples = 4}, OcclusionShape{.samples = 64}, OcclusionShape{.step = 1},
         OcclusionShape{.blur_reach = 4}, OcclusionShape{.keep_edges = false},
         OcclusionShape{.samples = 32, .step = 1, .blur_reach = 4, .keep_edges = false}}) {
-    const std::vector<double> expected = reference_access(image, options, shape).access;
-    EXPECT_GT(difference_of_access(FloatPicture{kSsaoWidth, kSsaoHeight, greys(before)}, expected).mean, 1e-3)
+    const std::vector<double> expected = reference_visibility(image, options, shape).visibility;
+    EXPECT_GT(difference_of_visibility(FloatPicture{kSsaoWidth, kSsaoHeight, greys(before)}, expected).mean, 1e-3)
         << "the shapes give different pictures";
-    const AccessDifference d = difference_of_access(
+    const VisibilityDifference d = difference_of_visibility(
         render_float(built, kSsaoWidth, kSsaoHeight, view_of_floor(), options, {}, shape), expected);
     EXPECT_LT(d.mean, 1e-3) << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
     EXPECT_LT(d.worst, 2.0 / shape.samples)
@@ -123,8 +123,8 @@ TEST_F(ssao_pass, agrees_with_the_reference_where_samples_lie_behind_the_camera)
   const RenderOptions options = ssao_with(1.5f);
   const View view = look_at({0.2, 0.9, 1.6}, {0.0, 0.3, 0.0}, 1.5, 0.05);
   const auto image = gpu_depth_and_normals(built, kSsaoWidth, kSsaoHeight, view, options);
-  const AccessDifference d = difference_of_access(render_float(built, kSsaoWidth, kSsaoHeight, view, options),
-                                                  reference_access(image, options).access);
+  const VisibilityDifference d = difference_of_visibility(render_float(built, kSsaoWidth, kSsaoHeight, view, options),
+                                                          reference_visibility(image, options).visibility);
   EXPECT_LT(d.darkest, 0.95);
   EXPECT_LT(d.mean, 1e-3);
 }

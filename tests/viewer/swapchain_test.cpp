@@ -28,7 +28,7 @@ class swapchain : public OwnDriverTest {
     device_.reset();
     OwnDriverTest::TearDown();
   }
-  /// What is asked for in a window of that size.
+  /// The swapchain request for a window of that size.
   VkSwapchainCreateInfoKHR asked(VkExtent2D size = {320, 200}) {
     const Swapchain made(*device_, size);
     return own_driver().swapchains.back();

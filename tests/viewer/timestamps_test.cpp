@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 class timestamps : public OwnDriverTest {
  protected:
-  /// What is read of three marks.
+  /// Times between three marks with these query results.
   static std::vector<double> read(std::uint32_t bits, std::vector<std::uint64_t> ticks, float period_ns = 1.0f) {
     own_driver().devices[0].queues[0].timestampValidBits = bits;
     own_driver().devices[0].properties.limits.timestampPeriod = period_ns;

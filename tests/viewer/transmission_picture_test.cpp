@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of thin surfaces that light passes through (KHR_materials_transmission), compared with the reference
-// renderer.
+// Pictures of thin transmissive surfaces (KHR_materials_transmission), compared with the reference renderer.
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +12,7 @@ namespace {
 
 class transmission_picture : public DeviceTest {};
 
-/// Clear unless it is said to be rough.
+/// Glass; clear by default.
 Material glass(const glm::vec4& color = {0.9f, 0.5f, 0.2f, 1.0f}, float roughness = 0.0f) {
   Material material;
   material.base_color = color;
@@ -187,7 +186,7 @@ TEST_F(transmission_picture, rough_surfaces_hide_other_panes_behind_them) {
   expect_reference_picture(built, before_pane(), every_light(), kBounds);
 }
 
-/// Of one colour: Mesa's software driver reads one mip level for four pixels.
+/// The picture behind has one colour, because Mesa's software driver reads one mip level for 2 x 2 pixels.
 TEST_F(transmission_picture, the_texture_of_roughness_tells_how_much_is_blurred) {
   BuiltScene built;
   Material pane = glass(glm::vec4(1.0f), 0.9f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// KHR_materials_unlit: colours are displayed as the file has them. Exposure and tone curve are of light alone.
+// KHR_materials_unlit: colours are displayed as the file has them. Exposure and tone curve apply only to light.
 #include <cmath>
 
 #include "tests/viewer/reference_picture.h"

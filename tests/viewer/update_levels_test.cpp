@@ -7,7 +7,7 @@
 
 #include "runtime/plan/run_plan.h"
 #include "tests/scenes/hand_scenes.h"
-#include "viewer/app/exhibit.h"
+#include "viewer/app/loaded_scene.h"
 
 namespace sinew::viewer {
 namespace {

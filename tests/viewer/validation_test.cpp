@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faulty calls, made on purpose: the validation layer tells of them through the device.
+// Invalid calls, made on purpose: the validation layer reports them through the device.
 #include "viewer/device/validation.h"
 
 #include <gmock/gmock.h>

@@ -92,7 +92,7 @@ TEST(view, of_all_holds_every_corner_in_wide_and_narrow_pictures) {
   }
 }
 
-/// How much of half the picture's width or height a box takes, seen in perspective.
+/// Extent of a box in a perspective picture, relative to half of its width or height.
 double share_of_picture(const Aabb& box, const View& view, double aspect) {
   const Mat4<double> clip = clip_from_view(view, aspect);
   double largest = 0.0;
@@ -136,7 +136,7 @@ TEST(view, of_an_empty_or_flat_box_is_finite) {
   }
 }
 
-/// A box around a point, seen along -z from the origin.
+/// True if a box around a point is out of view, looking along -z from the origin.
 bool is_out(const View& view, const glm::vec3& middle, float half = 0.1f) {
   return is_out_of_view(view, 2.0, view.view_from_world, Aabb{middle - half, middle + half});
 }

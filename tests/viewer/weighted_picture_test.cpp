@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that blend in any order: against the equation in double precision, and how near they come to the exact order
-// where surfaces intersect, which no order of whole primitives has.
+// Order-independent blending, compared with its equation in double precision. Also its error against exact per-pixel
+// order where surfaces intersect, which sorting whole primitives cannot solve.
 #include <algorithm>
 #include <cmath>
 #include <utility>

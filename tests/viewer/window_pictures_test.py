@@ -173,7 +173,7 @@ class Desk:
         self.press('q')
         said = self.program.communicate(timeout=PATIENCE_S)[1]
         code, self.program = self.program.returncode, None
-        said = [line for line in said.splitlines() if 'ambient access' not in line and not line.endswith(': read again')]
+        said = [line for line in said.splitlines() if 'ambient visibility' not in line and not line.endswith(': read again')]
         if code != 0 or said:
             raise Failure(f'closing ends with {code}: {said}')
 

@@ -268,7 +268,7 @@ code=$?
 passed "a broken frame is named once"
 
 timeout 120 "$viewer" --exit-after 1 --size 64x64 --ao rays "$pictures/face.gltf" 2> "$pictures/messages"
-[ $? = 0 ] && says 'face.gltf: ambient access of 1 pose' 1 || fail "rays are cast for the window"
+[ $? = 0 ] && says 'face.gltf: ambient visibility of 1 pose' 1 || fail "rays are cast for the window"
 passed "rays are cast for the window"
 
 timeout 120 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"

@@ -6,11 +6,11 @@
 
 namespace sinew::viewer {
 
-/// Does what a key asks of the settings.
-/// out  false when the action is of something else, and nothing was done
+/// Applies an action that changes settings, such as toggling ambient occlusion.
+/// out  false (and no change) when the action does not concern settings
 bool apply(Action action, Settings& settings) noexcept;
 
-/// The same of playback.
+/// Applies an action that changes playback, such as pausing. Returns false for all other actions.
 bool apply(Action action, Playback& playback);
 
 }  // namespace sinew::viewer

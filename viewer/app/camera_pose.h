@@ -8,21 +8,21 @@
 
 namespace sinew::viewer {
 
-/// The view of a camera of the file at any time, before the pose of the frame is evaluated. It has its own plan, whose
-/// skeleton LOD keeps only the camera's joint and the joints above it.
+/// Computes the view of one of the file's cameras at any clip time, before the frame's full pose is evaluated. It has
+/// its own plan, whose skeleton LOD keeps only the camera's joint and the joints above it.
 class CameraPose {
  public:
-  /// in   camera  of the scene, on a joint; the scene must outlive this
+  /// in   camera  index in scene.cameras; must be attached to a joint. The scene must outlive this object
   CameraPose(const Scene& scene, std::uint32_t camera);
 
   std::uint32_t camera() const noexcept { return camera_; }
 
-  /// Some clip animates the camera, its joint or a joint above.
+  /// True if any clip animates the camera's properties, its joint or an ancestor of that joint.
   bool moves() const noexcept { return !plan_.moved_joints().empty() || plan_.runs(Stage::properties); }
 
-  /// The view at one time of a clip, as view_of_camera (file_camera.h) makes it.
+  /// Evaluates the camera at one time of a clip and converts it with view_of_camera (file_camera.h).
   /// in   clip  kNone = the rest pose;   bounds  of the clip
-  /// cost O(joints above the camera); allocates only where clips animate properties
+  /// cost O(ancestors of the camera's joint); allocates only if clips animate material or camera properties
   View at(std::uint32_t clip, double time_s, double aspect, const Aabb& bounds);
 
  private:

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "viewer/app/clip_poses.h"
 #include "viewer/app/skeleton_lines.h"
 
@@ -43,7 +43,7 @@ Aabb bounds_of(const Scene& scene, const FrameResult& frame) {
 
 ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
   ClipExtent bounds;
-  for_each_pose(scene, clip, cache, times_over(scene, clip, cache), [&](const FrameResult& pose) {
+  for_each_pose(scene, clip, cache, pose_times(scene, clip, cache), [&](const FrameResult& pose) {
     Aabb box = bounds_of(scene, pose);
     bounds.outline.add(scene, pose, box);
     if (box.empty()) {
@@ -55,7 +55,7 @@ ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScen
     bounds.reached.add(box.lower);
     bounds.reached.add(box.upper);
   });
-  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // a point that moves
+  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // every pose is a single point, but it moves
   give_extent(bounds.reached);
   give_extent(bounds.largest);
   return bounds;

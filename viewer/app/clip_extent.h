@@ -9,22 +9,23 @@
 
 namespace sinew::viewer {
 
-/// The space that a clip takes, in world coordinates.
+/// Bounds of a clip over its whole duration, in world coordinates.
 struct ClipExtent {
-  Aabb reached;     ///< contains every pose
-  Outline outline;  ///< of all poses: the camera frames it
-  Aabb largest;     ///< of the pose with the longest diagonal. Lengths of ambient occlusion follow it, so that they do
-                    ///< not grow when a character walks far
+  Aabb reached;     ///< contains every sampled pose
+  Outline outline;  ///< extreme points of all poses; the camera frames them
+
+  /// Box of the pose with the longest diagonal; scales ambient occlusion, so a long walk does not enlarge its radius.
+  Aabb largest;
 };
 
-/// Measured on the deformed vertices of 17 poses spread over the clip, the first and the last included, or on the
-/// joints when the scene draws nothing. A single point counts as a small cube; a scene without joints has empty boxes.
+/// Samples 17 poses spread evenly from start to end of the clip. Measures deformed vertices, or joints if the scene has
+/// no meshes. A single point becomes a small cube; a scene without joints has empty boxes.
 /// in   clip   kNone = the rest pose
-///      cache  plays beside the clip, at full weight; null = none
+///      cache  geometry cache that plays together with the clip at full weight; null = none
 /// cost up to 17 evaluations
 ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache = nullptr);
 
-/// World-space box of everything that the frame draws, from the deformed vertices, because a skinned mesh may be far
+/// World-space box of all visible triangles of a frame. It uses deformed vertices, because a skinned mesh may be far
 /// from its static box. Empty when the scene draws nothing.
 /// cost O(vertices)
 Aabb bounds_of(const Scene& scene, const FrameResult& frame);

@@ -9,7 +9,7 @@
 
 namespace sinew::viewer {
 
-std::vector<double> times_over(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
+std::vector<double> pose_times(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
   constexpr int kPoses = 17;
   const double duration = std::max(clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0,
                                    cache ? cache->duration_s() : 0.0);
@@ -26,7 +26,7 @@ void for_each_pose(const Scene& scene, std::uint32_t clip, const CacheOnScene* c
   std::optional<CachePlayback> played;
   if (cache) {
     needs.cached_instances = cache->instances();
-    played.emplace(*cache, scene, CacheReader::Reads::at_once);
+    played.emplace(*cache, scene, CacheReader::Reads::blocking);
   }
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);

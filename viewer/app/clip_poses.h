@@ -11,12 +11,13 @@
 
 namespace sinew::viewer {
 
-/// Times spread evenly over a clip and its geometry cache, the first and the last included; one where nothing moves.
+/// 17 times spread evenly over the longer of the clip and its geometry cache, both ends included. Returns only 0 if the
+/// duration is 0.
 /// in   clip   kNone = the rest pose;   cache  null = none
-std::vector<double> times_over(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache);
+std::vector<double> pose_times(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache);
 
-/// Evaluates the pose at each time, with the geometry cache at full weight, and without normals.
-/// cost one evaluation each
+/// Calls `visit` with the pose at each time. The geometry cache has full weight; normals are not computed.
+/// cost one evaluation for each time
 void for_each_pose(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache, std::span<const double> times_s,
                    const std::function<void(const FrameResult& pose)>& visit);
 

@@ -11,9 +11,8 @@ namespace sinew::viewer {
 namespace {
 
 constexpr double kNarrowest_rad = 1e-3, kWidest_rad = std::numbers::pi - 1e-3;
-constexpr double kSmallest_m = 1e-6;  // lower limit of lengths that must be positive
-constexpr double kSmallestRange =
-    1e-6;  // lower limit of far - near, relative to near, or to a metre if near is smaller
+constexpr double kSmallest_m = 1e-6;     // least value of lengths that must be positive
+constexpr double kSmallestRange = 1e-6;  // least value of (far - near) / max(near, 1 m)
 
 /// Unit vector along a column of the matrix; `fallback` if the joint scales the column to zero.
 glm::dvec3 axis(const glm::dvec3& column, const glm::dvec3& fallback) {
@@ -21,7 +20,7 @@ glm::dvec3 axis(const glm::dvec3& column, const glm::dvec3& fallback) {
   return length > 0.0 ? column / length : fallback;
 }
 
-/// Half of the height to show, so that `half_height` and `half_width` both fit.
+/// Half height of a picture of this aspect that contains both `half_height` and `half_width`.
 double half_height_for(double half_height, double half_width, double aspect) {
   return std::max(half_height, half_width / aspect);
 }
@@ -30,7 +29,7 @@ double fov_for(const Camera& camera, double aspect) {
   const double half = 0.5 * std::clamp(static_cast<double>(camera.fov_y_rad), kNarrowest_rad, kWidest_rad);
   const double height = std::tan(half), width = height * std::max(static_cast<double>(camera.aspect), 0.0);
   return std::min(2.0 * std::atan(half_height_for(height, width, aspect)),
-                  kWidest_rad);  // camera without aspect: width is 0
+                  kWidest_rad);  // a camera without an aspect has width 0, so its height decides
 }
 
 double far_behind(const Aabb& bounds, const glm::dvec3& eye) {

@@ -51,7 +51,7 @@ bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& optio
   target.image = swapchain_.image(*image);
   target.view = swapchain_.view(*image);
   target.extent = swapchain_.extent();
-  target.final_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // the panel is drawn over it
+  target.final_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // because the panel is drawn on top next
 
   begin(slot);
   renderer_.record(slot.commands, target, inputs);

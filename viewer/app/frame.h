@@ -13,8 +13,8 @@
 
 namespace sinew::viewer {
 
-/// Draws the frames of the window. Read frame.cpp to see a whole frame, from the newest pose to the screen. Two frames
-/// are in flight: the CPU fills one while the GPU draws the other.
+/// Draws the frames of the window. frame.cpp shows a whole frame, from the newest pose to presentation. Two frames are
+/// in flight: the CPU fills one while the GPU draws the other.
 class Frame {
  public:
   static constexpr std::uint32_t kSlots = 2;
@@ -24,16 +24,16 @@ class Frame {
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 
-  /// Draws one picture: the scene, lines over it, and the panel over both.
-  /// in   lay_out  lays out the panel with ImGui calls
-  /// out  false when there was no image to draw to; then nothing was done
+  /// Draws and presents one picture: the scene, skeleton lines over it, and the panel on top.
+  /// in   lay_out  called once to lay out the panel with ImGui
+  /// out  false if no swapchain image was available; nothing was drawn then
   bool draw(ShownScene& shown, const View& view, const RenderOptions& options, const Settings& settings,
             const std::function<void()>& lay_out);
 
-  /// Times of the last picture that the GPU has certainly finished.
+  /// GPU pass times of the picture kSlots frames ago, the newest one that the GPU has certainly finished.
   std::span<const PassTime> pass_times();
 
-  /// Report of the last picture.
+  /// Statistics of the last picture.
   const FrameReport& report() const noexcept { return report_; }
 
  private:

@@ -7,9 +7,9 @@ namespace sinew::viewer {
 namespace {
 
 Framed framed_now(Framing framing, ShownScene& shown) {
-  const Exhibit& exhibit = shown.exhibit();
+  const LoadedScene& loaded = shown.loaded();
   const Playback& playback = shown.playback();
-  return framed(framing, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get());
+  return framed(framing, loaded.scene, playback.clip(), playback.time_s(), loaded.cache.get());
 }
 
 }  // namespace
@@ -22,22 +22,22 @@ void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect, cons
   orbit.frame(what.outline.points(), aspect, free);
   if (framing != Framing::follow) return;
   place_ = glm::dvec3(0.0);
-  go_along(std::move(what), shown.playback());
+  follow_from(std::move(what), shown.playback());
 }
 
 void FramedCamera::follow(ShownScene& shown, double aspect) {
   if (!followed_) return;
   const Playback& playback = shown.playback();
   if (followed_clip_ != playback.clip()) return frame(Framing::follow, shown, aspect, free_);
-  move_to(followed_->place_at(playback.time_s()));
+  move_to(followed_->offset_at(playback.time_s()));
 }
 
-void FramedCamera::go_on(ShownScene& shown) {
-  if (followed_) go_along(framed_now(Framing::follow, shown), shown.playback());
+void FramedCamera::keep_following(ShownScene& shown) {
+  if (followed_) follow_from(framed_now(Framing::follow, shown), shown.playback());
 }
 
-void FramedCamera::go_along(Framed what, const Playback& playback) {
-  move_to(what.place_at(playback.time_s()));
+void FramedCamera::follow_from(Framed what, const Playback& playback) {
+  move_to(what.offset_at(playback.time_s()));
   followed_ = std::move(what);
   followed_clip_ = playback.clip();
 }

@@ -9,30 +9,30 @@
 
 namespace sinew::viewer {
 
-/// The user's camera on a scene that is shown. It frames what the user wants to see, and may go along with it.
+/// The user's orbit camera. It frames the chosen subject and can follow a moving character.
 class FramedCamera {
  public:
   OrbitCamera orbit;
 
-  /// Moves without turning so that what is free of the picture is filled.
+  /// Moves, without turning, so that the subject fills the part of the picture that the panel leaves free.
   /// cost as framed()
   void frame(Framing framing, ShownScene& shown, double aspect, const FreeWidth& free = {});
 
-  /// Goes along with the pose after frame() of Framing::follow. Another clip is framed anew.
+  /// After frame() with Framing::follow: moves with the current pose. If the clip has changed, frames it again.
   void follow(ShownScene& shown, double aspect);
 
-  /// The scene has changed. The camera stays, and where it goes along, it keeps its place beside what it goes along
-  /// with.
-  void go_on(ShownScene& shown);
+  /// Call after the scene was replaced. The camera stays put; if it follows, it keeps its offset from the followed
+  /// character.
+  void keep_following(ShownScene& shown);
 
  private:
-  void go_along(Framed what, const Playback& playback);
+  void follow_from(Framed what, const Playback& playback);
   void move_to(const glm::dvec3& place);
 
-  std::optional<Framed> followed_;  ///< set while the camera goes along
+  std::optional<Framed> followed_;  ///< set while the camera follows
   std::uint32_t followed_clip_ = kNone;
-  FreeWidth free_;         ///< of the last frame()
-  glm::dvec3 place_{0.0};  ///< where it has gone
+  FreeWidth free_;         ///< argument of the last frame()
+  glm::dvec3 place_{0.0};  ///< how far the camera has followed so far
 };
 
 }  // namespace sinew::viewer

@@ -9,7 +9,7 @@
 
 namespace sinew::viewer {
 
-glm::dvec3 Framed::place_at(double time_s) const noexcept {
+glm::dvec3 Framed::offset_at(double time_s) const noexcept {
   const auto last = static_cast<double>(path.size() - 1);
   if (!(duration_s > 0.0) || !(time_s > 0.0)) return glm::dvec3(path.front());
   const double at = std::min(time_s / duration_s, 1.0) * last;
@@ -20,7 +20,7 @@ glm::dvec3 Framed::place_at(double time_s) const noexcept {
 
 Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s, const CacheOnScene* cache) {
   Framed out;
-  std::vector<double> times = times_over(scene, clip, cache);
+  std::vector<double> times = pose_times(scene, clip, cache);
   if (framing == Framing::pose) times = {time_s};
   const bool follow = framing == Framing::follow;
   if (follow) {

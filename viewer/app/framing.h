@@ -6,27 +6,28 @@
 
 namespace sinew::viewer {
 
-/// What fills the picture.
+/// The subject that the camera frames.
 enum class Framing : std::uint8_t {
-  clip,   ///< all that the clip reaches
-  pose,   ///< one pose
-  follow  ///< the largest pose in place; the camera goes with it over the ground
+  clip,   ///< everything that the clip reaches
+  pose,   ///< one pose only
+  follow  ///< the character as if it moved in place; the camera follows it horizontally
 };
 
-/// What the camera frames, and where it goes.
+/// Points that the camera frames, and the path that it follows.
 struct Framed {
-  Outline outline;  ///< follow: of all poses, each moved back by its place in `path`
+  Outline outline;  ///< with Framing::follow: of all poses, each moved back by its point of `path`
 
-  /// follow: middles of poses spread evenly over the clip, with y = 0; else one, at the origin
+  /// With Framing::follow: box centers of poses spread evenly over the clip, with y = 0. Otherwise one point, the
+  /// origin.
   std::vector<glm::vec3> path{glm::vec3(0.0f)};
-  double duration_s = 0.0;  ///< of the path
+  double duration_s = 0.0;  ///< time span of the path; 0 = it does not move
 
-  /// How far the camera has gone: between the points of the path on straight lines, the ends held.
-  glm::dvec3 place_at(double time_s) const noexcept;
+  /// Position on the path at a time: linear between its points, clamped at both ends.
+  glm::dvec3 offset_at(double time_s) const noexcept;
 };
 
-/// in   clip   kNone = the rest pose;   time_s  of the pose of Framing::pose
-///      cache  plays beside the clip, at full weight; null = none
+/// in   clip   kNone = the rest pose;   time_s  used by Framing::pose only
+///      cache  geometry cache that plays together with the clip at full weight; null = none
 /// cost one evaluation for a pose, up to 17 otherwise
 Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s,
               const CacheOnScene* cache = nullptr);

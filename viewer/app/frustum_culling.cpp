@@ -17,7 +17,7 @@ bool CulledInstances::culls_more_than(const CulledInstances& other) const noexce
 
 namespace {
 
-/// The box and all of its way along a vector.
+/// Bounds of the box swept along a vector.
 Aabb swept(const Aabb& box, const glm::vec3& way) {
   if (box.empty()) return box;
   Aabb all = box;
@@ -49,7 +49,7 @@ CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double 
   return culled;
 }
 
-std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb& reached) {
+std::optional<glm::vec3> shadow_sweep(const Scene& scene, bool shadows, const Aabb& reached) {
   if (!shadows || reached.empty()) return glm::vec3(0.0f);
   if (std::any_of(scene.lights.begin(), scene.lights.end(),
                   [](const Light& light) { return light.kind != Light::Kind::point; }))
@@ -57,12 +57,12 @@ std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb
   if (!scene.lights.empty()) return glm::vec3(0.0f);
   const glm::vec3 to_key = glm::normalize(Lighting{}.to_key);
   return -to_key * glm::length(reached.upper - reached.lower) /
-         to_key.y;  // as far as the ground, from the highest point
+         to_key.y;  // long enough to reach the ground from the highest point
 }
 
-void leave_out(const CulledInstances& culled, bool joints_watched, FrameInput& input) {
+void apply_culling(const CulledInstances& culled, bool joints_needed, FrameInput& input) {
   input.out_of_view = culled.out_of_view;
-  input.asleep = culled.every_instance && !joints_watched;
+  input.asleep = culled.every_instance && !joints_needed;
 }
 
 }  // namespace sinew::viewer

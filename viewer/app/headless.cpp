@@ -15,11 +15,11 @@ constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
 }  // namespace
 
 struct Headless::State {
-  State(Device& used, const Scene& scene, VkExtent2D size, const OcclusionShape& occlusion, const VertexAccess* access,
-        const TextureFilter& filter)
+  State(Device& used, const Scene& scene, VkExtent2D size, const OcclusionShape& occlusion,
+        const VertexVisibility* visibility, const TextureFilter& filter)
       : device(used),
         extent(size),
-        scene_upload(used, scene, 1, access, filter),
+        scene_upload(used, scene, 1, visibility, filter),
         frame_upload(used, scene, 1),
         renderer(used, kFormat, 1, occlusion),
         image(used, {kFormat, size, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
@@ -37,18 +37,18 @@ struct Headless::State {
 };
 
 Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
-                   const OcclusionShape& occlusion, const VertexAccess* access, const TextureFilter& filter)
-    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion, access, filter)) {}
+                   const OcclusionShape& occlusion, const VertexVisibility* visibility, const TextureFilter& filter)
+    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion, visibility, filter)) {}
 
 Headless::~Headless() = default;
 
 Picture Headless::render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                         std::span<const LineVertex> lines, std::uint32_t variant, const AccessBlend& access) {
+                         std::span<const LineVertex> lines, std::uint32_t variant, const VisibilityBlend& visibility) {
   State& s = *state_;
-  s.frame_upload.update(
-      0, frame, ++s.pictures);  // every call is a new source: consecutive frames may come from different frame buffers
+  // Every call counts as a new source, because consecutive frames may come from different frame buffers.
+  s.frame_upload.update(0, frame, ++s.pictures);
   s.scene_upload.update(0, s.frame_upload.look(0));
-  const DrawnScene drawn{&s.scene_upload, &s.frame_upload, variant, access};
+  const DrawnScene drawn{&s.scene_upload, &s.frame_upload, variant, visibility};
   FrameInputs inputs;
   inputs.scenes = {&drawn, 1};
   inputs.view = view;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "viewer/passes/frame_renderer.h"
-#include "viewer/upload/access_blend.h"
+#include "viewer/upload/visibility_blend.h"
 
 namespace sinew::viewer {
 
@@ -16,26 +16,27 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Draws frames of one scene into pictures, without a window.
+/// Draws frames of one scene into pictures in memory, without a window.
 class Headless {
  public:
-  /// in   access  ambient access of the vertices for OcclusionMethod::rays, null = none; not read after the call
+  /// in   visibility  per-vertex ambient visibility for OcclusionMethod::rays, null = none; copied, not kept
   Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
-           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
+           const OcclusionShape& occlusion = {}, const VertexVisibility* visibility = nullptr,
            const TextureFilter& filter = {});
   ~Headless();
 
-  /// Draws one frame. The same input gives the same bytes on the same driver.
-  /// in   variant  material variant of the scene, kNone = the materials of the primitives
+  /// Draws one frame. Equal inputs give equal bytes on the same driver.
+  /// in   variant  index of a material variant; kNone = the primitives' default materials
   Picture render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                 std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone, const AccessBlend& access = {});
+                 std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone,
+                 const VisibilityBlend& visibility = {});
 
   // Of the last picture:
   std::span<const PassTime> pass_times() const;
   const FrameReport& report() const;
   const UploadCounts& upload_counts() const;
 
-  /// Bytes of the texels of all textures, with their levels.
+  /// Size of all textures in bytes, mip levels included.
   std::uint64_t texel_bytes() const;
 
  private:

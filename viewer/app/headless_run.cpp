@@ -23,24 +23,24 @@
 #include "viewer/app/settings.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/validation_outcome.h"
-#include "viewer/upload/access_blend.h"
+#include "viewer/upload/visibility_blend.h"
 
 namespace sinew::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Evaluates the pose of the exhibit at any time, on the calling thread.
+// Evaluates the scene's pose at any time, on the calling thread.
 class PoseEvaluator {
  public:
-  PoseEvaluator(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip, float cache_weight)
+  PoseEvaluator(const LoadedScene& loaded, const Evaluation& evaluation, std::uint32_t clip, float cache_weight)
       : clip_(clip),
         cache_weight_(cache_weight),
-        plan_(compile_plan(lend(exhibit.scene), needs_of(exhibit, evaluation))),
+        plan_(compile_plan(lend(loaded.scene), needs_of(loaded, evaluation))),
         stages_(plan_.stages()),
         frame_(plan_),
         levels_(plan_, evaluation.updates) {
-    if (exhibit.cache) cache_.emplace(*exhibit.cache, exhibit.scene, CacheReader::Reads::at_once);
+    if (loaded.cache) cache_.emplace(*loaded.cache, loaded.scene, CacheReader::Reads::blocking);
   }
 
   const Needs& needs() const noexcept { return plan_.needs(); }
@@ -49,13 +49,13 @@ class PoseEvaluator {
   UpdateLevels& levels() noexcept { return levels_; }
   const CachePlayback* cache() const noexcept { return cache_ ? &*cache_ : nullptr; }
 
-  /// in   ahead_s  gives the clip time of the picture that is that many frames from this one
+  /// in   ahead_s  returns the clip time of the picture N frames after this one
   const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s,
-                        const CulledInstances& culled, bool joints_watched) {
+                        const CulledInstances& culled, bool joints_needed) {
     const ClipLayer layer{clip_, time_s, 1.0f}, ahead{clip_, ahead_s(levels_.frames_to_update()), 1.0f};
     const std::size_t count = clip_ != kNone;
     FrameInput now;
-    leave_out(culled, joints_watched, now);
+    apply_culling(culled, joints_needed, now);
     now.layers = {&layer, count};
     if (cache_) now.geometry = cache_->at(time_s, cache_weight_);
     const ErrorCode code = run_plan(plan_, levels_.input(now, {&ahead, count}), frame_);
@@ -79,24 +79,24 @@ double first_time_s(const Options& options, double duration_s) {
   return options.frames ? picture_time_s(options.frames->first, options.fps, duration_s) : options.time_s.value_or(0.0);
 }
 
-OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const Outline& outline) {
+OrbitCamera camera_for(const Options& options, const LoadedScene& loaded, const Outline& outline) {
   OrbitCamera camera;
-  camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
+  camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
   camera.frame(outline.points(), static_cast<double>(options.width) / options.height);
   return camera;
 }
 
-/// Only what is framed otherwise than the whole clip.
-std::optional<Framed> framed_for(const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
+/// Empty for Framing::clip, where the clip's own outline is framed.
+std::optional<Framed> framed_for(const Options& options, const LoadedScene& loaded, std::uint32_t clip) {
   if (options.framing == Framing::clip) return std::nullopt;
   const double duration =
-      std::max(clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s, cache_duration_s(exhibit));
-  return framed(options.framing, exhibit.scene, clip, first_time_s(options, duration), exhibit.cache.get());
+      std::max(clip == kNone ? 0.0 : loaded.scene.animations[clip].duration_s, cache_duration_s(loaded));
+  return framed(options.framing, loaded.scene, clip, first_time_s(options, duration), loaded.cache.get());
 }
 
 // A placed camera bypasses OrbitCamera, which cannot look straight down.
-View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds, const OrbitCamera& camera) {
-  const auto placed = options.camera ? options.camera : exhibit.camera;
+View view_for(const Options& options, const LoadedScene& loaded, const ClipExtent& bounds, const OrbitCamera& camera) {
+  const auto placed = options.camera ? options.camera : loaded.camera;
   if (!placed) return camera.view(bounds.reached);
   const glm::dvec3 eye(placed->eye);
   return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
@@ -105,35 +105,35 @@ View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& 
 // Renders the pictures of one command line, at any time.
 class PictureMaker {
  public:
-  PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
+  PictureMaker(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip)
       : clip_(clip),
-        bounds_(clip_extent(exhibit.scene, clip, exhibit.cache.get())),
-        framed_(framed_for(options, exhibit, clip)),
-        framing_(camera_for(options, exhibit, framed_ ? framed_->outline : bounds_.outline)),
-        view_(view_for(options, exhibit, bounds_, framing_)),
-        settings_(settings_from(options, exhibit.scene)),
-        environment_(exhibit.environment),
+        bounds_(clip_extent(loaded.scene, clip, loaded.cache.get())),
+        framed_(framed_for(options, loaded, clip)),
+        framing_(camera_for(options, loaded, framed_ ? framed_->outline : bounds_.outline)),
+        view_(view_for(options, loaded, bounds_, framing_)),
+        settings_(settings_from(options, loaded.scene)),
+        environment_(loaded.environment),
         transparent_(options.transparent),
-        watches_plan_(options.plan),
+        shows_plan_(options.plan),
         frame_s_(1.0 / options.fps),
         aspect_(static_cast<double>(options.width) / options.height),
-        evaluator_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip, settings_.cache_weight),
-        culling_(exhibit.scene, evaluator_.needs(),
-                 exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()),
-        shadow_(shadow_way(exhibit.scene, settings_.shadows, bounds_.reached)),
-        skeleton_(exhibit.scene),
-        access_(exhibit.access),
-        headless_(device, exhibit.scene, options.width, options.height, {}, access_.get(), options.filter) {
-    if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
+        evaluator_(loaded, {settings_.skinning, settings_.updates, options.plan}, clip, settings_.cache_weight),
+        culling_(loaded.scene, evaluator_.needs(),
+                 loaded.cache ? loaded.cache->reach(loaded.scene) : std::vector<Aabb>()),
+        shadow_(shadow_sweep(loaded.scene, settings_.shadows, bounds_.reached)),
+        skeleton_(loaded.scene),
+        visibility_(loaded.visibility),
+        headless_(device, loaded.scene, options.width, options.height, {}, visibility_.get(), options.filter) {
+    if (settings_.camera != kNone) camera_.emplace(loaded.scene, settings_.camera);
   }
 
-  /// One picture, evaluated exactly at its time.
+  /// Renders a single picture, evaluated exactly at its time.
   Picture at(double time_s) {
     evaluator_.levels().begin_exact_frame("one picture");
     return draw(time_s, [time_s](std::uint32_t) { return time_s; });
   }
 
-  /// Picture `picture` of a sequence; `time_of` gives the time of each picture.
+  /// Renders picture number `picture` of a sequence; `time_of` returns the clip time of each number.
   Picture in_sequence(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
     if (evaluator_.newest().frame == 0)
       evaluator_.levels().begin_exact_frame("the first picture");
@@ -148,22 +148,22 @@ class PictureMaker {
 
   const LivePlan& live_plan() const noexcept { return live_plan_; }
 
-  /// Why the last picture lacks the geometry cache, in one sentence; empty when it does not.
+  /// One sentence if the last picture could not show the geometry cache; else empty.
   std::string fault() const { return evaluator_.cache() ? evaluator_.cache()->fault() : std::string(); }
 
  private:
   Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
     if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
-    if (framed_) view_ = view_gone_along(time_s);
+    if (framed_) view_ = followed_view(time_s);
     const CulledInstances culled = culling_.of(clip_, view_, aspect_, shadow_);
-    const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.watches_joints());
+    const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.needs_joints());
     RenderOptions look = render_options(settings_, environment_, bounds_, eye_of(view_));
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
     Picture picture = headless_.render(pose, view_, look, lines, settings_.variant,
-                                       access_ ? access_blend(*access_, clip_, time_s) : AccessBlend{});
-    if (watches_plan_) {
+                                       visibility_ ? visibility_blend(*visibility_, clip_, time_s) : VisibilityBlend{});
+    if (shows_plan_) {
       live_plan_.updates(evaluator_.levels());
       live_plan_.evaluated(evaluator_.stages(), pose);
       if (evaluator_.cache()) live_plan_.cache(evaluator_.cache()->facts(), pose.work);
@@ -172,33 +172,33 @@ class PictureMaker {
     return picture;
   }
 
-  View view_gone_along(double time_s) const {
+  View followed_view(double time_s) const {
     OrbitCamera camera = framing_;
-    camera.target += framed_->place_at(time_s);
+    camera.target += framed_->offset_at(time_s);
     return camera.view(bounds_.reached);
   }
 
   std::uint32_t clip_;
   ClipExtent bounds_;
-  std::optional<Framed> framed_;  // set when it is not the whole clip
+  std::optional<Framed> framed_;  // unset = the whole clip is framed
   OrbitCamera framing_;
   View view_;
   Settings settings_;
   std::shared_ptr<const Environment> environment_;
-  bool transparent_, watches_plan_;
+  bool transparent_, shows_plan_;
   double frame_s_;  // time between pictures of a sequence
   double aspect_;
   PoseEvaluator evaluator_;
   FrustumCulling culling_;
   std::optional<glm::vec3> shadow_;
-  std::optional<CameraPose> camera_;  // set when the picture shows the view of a camera of the file
+  std::optional<CameraPose> camera_;  // set if the picture is taken through one of the file's cameras
   SkeletonLines skeleton_;
-  std::shared_ptr<const VertexAccess> access_;
+  std::shared_ptr<const VertexVisibility> visibility_;
   Headless headless_;
   LivePlan live_plan_;
 };
 
-// Renders pictures and discards them, so that the times of the live plan are not those of a first frame.
+// Renders and discards pictures, so that the live plan shows steady-state times rather than first-frame times.
 void warm_up(PictureMaker& maker, double duration_s) {
   constexpr std::uint32_t kPictures = 20;
   for (std::uint32_t n = 1; n <= kPictures; ++n) maker.at(duration_s * n / (kPictures + 1.0));
@@ -224,8 +224,8 @@ double picture_time_s(std::uint32_t picture, double fps, double duration_s) noex
 
 namespace {
 
-/// Writes what the options ask for. Stops before a picture that lacks the geometry cache.
-/// out  why, in one sentence; empty = all was written
+/// Renders and writes the requested pictures. Stops at the first picture that cannot show the geometry cache.
+/// out  why it stopped, in one sentence; empty = all pictures were written
 std::string make_pictures(const Options& options, double duration_s, PictureMaker& maker, PngWriter& writer) {
   if (!options.frames) {
     if (options.plan) warm_up(maker, duration_s);
@@ -246,7 +246,7 @@ std::string make_pictures(const Options& options, double duration_s, PictureMake
 
 }  // namespace
 
-int write_pictures(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
+int write_pictures(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip) {
   if (options.frames) {
     std::error_code error;
     fs::create_directories(options.headless, error);
@@ -257,10 +257,10 @@ int write_pictures(Device& device, const Options& options, const Exhibit& exhibi
   }
   if (const std::string missing = describe_missing_filter(options.filter, device.max_anisotropy()); !missing.empty())
     std::fprintf(stderr, "sinew-viewer: %s\n", missing.c_str());
-  PictureMaker maker(device, options, exhibit, clip);
+  PictureMaker maker(device, options, loaded, clip);
   PngWriter writer;
   const double duration =
-      std::max(clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s, cache_duration_s(exhibit));
+      std::max(clip == kNone ? 0.0 : loaded.scene.animations[clip].duration_s, cache_duration_s(loaded));
   const std::string fault = make_pictures(options, duration, maker, writer);
   if (!fault.empty()) std::fprintf(stderr, "sinew-viewer: %s\n", fault.c_str());
   if (options.plan) std::fputs(plan_text(maker.live_plan().rows()).c_str(), stdout);

@@ -3,21 +3,20 @@
 #include <cstdint>
 #include <optional>
 
-#include "viewer/app/exhibit.h"
+#include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/device/device.h"
 
 namespace sinew::viewer {
 
-/// Clip time of picture n of a range: n / fps, repeated from the start after the end of the clip. A picture exactly at
-/// the end shows the end.
+/// Clip time of a picture: picture / fps, wrapped to the clip's duration. A time exactly at the end is not wrapped.
 double picture_time_s(std::uint32_t picture, double fps, double duration_s) noexcept;
 
-/// Writes the picture that the options ask for, or numbered pictures DIR/00000.png ... Needs no display.
+/// Renders and writes the requested picture, or numbered pictures DIR/00000.png and so on. Needs no display.
 /// in   clip  kNone = rest pose
-/// out  exit code of the program: 0, 1 when a geometry cache is damaged, or 3 when a file cannot be written or the
+/// out  exit code of the program: 0 = done, 1 = the geometry cache is damaged, 3 = a file cannot be written or the
 ///      validation layer reported something
 /// err  DeviceError when the device fails
-int write_pictures(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip);
+int write_pictures(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip);
 
 }  // namespace sinew::viewer

@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// What a key does in the window.
+/// An action that a key triggers in the window.
 enum class Action {
   toggle_play,
   step_back,
@@ -31,17 +31,17 @@ enum class Action {
   quit
 };
 
-/// One row of the key table. --help, the panel and the window read the same table.
+/// One row of the key table, which --help, the panel and the window share.
 struct KeyBinding {
-  int key;  ///< GLFW key code: ASCII capital for letters
+  int key;  ///< GLFW key code: the ASCII capital for letters
   Action action;
-  std::string_view name;  ///< "space"
+  std::string_view name;  ///< as shown in help, such as "space"
   std::string_view meaning;
 };
 
 std::span<const KeyBinding> key_bindings() noexcept;
 
-/// The action of a key; nothing when the key has none.
+/// The action bound to a key; empty if there is none.
 std::optional<Action> action_of_key(int key) noexcept;
 
 /// The key table and the mouse buttons as text for --help, one line each.

@@ -12,47 +12,46 @@
 
 namespace sinew::viewer {
 
-/// The part of a frame that a row belongs to.
+/// The section of the live plan that a row belongs to.
 enum class PlanPart { evaluation, drawing, modes, passes };
 
-/// One stage between clip and picture: a stage of the runtime's plan, work of the viewer on the CPU, a choice of how
-/// the picture is made, or a pass on the GPU.
+/// One row of the live plan: a stage of the runtime's plan, CPU work of the viewer, a rendering mode, or a GPU pass.
 struct PlanRow {
   PlanPart part = PlanPart::evaluation;
   std::string stage;
   bool runs = false;
   std::string reason;
   std::uint64_t count = 0;
-  std::uint32_t timed = 0;  ///< frames measured so far; 0 = the time is not known
-  double time_us = 0.0;     ///< exponential mean over frames; 0 while the stage does not run
+  std::uint32_t timed = 0;  ///< number of frames measured; 0 = the time is unknown
+  double time_us = 0.0;     ///< exponential moving average over frames; 0 while the stage does not run
 };
 
-/// "evaluation, on the CPU"
+/// Heading of a section, such as "evaluation, on the CPU".
 std::string_view title_of(PlanPart part) noexcept;
 
-/// The plan as it runs: what each frame does, why, and how long it takes. Times are exponential means over frames.
+/// Collects what each frame does, why, and how long it takes. Times are exponential moving averages over frames.
 class LivePlan {
  public:
   static constexpr double kSmoothing = 0.1;  ///< weight of the newest frame in the mean
   static constexpr std::uint32_t kWarmUpFrames =
-      3;  ///< these build what later frames use; the mean starts with the last of them
+      3;  ///< the first frames fill caches; the average starts with the last of them
 
-  /// Records that a frame of a plan with these stages was evaluated. The same frame counts once.
-  /// in   frame   without stage_ns there are no times
+  /// Records an evaluated frame of a plan with these stages. Calling it again with the same frame has no effect.
+  /// in   frame   if its stage_ns is empty, no times are recorded
   void evaluated(std::span<const PlanStage> stages, const FrameResult& frame);
 
-  /// Records how often poses are evaluated, and why.
+  /// Records the current update rate of the poses, and the reason for it.
   void updates(const UpdateLevels& levels);
 
-  /// Records how a geometry cache plays, and what the newest frame took from it.
+  /// Records the state of the geometry cache and the work that the newest frame did with it.
   void cache(const CacheFacts& facts, const WorkCounters& work);
 
-  /// Records that a picture was drawn.
+  /// Records the upload and the render passes of a drawn picture.
   void drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes);
 
   std::span<const PlanRow> rows() const noexcept { return rows_; }
 
-  /// Starts again, for another scene or plan.
+  /// Removes all rows. Call it after the scene or the plan has changed.
   void forget() {
     rows_.clear();
     evaluated_frame_ = 0;

@@ -16,17 +16,17 @@ namespace {
 
 constexpr std::uint32_t kFaceSize = 256;
 
-/// An environment with the parts that an earlier run stored, or made and stored.
-std::shared_ptr<const Environment> kept_environment(const std::string& name, CubeMap sky, const DiskCache& disk) {
+/// Completes an environment with filtered maps from the disk cache, or computes and stores them.
+std::shared_ptr<const Environment> cached_environment(const std::string& name, CubeMap sky, const DiskCache& disk) {
   const std::uint64_t key = environment_key(sky);
   if (const auto stored = disk.load(name, key))
-    if (auto whole = whole_environment(sky, *stored)) return whole;
+    if (auto whole = complete_environment(sky, *stored)) return whole;
   auto made = make_environment(std::move(sky));
   if (disk.on()) disk.store(name, key, stored_parts(*made));
   return made;
 }
 
-/// All bytes of a file; none when it cannot be read to its end.
+/// All bytes of a file; empty optional if reading fails.
 std::optional<std::string> read_all(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::string bytes;
@@ -43,7 +43,8 @@ std::optional<std::string> read_all(const std::string& path) {
 
 tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name,
                                                                                const DiskCache& disk) {
-  if (name == "studio") return disk.on() ? kept_environment("studio.light", studio_sky(), disk) : studio_environment();
+  if (name == "studio")
+    return disk.on() ? cached_environment("studio.light", studio_sky(), disk) : studio_environment();
   if (name == "plain") return plain_environment();
   if (name == "none") return nullptr;
   std::error_code error;
@@ -53,7 +54,7 @@ tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(c
   if (!bytes) return tl::unexpected(name + ": cannot be read");
   const auto panorama = decode_panorama(std::as_bytes(std::span(*bytes)));
   if (!panorama) return tl::unexpected(name + ": " + panorama.error());
-  return kept_environment("panorama.light", cube_from(*panorama, kFaceSize), disk);
+  return cached_environment("panorama.light", cube_from(*panorama, kFaceSize), disk);
 }
 
 }  // namespace sinew::viewer

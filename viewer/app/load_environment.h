@@ -10,9 +10,9 @@
 
 namespace sinew::viewer {
 
-/// The environment that an option names: "studio", "plain" (a gradient), "none" (null), or a panorama in a file.
-/// in   disk  keeps what takes long to make for the next run: of each built-in environment, and of the last panorama
-/// err  one sentence that begins with the file
+/// Loads an environment by name: "studio", "plain" (a gradient), "none" (null), or the path of a panorama.
+/// in   disk  caches the filtered maps for later runs: of the studio environment, and of the last panorama
+/// err  one sentence that begins with the file's name
 tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name,
                                                                                const DiskCache& disk = DiskCache());
 

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "importer/file/cache_folder.h"
-#include "viewer/app/bake_access.h"
-#include "viewer/app/exhibit.h"
+#include "viewer/app/bake_visibility.h"
 #include "viewer/app/headless_run.h"
+#include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/window_loop.h"
@@ -21,9 +21,9 @@
 namespace sinew::viewer {
 namespace {
 
-void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
+void log_line(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
-/// Shows the progress of `work`, if stderr is a terminal.
+/// A callback that prints the progress of `work` on stderr; null if stderr is no terminal.
 std::function<void(double)> progress_of(const char* work) {
   if (!isatty(STDERR_FILENO)) return nullptr;
   return [work](double done) {
@@ -34,8 +34,8 @@ std::function<void(double)> progress_of(const char* work) {
   };
 }
 
-/// The device for pictures, made on a thread of its own: drivers take as long to load as files do.
-std::future<std::unique_ptr<Device>> device_beside(const Options& options) {
+/// Creates the device on another thread while the file loads, because loading a driver takes about as long.
+std::future<std::unique_ptr<Device>> make_device_async(const Options& options) {
   DeviceOptions wanted;
   wanted.validation = options.validate;
   wanted.disk_cache = options.disk_cache;
@@ -44,46 +44,47 @@ std::future<std::unique_ptr<Device>> device_beside(const Options& options) {
 
 int show(const Options& options) {
   std::future<std::unique_ptr<Device>> device;
-  if (!options.headless.empty()) device = device_beside(options);
-  std::optional<ExhibitWatch> watch;
+  if (!options.headless.empty()) device = make_device_async(options);
+  std::optional<SceneReloader> watch;
   if (options.watch) watch.emplace(options.file);
   const auto progress = progress_of("reading");
-  auto exhibits = load_exhibits(options, say, progress);
+  auto loaded_scenes = load_scenes(options, log_line, progress);
   if (progress) progress(1.0);
-  if (!exhibits) {
-    say(exhibits.error().message);
-    return exhibits.error().exit_code;
+  if (!loaded_scenes) {
+    log_line(loaded_scenes.error().message);
+    return loaded_scenes.error().exit_code;
   }
-  const Scene& scene = (*exhibits)[options.first_exhibit()].scene;
+  const Scene& scene = (*loaded_scenes)[options.first_scene()].scene;
   std::uint32_t clip = scene.animations.empty() ? kNone : 0;
   if (options.clip) {
     const auto chosen = choose_clip(scene, *options.clip);
     if (!chosen) {
-      say(describe_missing_clip(scene, *options.clip));
+      log_line(describe_missing_clip(scene, *options.clip));
       return 2;
     }
     clip = *chosen;
   }
   if (options.file_camera && !choose_camera(scene, *options.file_camera)) {
-    say(describe_missing_camera(scene, *options.file_camera));
+    log_line(describe_missing_camera(scene, *options.file_camera));
     return 2;
   }
   if (options.variant && !choose_variant(scene, *options.variant)) {
-    say(describe_missing_variant(scene, *options.variant));
+    log_line(describe_missing_variant(scene, *options.variant));
     return 2;
   }
-  if (watch) watch->was_read(exhibits->front().files);
-  if (options.headless.empty()) return run_window(options, *exhibits, clip, watch ? &*watch : nullptr);
-  Exhibit& exhibit = (*exhibits)[options.first_exhibit()];
-  add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
+  if (watch) watch->was_read(loaded_scenes->front().files);
+  if (options.headless.empty()) return run_window(options, *loaded_scenes, clip, watch ? &*watch : nullptr);
+  LoadedScene& loaded = (*loaded_scenes)[options.first_scene()];
+  add_missing_centers(loaded, options.skinning, progress_of("centers of rotation"));
   if (options.occlusion_method == OcclusionMethod::rays) {
-    const auto baked = add_missing_access(exhibit, {options.key_poses, clip}, say, progress_of("casting rays"));
+    const auto baked =
+        bake_missing_visibility(loaded, {options.key_poses, clip}, log_line, progress_of("casting rays"));
     if (!baked) {
-      say(baked.error());
+      log_line(baked.error());
       return 3;
     }
   }
-  return write_pictures(*device.get(), options, exhibit, clip);
+  return write_pictures(*device.get(), options, loaded, clip);
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ int show(const Options& options) {
 int main(int argc, char** argv) {
   using namespace sinew::viewer;
   auto parsed = parse_options(argc, argv);
-  if (const auto* leave = std::get_if<Leave>(&parsed)) {
+  if (const auto* leave = std::get_if<EarlyExit>(&parsed)) {
     std::fputs(leave->text.c_str(), leave->code == 0 ? stdout : stderr);
     return leave->code;
   }
@@ -101,9 +102,9 @@ int main(int argc, char** argv) {
     options.disk_cache = DiskCache(sinew::default_cache_folder());
     return show(options);
   } catch (const DeviceError& error) {
-    say(error.what());
+    log_line(error.what());
   } catch (const std::bad_alloc&) {
-    say("out of memory");
+    log_line("out of memory");
   }
   return 3;
 }

@@ -13,7 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "runtime/model/vertex_access.h"
+#include "runtime/model/vertex_visibility.h"
 #include "viewer/app/keys.h"
 
 namespace sinew::viewer {
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kLargestSide = 16384;  // every desktop device with Vulkan 1.3 supports it
 
-// `text` as a number; nothing if any character is left over.
+// Parses all of `text` as a finite number; empty if that fails.
 template <class T>
 std::optional<T> number(std::string_view text) {
   T value{};
@@ -32,7 +32,7 @@ std::optional<T> number(std::string_view text) {
   return value;
 }
 
-// Two numbers with `separator` between them.
+// Parses two numbers with `separator` between them.
 template <class T>
 std::optional<std::pair<T, T>> two_numbers(std::string_view text, char separator) {
   const auto at = text.find(separator);
@@ -93,7 +93,7 @@ void check_together(const Options& options) {
         "'" + options.headless + "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
 }
 
-// The value that `text` names in a table.
+// Looks `text` up in a table of names and values; an unknown name is a validation error that lists all names.
 template <class T>
 T named(const char* option, const std::string& text, std::initializer_list<std::pair<const char*, T>> names) {
   std::string all;
@@ -120,7 +120,7 @@ TextureFilter filter_named(const std::string& text) {
                              {"ripmap", FilterKind::rip_map}})};
 }
 
-// Adds an option whose text is parsed by `read`.
+// Adds an option whose argument is passed to `read`.
 template <class Read>
 CLI::Option* text_option(CLI::App& app, const char* name, const char* type, const char* what, Read read) {
   return app.add_option_function<std::string>(name, read, what)->type_name(type);
@@ -329,7 +329,7 @@ void add_time_options(CLI::App& app, Options& options, CLI::Option* file) {
   exit_after->excludes(headless);
 }
 
-// CLI11 would print "Needs:" and "Excludes:" in the option column; the message for a wrong combination says the same.
+// Omits CLI11's "Needs:" and "Excludes:" from the option column; the error message for a wrong combination names them.
 class ShortFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -339,7 +339,7 @@ class ShortFormatter : public CLI::Formatter {
 
 }  // namespace
 
-std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv) {
   Options options;
   CLI::App app{
       "Plays the animations of a glTF file in a window, or writes pictures of them.\n"
@@ -363,11 +363,11 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
     app.parse(argc, argv);
     check_together(options);
   } catch (const CLI::CallForHelp&) {
-    return Leave{0, app.help()};
+    return EarlyExit{0, app.help()};
   } catch (const CLI::CallForVersion& version) {
-    return Leave{0, std::string(version.what()) + "\n"};
+    return EarlyExit{0, std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
-    return Leave{2, "sinew-viewer: " + std::string(error.what()) + "\nsinew-viewer --help lists the options\n"};
+    return EarlyExit{2, "sinew-viewer: " + std::string(error.what()) + "\nsinew-viewer --help lists the options\n"};
   }
   return options;
 }

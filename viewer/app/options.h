@@ -21,7 +21,7 @@ struct FrameRange {
   std::uint32_t first = 0, last = 0;
 };
 
-/// A camera position given by the user. Without it the camera frames the whole clip.
+/// A camera position given by the user, or by a built-in scene.
 struct PlacedCamera {
   glm::vec3 eye{0.0f}, target{0.0f};
 };
@@ -29,10 +29,10 @@ struct PlacedCamera {
 /// The command line of sinew-viewer, checked.
 struct Options {
   std::string file;                    ///< a glTF file or a geometry cache; empty = the built-in showcase
-  std::optional<std::uint32_t> scene;  ///< of the built-in ones, or of FILE
+  std::optional<std::uint32_t> scene;  ///< index of a built-in scene, or of a scene of FILE
 
-  /// The exhibit to begin with: a file is the only one.
-  std::uint32_t first_exhibit() const noexcept { return file.empty() ? scene.value_or(0) : 0; }
+  /// Index of the loaded scene to show first. A file counts as one loaded scene, so it is 0 for files.
+  std::uint32_t first_scene() const noexcept { return file.empty() ? scene.value_or(0) : 0; }
   bool watch = false;            ///< read the file again when it changes
   std::string cache;             ///< a geometry cache that plays over the meshes of the file; empty = none
   float cache_weight = 1.0f;     ///< [0, 1] 0 = the pose, 1 = the cache
@@ -40,7 +40,7 @@ struct Options {
   std::optional<double> time_s;  ///< unset = 0
   std::optional<FrameRange> frames;
   double fps = 30.0;
-  std::optional<std::string> clip;  ///< index, name or "none"; unset = the first
+  std::optional<std::string> clip;  ///< index, name or "none"; unset = the first clip
   std::uint32_t width = 1280, height = 720;
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
@@ -50,40 +50,40 @@ struct Options {
   Transparency transparency = Transparency::sorted;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
-  std::uint32_t key_poses = 1;  ///< of the clip, for which rays are cast; 1 = the rest pose
+  std::uint32_t key_poses = 1;  ///< number of poses of the clip for which rays are cast; 1 = the rest pose
   bool shadows = true;
   GroundLook ground = GroundLook::shadows;
-  std::optional<bool> smooth_edges;    ///< unset = in pictures, and in the window of a graphics card
+  std::optional<bool> smooth_edges;    ///< unset = on, except in a window drawn by a software driver
   std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
-  float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above
+  float environment_turn_deg = 0.0f;   ///< rotation about +y, counter-clockwise seen from above
   float environment_intensity = 1.0f;
   std::optional<Backdrop> backdrop;  ///< unset = blurred; plain behind Gooch shading
   ToneCurve tone_curve = ToneCurve::neutral;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
   bool auto_exposure = false;
-  bool skeleton = false;  ///< lines over the picture
+  bool skeleton = false;  ///< draw skeleton lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   Framing framing = Framing::clip;
   std::optional<std::string> file_camera;  ///< index or name of a camera of the file
   std::optional<std::string> variant;      ///< index or name of a material variant
-  std::optional<double> fov_y_deg;         ///< unset = 45, or what the built-in scene was made for
-  std::optional<double> exit_after_s;      ///< close the window by itself
-  std::optional<Updates>
-      updates;  ///< of meshes that are small in the picture; unset = interpolated in the window, every in pictures
+  std::optional<double> fov_y_deg;         ///< unset = 45, or the angle of the built-in scene
+  std::optional<double> exit_after_s;      ///< close the window after this time
+  /// Update rate of meshes that are small in the picture; unset = interpolated in the window, every in pictures.
+  std::optional<Updates> updates;
   bool plan = false;      ///< print the live plan after the pictures
-  DiskCache disk_cache;   ///< none by the command line: the program looks where the user's caches are
+  DiskCache disk_cache;   ///< off after parse_options; main() sets the user's cache folder
   bool validate = false;  ///< use Vulkan's validation layer; any message of it gives exit code 3
 };
 
-/// The program prints `text` and exits with `code`: help and version (0, stdout) or wrong usage (2, stderr).
-struct Leave {
+/// Tells main() to print `text` and exit: help and version (code 0, stdout), or wrong usage (code 2, stderr).
+struct EarlyExit {
   int code = 0;
   std::string text;
 };
 
 /// Parses the command line. Opens no file.
-/// in   argv[argc] as main gets it
-std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+/// in   argc, argv  as passed to main()
+std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv);
 
 }  // namespace sinew::viewer

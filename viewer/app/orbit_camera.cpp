@@ -12,9 +12,10 @@ namespace sinew::viewer {
 namespace {
 
 constexpr double kZoomPerStep = 0.9, kZoomRange = 1000.0;
-constexpr double kFilledSide = 0.894427190999916;  // of each side: 80 % of the area
-constexpr double kNearest = 0.02;                  // of the depth of what is framed: how near it may come to the eye
-constexpr double kRounding = 1e-12;                // of the place of a single point
+// Fraction of each side that the framed points fill: sqrt(0.8), which is 80 % of the area.
+constexpr double kFilledSide = 0.894427190999916;
+constexpr double kNearest = 0.02;    // least distance from the eye, relative to the depth of the framed points
+constexpr double kRounding = 1e-12;  // rounding tolerance, relative to the coordinates of the points
 
 struct Axes {
   glm::dvec3 right, up, back;  // world space; back points from the target to the eye

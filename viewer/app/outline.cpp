@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::viewer {
 
-// Spherical Fibonacci lattice: equal steps of height, each turned by the golden angle.
+// Directions of a spherical Fibonacci lattice: equal steps in y, each rotated by the golden angle.
 Outline::Outline() noexcept {
   const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (std::size_t i = 0; i < kDirections; ++i) {

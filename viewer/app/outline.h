@@ -9,8 +9,8 @@
 namespace sinew::viewer {
 
 /// The extreme points of a point cloud in 48 directions spread evenly over the sphere. The camera frames them instead
-/// of a box, because a box has empty corners. A ball reaches less than 8 percent of its radius beyond its extreme
-/// points, which is within the margin that OrbitCamera::frame leaves.
+/// of a box, because a box has empty corners. A sphere extends beyond its 48 extreme points by less than 8 % of its
+/// radius, which is within the margin of OrbitCamera::frame.
 class Outline {
  public:
   static constexpr std::size_t kDirections = 48;
@@ -19,13 +19,14 @@ class Outline {
 
   void add(const glm::vec3& point) noexcept;
 
-  /// Adds the vertices of a frame that lie in `box`, the box of what is drawn; other vertices belong to no triangle.
-  /// in   origin  is taken from each
+  /// Adds the vertices of a frame that lie in `box`, the bounds of its triangles. Vertices outside belong to no
+  /// triangle.
+  /// in   origin  subtracted from each vertex
   /// cost O(vertices * directions)
   void add(const Scene& scene, const FrameResult& frame, const Aabb& box,
            const glm::vec3& origin = glm::vec3(0.0f)) noexcept;
 
-  /// One extreme point for each direction; empty before the first point.
+  /// One extreme point for each direction; empty if no point was added.
   std::span<const glm::vec3> points() const noexcept { return {points_.data(), any_ ? kDirections : 0}; }
 
  private:

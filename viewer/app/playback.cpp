@@ -11,21 +11,22 @@ namespace {
 constexpr std::array kSpeeds{0.05, 0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0, 8.0};
 static_assert(kSpeeds.front() == Playback::kSlowest && kSpeeds.back() == Playback::kFastest);
 
-double duration_of(const Scene& scene, std::uint32_t clip, double beside_s) {
-  return clip < scene.animations.size() ? std::max(scene.animations[clip].duration_s, beside_s) : beside_s;
+double duration_of(const Scene& scene, std::uint32_t clip, double least_duration_s) {
+  return clip < scene.animations.size() ? std::max(scene.animations[clip].duration_s, least_duration_s)
+                                        : least_duration_s;
 }
 
 }  // namespace
 
 Playback::Playback(const Scene& scene, double duration_s)
     : scene_(&scene),
-      beside_s_(duration_s),
+      least_duration_s_(duration_s),
       clip_(scene.animations.empty() ? kNone : 0),
       clock_(duration_of(scene, clip_, duration_s)) {}
 
 void Playback::choose(std::uint32_t clip) {
   clip_ = clip < scene_->animations.size() ? clip : kNone;
-  clock_ = PlaybackClock(duration_of(*scene_, clip_, beside_s_), clock_.mode(), clock_.speed());
+  clock_ = PlaybackClock(duration_of(*scene_, clip_, least_duration_s_), clock_.mode(), clock_.speed());
 }
 
 void Playback::next(int direction) {
@@ -41,7 +42,7 @@ void Playback::continue_from(const Playback& before, std::optional<std::uint32_t
   if (!clip) return;
   choose(*clip);
   PlaybackClock there = before.clock_;
-  const bool on_way_back = there.advance(0.0).to_s > there.duration_s();  // of ping-pong
+  const bool on_way_back = there.advance(0.0).to_s > there.duration_s();  // on the backward half of ping-pong
   clock_.seek(before.time_s());
   if (!on_way_back) return;
   clock_ = PlaybackClock(clock_.duration_s(), before.mode(), 1.0);
@@ -66,7 +67,7 @@ void Playback::advance(double dt_s) noexcept {
 void Playback::step(int direction) noexcept {
   playing_ = false;
   if (duration_s() <= 0.0) return;
-  // A time within rounding of a frame counts as on it.
+  // A time within 1e-6 frames of a frame counts as exactly on it.
   const double frames = time_s() / kFrame_s, nearest = std::round(frames);
   const bool on_frame = std::abs(frames - nearest) < 1e-6;
   const double here = on_frame ? nearest : direction > 0 ? std::floor(frames) : std::ceil(frames);

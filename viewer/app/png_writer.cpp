@@ -14,8 +14,8 @@
 
 namespace {
 
-/// Run lengths and Huffman codes. Rendered pictures are smooth: after the filter a search for longer matches takes
-/// three times as long and saves a fifth of the bytes.
+/// Compresses with run lengths and Huffman codes only (Z_RLE). On filtered renderings, a full match search takes three
+/// times as long and saves only a fifth of the bytes.
 unsigned char* zlib_stream(unsigned char* bytes, int count, int* packed_count, int) {
   z_stream stream{};
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15, 9, Z_RLE) != Z_OK) return nullptr;
@@ -25,7 +25,7 @@ unsigned char* zlib_stream(unsigned char* bytes, int count, int* packed_count, i
   stream.avail_in = static_cast<uInt>(count);
   stream.next_out = packed;
   stream.avail_out = static_cast<uInt>(most);
-  if (packed) deflate(&stream, Z_FINISH);  // all at once: there is room for the worst case
+  if (packed) deflate(&stream, Z_FINISH);  // one call suffices: the buffer holds the worst case
   *packed_count = static_cast<int>(stream.total_out);
   deflateEnd(&stream);
   return packed;
@@ -33,7 +33,7 @@ unsigned char* zlib_stream(unsigned char* bytes, int count, int* packed_count, i
 
 }  // namespace
 
-// stb's PNG encoder. STATIC keeps its symbols local, because other libraries may contain a copy.
+// stb's PNG encoder, with internal linkage, because other libraries may contain a copy.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
@@ -61,7 +61,7 @@ std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, std::u
   constexpr auto most = static_cast<std::uint32_t>(std::numeric_limits<std::int16_t>::max());
   if (width == 0 || height == 0 || width > most || height > most || rgba.size() != std::size_t{4} * width * height)
     return {};
-  stbi_write_force_png_filter = 1;  // differences to the left; trying every filter takes longer than packing
+  stbi_write_force_png_filter = 1;  // filter 1 (Sub) for all rows; trying every filter takes longer than compressing
   std::vector<unsigned char> bytes;
   const auto append = [](void* context, void* data, int size) {
     const auto* first = static_cast<const unsigned char*>(data);

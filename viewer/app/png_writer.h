@@ -9,14 +9,14 @@
 
 namespace sinew::viewer {
 
-/// Writes pictures as PNG files on its own thread, because encoding takes longer than drawing. The queue holds four
-/// pictures; `write` blocks while it is full.
+/// Encodes and writes PNG files on its own thread, because encoding takes longer than drawing.
 class PngWriter {
  public:
   PngWriter();
-  ~PngWriter();                                             ///< waits until all pictures are written
-  void write(std::filesystem::path file, Picture picture);  ///< alpha is written unchanged
-  std::vector<std::string> finish();  ///< waits; lists the files that could not be written, and why
+  ~PngWriter();  ///< waits until all pictures are written
+  /// Queues a picture; blocks while four are waiting. Alpha is written unchanged.
+  void write(std::filesystem::path file, Picture picture);
+  std::vector<std::string> finish();  ///< waits for all writes; returns the files that failed, with the reason
 
  private:
   struct State;

@@ -12,23 +12,23 @@ namespace sinew::viewer {
 
 /// The clip that `text` names: "none" is the rest pose (kNone), digits are an index, everything else is a name. If no
 /// index fits, digits are tried as a name. A clip named "none" is found by its index only.
-/// err  nothing when the scene has no such clip
+/// err  empty if the scene has no such clip
 std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view text);
 
 /// The camera of the scene that `text` names, by index or name.
-/// err  nothing when there is no such camera, or when no node carries it
+/// err  empty if there is no such camera, or no node uses it
 std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view text);
 
 /// The material variant that `text` names, by index or name.
 std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text);
 
-/// The names of the clips as the file has them, some may be empty.
+/// The names of the clips as in the file; some may be empty.
 std::vector<std::string> clip_names(const Scene& scene);
 
-/// The clip, camera or variant of `now` that has the name of one of `before`: of several with that name, the one in the
-/// same place among them. For cameras, only those on nodes count.
-/// in   index  kNone = none chosen: kNone again;   clips_before  clip_names() of the scene before
-/// err  nothing when it is gone
+/// Finds the clip, camera or variant of `now` with the same name as entry `index` before. Among equal names, their
+/// order decides. Only cameras on nodes count.
+/// in   index  kNone = none was chosen, returns kNone;   clips_before  clip_names() of the earlier scene
+/// err  empty if there is no such entry any more
 std::optional<std::uint32_t> same_clip(const std::vector<std::string>& clips_before, std::uint32_t index,
                                        const Scene& now);
 std::optional<std::uint32_t> same_camera(const Scene& before, std::uint32_t index, const Scene& now);
@@ -39,7 +39,7 @@ std::string describe_missing_clip(const Scene& scene, std::string_view text);
 std::string describe_missing_camera(const Scene& scene, std::string_view text);
 std::string describe_missing_variant(const Scene& scene, std::string_view text);
 
-/// Names for menus, never empty.
+/// Names for menus; never empty.
 std::string clip_label(const Scene& scene, std::uint32_t clip);
 std::string camera_label(const Scene& scene, std::uint32_t camera);
 std::string variant_label(const Scene& scene, std::uint32_t variant);

@@ -40,11 +40,12 @@ Settings settings_from(const Options& options, const Scene& scene) {
 
 void toggle_ao_only(Settings& settings) noexcept {
   settings.show = settings.show == Show::ao ? Show::color : Show::ao;
-  if (settings.show == Show::ao) settings.ambient_occlusion = true;  // without it the picture would be white
+  // With occlusion off the picture would be plain white.
+  if (settings.show == Show::ao) settings.ambient_occlusion = true;
 }
 
 void toggle_plan(Settings& settings) noexcept {
-  settings.plan = !settings.watches_plan();
+  settings.plan = !settings.shows_plan();
   if (settings.plan) settings.panel = true;
 }
 

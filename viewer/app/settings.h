@@ -2,13 +2,13 @@
 #pragma once
 #include "runtime/plan/needs.h"
 #include "viewer/app/clip_extent.h"
-#include "viewer/app/exhibit.h"
+#include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/passes/render_options.h"
 
 namespace sinew::viewer {
 
-/// What the user can change while the window is open. Clips and times are in Playback.
+/// All that the user can change while the window is open, except clip and time (Playback).
 struct Settings {
   Show show = Show::color;
   Shading shading = Shading::physical;
@@ -25,28 +25,28 @@ struct Settings {
   bool auto_exposure = false;
   bool skeleton = false;
   bool panel = true;
-  bool plan = false;  ///< the live plan beside the panel
+  bool plan = false;  ///< show the live plan next to the panel
 
-  /// The live plan is visible.
-  bool watches_plan() const noexcept { return panel && plan; }
+  /// True if the live plan is visible: it hides together with the panel.
+  bool shows_plan() const noexcept { return panel && plan; }
 
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::interpolated;
   Framing framing = Framing::clip;
-  std::uint32_t camera = kNone;   ///< camera of the scene; kNone = the user's own
-  std::uint32_t variant = kNone;  ///< material variant of the scene; kNone = none
+  std::uint32_t camera = kNone;   ///< index in Scene::cameras; kNone = the user's orbit camera
+  std::uint32_t variant = kNone;  ///< index in Scene::variants; kNone = the default materials
   float cache_weight = 1.0f;      ///< [0, 1] 0 = the pose, 1 = the geometry cache
 
-  Evaluation evaluation() const noexcept { return {skinning, updates, watches_plan()}; }
+  Evaluation evaluation() const noexcept { return {skinning, updates, shows_plan()}; }
 
-  /// The picture depends on joints even where no mesh is in view.
-  bool watches_joints() const noexcept { return skeleton || camera != kNone; }
+  /// True if the picture needs joints even while no mesh is in view.
+  bool needs_joints() const noexcept { return skeleton || camera != kNone; }
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// Settings from the command line. Camera and variant are those that the options name, if the scene has them. A scene
-/// without meshes always shows its skeleton, because there is nothing else to see.
+/// Settings from the command line. Named cameras and variants that the scene lacks are ignored. A scene without meshes
+/// always shows its skeleton, because there is nothing else to see.
 Settings settings_from(const Options& options, const Scene& scene);
 
 /// Switches between ambient occlusion alone and the lit picture.
@@ -67,8 +67,9 @@ void next_ground(Settings& settings) noexcept;
 /// Cycles through color, ao, normals, depth, level.
 void next_show(Settings& settings) noexcept;
 
-/// The options of the renderer for these settings, with lengths that follow the size of the clip.
-/// in   environment  of the exhibit; null = no ambient light
+/// Converts settings to options of the renderer. Lengths, such as the occlusion radius, scale with the size of the
+/// clip.
+/// in   environment  of the scene; null = no environment light
 RenderOptions render_options(const Settings& settings, std::shared_ptr<const Environment> environment,
                              const ClipExtent& bounds, const glm::dvec3& eye);
 

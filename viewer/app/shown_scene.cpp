@@ -3,41 +3,41 @@
 
 #include "runtime/base/contract.h"
 #include "viewer/app/file_camera.h"
-#include "viewer/upload/access_blend.h"
+#include "viewer/upload/visibility_blend.h"
 
 namespace sinew::viewer {
 namespace {
 
-FrustumCulling culling_for(const Exhibit& exhibit, const Needs& needs) {
-  return {exhibit.scene, needs, exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()};
+FrustumCulling culling_for(const LoadedScene& loaded, const Needs& needs) {
+  return {loaded.scene, needs, loaded.cache ? loaded.cache->reach(loaded.scene) : std::vector<Aabb>()};
 }
 
 }  // namespace
 
-ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count,
-                       const TextureFilter& filter)
-    : exhibit_(exhibit),
-      playback_(exhibit.scene, cache_duration_s(exhibit)),
-      culling_(culling_for(exhibit, needs_of(exhibit, evaluation))),
+ShownScene::ShownScene(Device& device, const LoadedScene& loaded, const Evaluation& evaluation,
+                       std::uint32_t slot_count, const TextureFilter& filter)
+    : loaded_(loaded),
+      playback_(loaded.scene, cache_duration_s(loaded)),
+      culling_(culling_for(loaded, needs_of(loaded, evaluation))),
       culled_(culling_.all_in_view()),
-      scene_upload_(device, exhibit.scene, slot_count, exhibit.access.get(), filter),
-      frame_upload_(device, exhibit.scene, slot_count),
-      look_(exhibit.scene),
-      skeleton_(exhibit.scene),
-      bounds_(exhibit.scene.animations.size() + 1) {
-  if (exhibit.cache) cache_.emplace(*exhibit.cache, exhibit.scene, CacheReader::Reads::beside);
+      scene_upload_(device, loaded.scene, slot_count, loaded.visibility.get(), filter),
+      frame_upload_(device, loaded.scene, slot_count),
+      look_(loaded.scene),
+      skeleton_(loaded.scene),
+      bounds_(loaded.scene.animations.size() + 1) {
+  if (loaded.cache) cache_.emplace(*loaded.cache, loaded.scene, CacheReader::Reads::on_thread);
   plan_for(evaluation);
 }
 
 void ShownScene::stop() noexcept {
-  jobs_.reset();  // the job thread uses the plan, so it ends first
+  jobs_.reset();  // the job thread uses the plan, so it must end before the plan changes
   newest_ = nullptr;
 }
 
 void ShownScene::plan_for(const Evaluation& evaluation) {
   stop();
   evaluation_ = evaluation;
-  plan_ = compile_plan(lend(exhibit_.scene), needs_of(exhibit_, evaluation));
+  plan_ = compile_plan(lend(loaded_.scene), needs_of(loaded_, evaluation));
   stages_ = plan_.stages();
   levels_ = std::make_unique<UpdateLevels>(plan_, evaluation.updates);
   levels_->begin_exact_frame("the first");
@@ -45,7 +45,7 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   jobs_ = std::make_unique<JobThread>();
   character_ = jobs_->add_character(plan_);
   ready_seen_ = false;
-  culling_ = culling_for(exhibit_, plan_.needs());
+  culling_ = culling_for(loaded_, plan_.needs());
   culled_ = culling_.all_in_view();
   catch_up();
 }
@@ -66,7 +66,7 @@ Result<Ticket> ShownScene::request() {
   FrameInput now;
   now.layers = playback_.layers();
   if (cache_) now.geometry = cache_->at(playback_.time_s(), cache_weight_);
-  leave_out(culled_, joints_watched_, now);
+  apply_culling(culled_, joints_needed_, now);
   const FrameInput input = levels_->input(now, playback_.layers_ahead(levels_->frames_to_update()));
   const auto ticket = jobs_->submit({&input, 1});
   if (!ticket) return ticket;
@@ -74,7 +74,7 @@ Result<Ticket> ShownScene::request() {
   requested_ = current();
   request_is_exact_ = input.interpolation_factor == 0.0f && same_layers(input.layers, now.layers);
   requested_culled_ = culled_;
-  requested_joints_ = joints_watched_;
+  requested_joints_ = joints_needed_;
   ready_seen_ = false;
   return ticket;
 }
@@ -90,12 +90,12 @@ void ShownScene::begin_frame(const View& view, bool view_is_moved) {
     levels_->begin_frame(size_in_picture(*newest_, view), playback_.last_step_s());
 }
 
-void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_watched) {
+void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_needed) {
   begin_frame(view, view_is_moved);
-  culled_ = culling_.of(playback_.clip(), view, aspect, shadow_way(exhibit_.scene, shadows_, bounds().reached));
-  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // the user may choose one of them at any time
+  culled_ = culling_.of(playback_.clip(), view, aspect, shadow_sweep(loaded_.scene, shadows_, bounds().reached));
+  joints_needed_ = joints_needed || !loaded_.scene.cameras.empty();  // the user may switch to one of them at any time
   const bool lacks = requested_culled_.culls_more_than(culled_) ||
-                     (requested_culled_.every_instance && !requested_joints_ && joints_watched_);
+                     (requested_culled_.every_instance && !requested_joints_ && joints_needed_);
   if (!lacks && is_requested() && !cache_is_late_) return;
   if (!request()) {
     if (!lacks) return;  // the worker is busy: the next frame requests again
@@ -108,13 +108,13 @@ void ShownScene::submit(const View& view, bool view_is_moved, double aspect, boo
 const FrameResult& ShownScene::newest() {
   const bool ready = jobs_->done(ticket_);
   newest_ = jobs_->latest(character_);
-  if (ready && !ready_seen_ && cache_) watch_cache();
+  if (ready && !ready_seen_ && cache_) record_cache();
   ready_seen_ = ready_seen_ || ready;
   return *newest_;
 }
 
-// Nothing runs now: what was requested last is done.
-void ShownScene::watch_cache() {
+// Reads the state of the cache. Called only while no job runs: the last request is done.
+void ShownScene::record_cache() {
   cache_->watch(*newest_);
   cache_fault_ = cache_->fault();
   cache_is_late_ = is_late(*newest_) && cache_fault_.empty();
@@ -133,20 +133,21 @@ std::optional<CacheFacts> ShownScene::cache_facts() const {
 DrawnScene ShownScene::upload(std::uint32_t slot, std::uint32_t variant) {
   frame_upload_.update(slot, newest(), plan_number_);
   scene_upload_.update(slot, frame_upload_.look(slot));
-  const AccessBlend access =
-      exhibit_.access ? access_blend(*exhibit_.access, playback_.clip(), playback_.time_s()) : AccessBlend{};
-  return {&scene_upload_, &frame_upload_, variant, access};
+  const VisibilityBlend visibility = loaded_.visibility
+                                         ? visibility_blend(*loaded_.visibility, playback_.clip(), playback_.time_s())
+                                         : VisibilityBlend{};
+  return {&scene_upload_, &frame_upload_, variant, visibility};
 }
 
 View ShownScene::view_of(std::uint32_t camera_index, double aspect) {
   const FrameResult& pose = newest();
-  apply_properties(exhibit_.scene, pose.properties, look_);
+  apply_properties(loaded_.scene, pose.properties, look_);
   const Camera& camera = look_.cameras[camera_index];
   return view_of_camera(camera, pose.model[camera.joint], aspect, bounds().reached);
 }
 
 CameraPose& ShownScene::camera_pose(std::uint32_t camera) {
-  if (!camera_pose_ || camera_pose_->camera() != camera) camera_pose_.emplace(exhibit_.scene, camera);
+  if (!camera_pose_ || camera_pose_->camera() != camera) camera_pose_.emplace(loaded_.scene, camera);
   return *camera_pose_;
 }
 
@@ -160,8 +161,8 @@ std::span<const LineVertex> ShownScene::skeleton_lines() {
 
 const ClipExtent& ShownScene::bounds() {
   const std::uint32_t clip = playback_.clip();
-  auto& known = clip < exhibit_.scene.animations.size() ? bounds_[clip] : bounds_.back();
-  if (!known) known = clip_extent(exhibit_.scene, clip, exhibit_.cache.get());
+  auto& known = clip < loaded_.scene.animations.size() ? bounds_[clip] : bounds_.back();
+  if (!known) known = clip_extent(loaded_.scene, clip, loaded_.cache.get());
   return *known;
 }
 

@@ -10,8 +10,8 @@
 #include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/clip_extent.h"
-#include "viewer/app/exhibit.h"
 #include "viewer/app/frustum_culling.h"
+#include "viewer/app/loaded_scene.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/update_levels.h"
@@ -19,58 +19,57 @@
 
 namespace sinew::viewer {
 
-/// One exhibit that plays in the window: its poses come from the job thread, its vertices and materials are on the GPU.
+/// The scene that plays in the window. Its poses come from the job thread; its vertices and materials are on the GPU.
 class ShownScene {
  public:
-  ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count,
+  ShownScene(Device& device, const LoadedScene& loaded, const Evaluation& evaluation, std::uint32_t slot_count,
              const TextureFilter& filter);
 
-  const Exhibit& exhibit() const noexcept { return exhibit_; }
+  const LoadedScene& loaded() const noexcept { return loaded_; }
   const Needs& needs() const noexcept { return plan_.needs(); }
   std::span<const PlanStage> stages() const noexcept { return stages_; }
   const Evaluation& evaluation() const noexcept { return evaluation_; }
   const UpdateLevels& update_levels() const noexcept { return *levels_; }
   Playback& playback() noexcept { return playback_; }
 
-  /// Ends the evaluation. After it, only plan_for may be called.
+  /// Stops the job thread. Afterwards only plan_for may be called.
   void stop() noexcept;
 
-  /// Compiles a new plan and waits for its first pose, so that there is always one to draw.
+  /// Compiles a new plan and waits for its first pose, so that a pose is always available.
   void plan_for(const Evaluation& evaluation);
 
-  /// Waits for the pose of the current time, so that the next picture shows it.
+  /// Requests the pose of the current time and waits for it, so that the next picture shows it.
   void catch_up();
 
-  /// How much of the geometry cache is in the next pose: FrameInput::geometry. Without one nothing changes.
+  /// Weight of the geometry cache in the next pose (FrameInput::geometry). Has no effect without a cache.
   void set_cache_weight(float weight) noexcept { cache_weight_ = weight; }
 
-  /// Shadows are drawn, so meshes out of view may matter.
+  /// Tells culling whether shadows are drawn: then meshes out of view may still be needed.
   void set_shadows(bool shadows) noexcept { shadows_ = shadows; }
 
-  /// The geometry cache as it plays; nothing without one.
+  /// State of the geometry cache; empty without one.
   std::optional<CacheFacts> cache_facts() const;
 
-  /// Why the geometry cache cannot be shown, in one sentence; empty when it can.
+  /// One sentence if the geometry cache cannot be shown; else empty.
   const std::string& cache_fault() const noexcept { return cache_fault_; }
 
-  /// Requests the pose at the current time, without meshes that are out of view. Does nothing if that pose was
-  /// requested already, or while another request waits for the worker. Waits for the pose only if a mesh comes into
-  /// view that the requested poses leave out.
-  /// in   view            of the next picture
-  ///      view_is_moved   the clip moves the camera: then every frame is evaluated
-  void submit(const View& view, bool view_is_moved, double aspect, bool joints_watched);
+  /// Requests the pose at the current time, with culling. Does nothing if that pose was already requested, or if the
+  /// job thread is busy. Waits for the pose only if a mesh comes into view that the last request had culled.
+  /// in   view            view of the next picture
+  ///      view_is_moved   true if the clip moves the camera; then every frame is evaluated
+  void submit(const View& view, bool view_is_moved, double aspect, bool joints_needed);
 
-  /// The newest pose that is ready.
+  /// The newest finished pose.
   const FrameResult& newest();
 
-  /// The newest pose is the one requested last, and is exactly that of the current time.
+  /// True if the newest pose is the last requested one and shows exactly the current time.
   bool settled() const noexcept;
 
-  /// Settled, and the time does not advance.
+  /// True if settled() and the time does not advance.
   bool resting() const noexcept { return settled() && (!playback_.playing() || playback_.duration_s() == 0.0); }
 
-  /// Uploads the newest pose to the slot.
-  /// in   variant  of the scene's materials
+  /// Uploads the newest pose for one frame in flight.
+  /// in   variant  material variant; kNone = the default materials
   DrawnScene upload(std::uint32_t slot, std::uint32_t variant);
 
   const UploadCounts& upload_counts() const noexcept { return frame_upload_.last_update(); }
@@ -79,15 +78,15 @@ class ShownScene {
   /// in   aspect  width / height of the picture
   View view_of(std::uint32_t camera, double aspect);
 
-  /// Its view in the pose that is requested next.
+  /// The view of that camera in the pose that the next request will evaluate.
   View coming_view_of(std::uint32_t camera, double aspect);
 
-  /// A clip animates that camera.
+  /// True if a clip animates that camera.
   bool is_moved(std::uint32_t camera) { return camera_pose(camera).moves(); }
 
   std::span<const LineVertex> skeleton_lines();
 
-  /// Extent of the current clip; computed once for each clip.
+  /// Bounds of the current clip; computed at its first use.
   const ClipExtent& bounds();
 
   ErrorCode last_error() const noexcept { return jobs_->last_error(); }
@@ -100,41 +99,41 @@ class ShownScene {
     friend bool operator==(const Request&, const Request&) = default;
   };
   Request current() const noexcept { return {playback_.clip(), playback_.time_s(), cache_ ? cache_weight_ : 0.0f}; }
-  void watch_cache();
+  void record_cache();
   bool is_requested() const noexcept { return request_is_exact_ && requested_ == current(); }
   void begin_frame(const View& view, bool view_is_moved);
   CameraPose& camera_pose(std::uint32_t camera);
   Result<Ticket> request();
 
-  const Exhibit& exhibit_;
+  const LoadedScene& loaded_;
   Playback playback_;
   Evaluation evaluation_;
-  std::optional<CachePlayback> cache_;  ///< outlives the job thread, which calls it
+  std::optional<CachePlayback> cache_;  ///< must outlive the job thread, which calls it
   float cache_weight_ = 1.0f;
   bool shadows_ = false;
-  bool cache_is_late_ = false;  ///< in the newest pose: it is asked for again
+  bool cache_is_late_ = false;  ///< the newest pose shows an older cache frame, so it must be requested again
   std::string cache_fault_;
   Plan plan_;
-  std::vector<PlanStage> stages_;  ///< of the plan
+  std::vector<PlanStage> stages_;  ///< stages of plan_
   std::unique_ptr<UpdateLevels> levels_;
-  std::optional<CameraPose> camera_pose_;  ///< of the camera that was used last
+  std::optional<CameraPose> camera_pose_;  ///< for the camera used last
   std::unique_ptr<JobThread> jobs_;
   JobThread::Character character_ = 0;
   Ticket ticket_ = 0;
   Request requested_;
   bool request_is_exact_ = false;  ///< false for an interpolated or held pose
   FrustumCulling culling_;
-  CulledInstances culled_;            ///< in the next pose
-  CulledInstances requested_culled_;  ///< in the pose requested last
-  bool requested_joints_ = true, joints_watched_ = true;
-  bool ready_seen_ = false;  ///< newest() was called after ticket_ was done
+  CulledInstances culled_;            ///< for the next request
+  CulledInstances requested_culled_;  ///< in the last request
+  bool requested_joints_ = true, joints_needed_ = true;
+  bool ready_seen_ = false;  ///< newest() was called after ticket_ finished
   const FrameResult* newest_ = nullptr;
-  std::uint64_t plan_number_ = 0;  ///< distinguishes the frames of this plan from those of earlier plans
+  std::uint64_t plan_number_ = 0;  ///< source number for the upload: frame numbers restart with each plan
   SceneUpload scene_upload_;
   FrameUpload frame_upload_;
   SceneLook look_;
   SkeletonLines skeleton_;
-  std::vector<std::optional<ClipExtent>> bounds_;  ///< [clips + 1], the last is the rest pose
+  std::vector<std::optional<ClipExtent>> bounds_;  ///< [clips + 1]; the last entry is the rest pose
 };
 
 }  // namespace sinew::viewer

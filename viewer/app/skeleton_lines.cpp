@@ -14,7 +14,8 @@ constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                               
 constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                              // relative to the length of the bone
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};  // x red, y green, z blue
 
-// The outline of a long octahedron: thick near the parent and pointed at the joint, so that the direction is visible.
+// Adds the outline of an elongated octahedron, thick near the parent and pointed at the joint, so that the direction is
+// visible.
 void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 along = to - from;
   const float length = glm::length(along);
@@ -32,7 +33,7 @@ void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::
     }
 }
 
-// The joints of the skins, and every joint between two of them.
+// True for the joints of skins and for every joint between two of them.
 std::vector<bool> skin_joints(const Scene& scene) {
   const auto& parents = scene.skeleton.parents;
   std::vector<bool> named(parents.size(), false);
@@ -71,7 +72,7 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
     for (int axis = 0; axis < 3; ++axis) {
       const glm::vec3 direction(m.row[0][axis], m.row[1][axis], m.row[2][axis]);
       const float length = glm::length(direction);
-      if (length <= 0.0f) continue;  // scaled away
+      if (length <= 0.0f) continue;  // the joint scales this axis to zero
       lines_.push_back({at, kAxisColors[axis]});
       lines_.push_back({at + direction * (axis_m / length), kAxisColors[axis]});
     }

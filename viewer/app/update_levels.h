@@ -12,36 +12,36 @@
 
 namespace sinew::viewer {
 
-/// How often poses are evaluated when the meshes are small in the picture: in every frame, or in fewer frames with
-/// interpolated or held poses in between.
+/// Update rate of meshes that are small in the picture: every frame, or fewer frames with interpolated or held poses in
+/// between.
 enum class Updates : std::uint8_t { every, interpolated, held };
 
 /// "every", "interpolated", "held"
 std::string_view name_of(Updates updates) noexcept;
 
-/// Height of the largest visible mesh as a fraction of the height of the picture, from its bounds. Infinite if the eye
-/// is in its bounding sphere, 0 if nothing is in view.
+/// Height of the largest visible mesh relative to the picture's height, from its bounding sphere. Infinite if the eye
+/// is inside the sphere, 0 if nothing is in view.
 double size_in_picture(const FrameResult& frame, const View& view) noexcept;
 
-/// Chooses the frames in which the character is evaluated (update_rate.h), and what the other frames show.
+/// Decides in which frames the character is evaluated (update_rate.h), and makes the input of the frames in between.
 class UpdateLevels {
  public:
   /// in   plan  compiled with Needs::between_updates if updates are interpolated
   UpdateLevels(const Plan& plan, Updates updates);
 
   /// Begins the next frame.
-  /// in   size_in_picture  of the last pose;   frame_s  time from one picture to the next
+  /// in   size_in_picture  of the last pose;   frame_s  time between pictures
   void begin_frame(double size_in_picture, double frame_s) noexcept;
 
-  /// Begins the next frame, which is evaluated exactly.
+  /// Begins the next frame and forces its exact evaluation.
   /// in   why  ends the sentence "every frame: ..." of reason()
   void begin_exact_frame(std::string_view why);
 
-  /// Number of frames until the next one that is evaluated.
+  /// Number of frames until the next evaluated frame.
   std::uint32_t frames_to_update() const noexcept { return sinew::frames_to_update(level_, frame_, 0); }
 
-  /// The input of this frame; calling it again gives the same.
-  /// in   ahead  layers of the frame that is frames_to_update() from now
+  /// The input of this frame. Repeated calls return the same input.
+  /// in   ahead  layers of the frame that is frames_to_update() frames from now
   FrameInput input(const FrameInput& now, std::span<const ClipLayer> ahead);
 
   UpdateLevel level() const noexcept { return level_; }

@@ -5,8 +5,8 @@
 
 namespace sinew::viewer {
 
-/// Exit code after work that succeeded: 0, or 3 when validation was asked for and the layer reported something or is
-/// not installed. Prints the reason to stderr.
+/// Exit code after otherwise successful work. Returns 3 if --validate was given and the layer reported something or is
+/// not installed, else 0. Prints the reason on stderr.
 int exit_code_after_validation(const Options& options, const Device& device);
 
 }  // namespace sinew::viewer

@@ -54,7 +54,8 @@ void Window::listen() {
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { of(w).input_.any = true; });
 }
 
-// Buttons are as they were on this piece of the way: pressed and released between two polls, they drag just that far.
+// Attributes this mouse movement to the buttons held now. GLFW delivers events in order, so a press and a release
+// between two polls still drag over the right distance.
 void Window::move_mouse(const glm::dvec2& to) {
   const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
   const bool shift =

@@ -11,20 +11,21 @@ struct GLFWwindow;
 
 namespace sinew::viewer {
 
-/// What the user did since the last poll.
+/// User input since the last poll.
 struct Input {
-  std::vector<int> keys;  ///< pressed or repeated, key codes of keys.h
-  /// Ways of the mouse, framebuffer pixels, y down: with the left button, and with the right or middle one or shift and
-  /// left.
+  std::vector<int> keys;  ///< pressed or repeated keys, as key codes of keys.h
+  /// Drag distances in framebuffer pixels, y down. `turned`: with the left button. `moved`: with the right or middle
+  /// button, or with shift and the left button.
   glm::dvec2 turned{0.0}, moved{0.0};
   double wheel = 0.0;
-  bool any = false;  ///< some event arrived, possibly none of the above
+  bool any = false;  ///< true if any event arrived, even one that is not listed above
 };
 
-/// A window of the desktop, which stays where it is in memory. Only window.cpp and panel_backend.cpp know GLFW.
+/// A desktop window. It cannot be moved in memory, because GLFW callbacks hold its address. Only window.cpp and
+/// panel_backend.cpp use GLFW.
 class Window {
  public:
-  /// err  DeviceError when there is no display or the display cannot do Vulkan
+  /// err  DeviceError if there is no display, or no Vulkan driver for it
   Window(std::uint32_t width, std::uint32_t height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
@@ -38,7 +39,7 @@ class Window {
   void close();
   void set_title(const std::string& title);
 
-  /// Handles the events of the desktop; waits up to `wait_s` for the first (0 = does not wait).
+  /// Processes pending desktop events. Waits up to `wait_s` for the first one (0 = does not wait).
   Input poll(double wait_s);
 
   GLFWwindow* handle() const noexcept { return window_; }
@@ -48,7 +49,7 @@ class Window {
   void move_mouse(const glm::dvec2& to);
 
   GLFWwindow* window_ = nullptr;
-  Input input_;  ///< since the last poll
+  Input input_;  ///< collected since the last poll
   glm::dvec2 mouse_{0.0};
 };
 

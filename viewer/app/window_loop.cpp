@@ -11,12 +11,12 @@
 #include <thread>
 
 #include "viewer/app/actions.h"
-#include "viewer/app/bake_access.h"
+#include "viewer/app/bake_visibility.h"
 #include "viewer/app/frame.h"
 #include "viewer/app/framed_camera.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/panel/panel.h"
-#include "viewer/app/reload/go_over.h"
+#include "viewer/app/reload/replace_shown_scene.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/validation_outcome.h"
 #include "viewer/app/window.h"
@@ -26,12 +26,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFramePeriod_s = 1.0 / 60.0;  // a cap, because some drivers do not wait for the display
-constexpr double kIdleWait_s = 0.1;            // longest wait for an event while nothing moves
-constexpr double kLongestStep_s = 0.25;  // after the machine was suspended, the animation continues instead of jumping
-constexpr int kFramesAfterChange = 4;    // ImGui reacts to input over a few frames
+constexpr double kFramePeriod_s = 1.0 / 60.0;  // frame rate limit, because some drivers do not wait for the display
+constexpr double kIdleWait_s = 0.1;            // longest wait for an event while nothing is animated
+// Limit of a time step, so that the animation does not jump after the machine was suspended.
+constexpr double kLongestStep_s = 0.25;
+constexpr int kFramesAfterChange = 4;  // frames drawn after input, because ImGui reacts over several frames
 
-void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
+void log_line(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -46,51 +47,51 @@ DeviceOptions device_options(const Options& options, const Window& window) {
 
 class WindowLoop {
  public:
-  WindowLoop(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip,
-             ExhibitWatch* watch)
+  WindowLoop(const Options& options, std::vector<LoadedScene>& loaded_scenes, std::optional<std::uint32_t> clip,
+             SceneReloader* watch)
       : options_(options),
-        exhibits_(exhibits),
+        loaded_scenes_(loaded_scenes),
         watch_(watch),
         window_(options.width, options.height, "sinew"),
         device_(device_options(options, window_)),
         swapchain_(device_, window_.framebuffer_size()),
         panel_(device_, swapchain_, window_.handle()),
         frame_(device_, swapchain_, panel_),
-        exhibit_(options.first_exhibit()),
-        settings_(settings_from(options, exhibits[options.first_exhibit()].scene)) {
+        scene_index_(options.first_scene()),
+        settings_(settings_from(options, loaded_scenes[options.first_scene()].scene)) {
     if (!options.smooth_edges && device_.is_software())
-      settings_.smooth_edges = false;  // it would take most of the time
-    for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
-    show_exhibit(options.first_exhibit(), clip, options.time_s);
+      settings_.smooth_edges = false;  // multisampling would take most of the frame time
+    for (const auto& loaded : loaded_scenes) names_.push_back(loaded.name);
+    switch_scene(options.first_scene(), clip, options.time_s);
   }
 
   int run();
 
  private:
-  std::unique_ptr<ShownScene> make_shown(const Exhibit& exhibit, const Evaluation& evaluation) {
-    return std::make_unique<ShownScene>(device_, exhibit, evaluation, Frame::kSlots, options_.filter);
+  std::unique_ptr<ShownScene> make_shown(const LoadedScene& loaded, const Evaluation& evaluation) {
+    return std::make_unique<ShownScene>(device_, loaded, evaluation, Frame::kSlots, options_.filter);
   }
-  void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s);
-  void add_access(std::uint32_t clip);
+  void switch_scene(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s);
+  void add_visibility(std::uint32_t clip);
   void place_camera();
   void frame_all();
   void leave_file_camera();
   double aspect() const;
-  void ask();
+  void request_next_pose();
   void react(const Input& input);
   void act(Action action);
   bool fit_swapchain();
-  void grant_wishes();
+  void apply_requested_changes();
   PanelFacts facts();
   void draw();
-  void keep_pace();
-  void say_fault();
+  void limit_frame_rate();
+  void report_error_once();
   void follow_file(double now_s);
-  std::string show_changed(Exhibit changed);
+  std::string show_changed(LoadedScene changed);
 
   const Options& options_;
-  std::vector<Exhibit>& exhibits_;
-  ExhibitWatch* watch_;  ///< null = files are read once
+  std::vector<LoadedScene>& loaded_scenes_;
+  SceneReloader* watch_;  ///< null = files are not reloaded
   std::vector<std::string> names_;
   Window window_;
   Device device_;
@@ -98,47 +99,48 @@ class WindowLoop {
   PanelBackend panel_;
   Frame frame_;
   std::unique_ptr<ShownScene> shown_;
-  std::uint32_t exhibit_ = 0;
+  std::uint32_t scene_index_ = 0;
   FramedCamera camera_;
-  FreeWidth free_;          ///< beside the panel
-  bool as_framed_ = false;  ///< the user has not moved the camera since it framed the scene
+  FreeWidth free_;                 ///< part of the window beside the panel
+  bool camera_is_framed_ = false;  ///< the user has not moved the camera since it framed the scene
   Settings settings_;
   LivePlan live_plan_;
-  std::optional<std::uint32_t> wished_exhibit_;
-  int frames_to_draw_ = kFramesAfterChange;  // before the loop stops drawing because nothing moves
+  std::optional<std::uint32_t> requested_scene_;
+  int frames_to_draw_ = kFramesAfterChange;  // left before the loop pauses because nothing moves
   double frame_ms_ = 0.0;
-  std::string said_fault_;
-  std::string reload_fault_;  ///< why the changed file is not shown
+  std::string reported_error_;
+  std::string reload_fault_;  ///< why the changed file is not shown; empty = it is
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
-void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s) {
+void WindowLoop::switch_scene(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s) {
   device_.wait_idle();
-  if (index != exhibit_) settings_.camera = settings_.variant = kNone;  // they belong to the last scene
-  exhibit_ = index;
-  shown_.reset();  // frees its memory before the next scene is uploaded
-  add_missing_centers(exhibits_[index], settings_.skinning);
-  add_access(clip.value_or(exhibits_[index].scene.animations.empty() ? kNone : 0));
-  shown_ = make_shown(exhibits_[index], settings_.evaluation());
+  if (index != scene_index_) settings_.camera = settings_.variant = kNone;  // these indices belong to the last scene
+  scene_index_ = index;
+  shown_.reset();  // frees GPU memory before the next scene is uploaded
+  add_missing_centers(loaded_scenes_[index], settings_.skinning);
+  add_visibility(clip.value_or(loaded_scenes_[index].scene.animations.empty() ? kNone : 0));
+  shown_ = make_shown(loaded_scenes_[index], settings_.evaluation());
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   if (time_s) shown_->playback().seek(*time_s);
-  window_.set_title(exhibits_[index].name + " - sinew");
+  window_.set_title(loaded_scenes_[index].name + " - sinew");
   place_camera();
 }
 
-/// Casts rays for an exhibit that is shown for the first time. The window goes on without where it cannot.
-void WindowLoop::add_access(std::uint32_t clip) {
+/// Bakes ambient visibility at the scene's first display. If that fails, reports it and continues without.
+void WindowLoop::add_visibility(std::uint32_t clip) {
   if (options_.occlusion_method != OcclusionMethod::rays) return;
-  if (auto done = add_missing_access(exhibits_[exhibit_], {options_.key_poses, clip}, say); !done) say(done.error());
+  if (auto done = bake_missing_visibility(loaded_scenes_[scene_index_], {options_.key_poses, clip}, log_line); !done)
+    log_line(done.error());
 }
 
 void WindowLoop::place_camera() {
-  const Exhibit& exhibit = exhibits_[exhibit_];
-  const auto placed = options_.camera ? options_.camera : exhibit.camera;
+  const LoadedScene& loaded = loaded_scenes_[scene_index_];
+  const auto placed = options_.camera ? options_.camera : loaded.camera;
   camera_ = FramedCamera();
-  camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
-  as_framed_ = false;
+  camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
+  camera_is_framed_ = false;
   if (placed && settings_.framing == Framing::clip)
     camera_.orbit.place(placed->eye, placed->target);
   else
@@ -147,10 +149,10 @@ void WindowLoop::place_camera() {
 
 void WindowLoop::frame_all() {
   camera_.frame(settings_.framing, *shown_, aspect(), free_);
-  as_framed_ = true;
+  camera_is_framed_ = true;
 }
 
-// Continues from the view of the file's camera with the user's own camera.
+// Switches from one of the file's cameras to the user's camera, starting from the same view.
 void WindowLoop::leave_file_camera() {
   if (settings_.camera == kNone) return;
   camera_.orbit.take_over(shown_->view_of(settings_.camera, aspect()), shown_->bounds().reached);
@@ -162,15 +164,15 @@ double WindowLoop::aspect() const {
   return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
 }
 
-// Requests the pose of the next picture, without what is out of view.
-void WindowLoop::ask() {
+// Requests the pose of the next picture; meshes out of view are culled.
+void WindowLoop::request_next_pose() {
   camera_.follow(*shown_, aspect());
   const bool of_file = settings_.camera != kNone;
   const View view =
       of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.orbit.view(shown_->bounds().reached);
   shown_->set_cache_weight(settings_.cache_weight);
   shown_->set_shadows(settings_.shadows);
-  shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
+  shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.needs_joints());
 }
 
 void WindowLoop::react(const Input& input) {
@@ -183,7 +185,7 @@ void WindowLoop::react(const Input& input) {
   const bool turns = input.turned != glm::dvec2(0.0), moves = input.moved != glm::dvec2(0.0);
   if (turns || moves || input.wheel != 0.0) {
     leave_file_camera();
-    as_framed_ = false;
+    camera_is_framed_ = false;
   }
   if (turns) camera_.orbit.orbit(input.turned.x, input.turned.y, height);
   if (moves) camera_.orbit.pan(input.moved.x, input.moved.y, height);
@@ -197,13 +199,15 @@ void WindowLoop::act(Action action) {
       leave_file_camera();
       frame_all();
       break;
-    case Action::next_scene: wished_exhibit_ = (exhibit_ + 1) % static_cast<std::uint32_t>(exhibits_.size()); break;
+    case Action::next_scene:
+      requested_scene_ = (scene_index_ + 1) % static_cast<std::uint32_t>(loaded_scenes_.size());
+      break;
     case Action::quit: window_.close(); break;
     default: break;
   }
 }
 
-// Adapts the swapchain to the window. False while the window has no area.
+// Adapts the swapchain to the window's size. Returns false while the window has no area.
 bool WindowLoop::fit_swapchain() {
   const VkExtent2D size = window_.framebuffer_size();
   if (size.width == 0 || size.height == 0) return false;
@@ -216,22 +220,22 @@ bool WindowLoop::fit_swapchain() {
 }
 
 PanelFacts WindowLoop::facts() {
-  const Exhibit& exhibit = exhibits_[exhibit_];
+  const LoadedScene& loaded = loaded_scenes_[scene_index_];
   PanelFacts facts;
-  facts.name = exhibit.name;
-  facts.note = exhibit.note;
+  facts.name = loaded.name;
+  facts.note = loaded.note;
   facts.reload_fault = reload_fault_;
   facts.device = device_.name();
-  facts.scene = &exhibit.scene;
+  facts.scene = &loaded.scene;
   facts.needs = &shown_->needs();
   facts.cache = shown_->cache_facts();
   facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
-  facts.has_access = exhibit.access != nullptr;
+  facts.has_visibility = loaded.visibility != nullptr;
   facts.resting = shown_->resting();
   facts.frame_ms = frame_ms_;
-  facts.exhibits = names_;
-  facts.exhibit = exhibit_;
+  facts.scene_names = names_;
+  facts.scene_index = scene_index_;
   return facts;
 }
 
@@ -239,17 +243,17 @@ void WindowLoop::draw() {
   const ClipExtent& bounds = shown_->bounds();
   const View view =
       settings_.camera == kNone ? camera_.orbit.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
-  const RenderOptions look = render_options(settings_, shown_->exhibit().environment, bounds, eye_of(view));
+  const RenderOptions look = render_options(settings_, shown_->loaded().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
-    const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
-    const bool room_changed = wishes.free != free_;
-    free_ = wishes.free;
-    if (room_changed && as_framed_) frame_all();
-    if (wishes.frame_all) act(Action::frame_all);
-    if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
+    const PanelRequests requests = lay_out_panel(facts(), settings_, shown_->playback());
+    const bool room_changed = requests.free != free_;
+    free_ = requests.free;
+    if (room_changed && camera_is_framed_) frame_all();
+    if (requests.frame_all) act(Action::frame_all);
+    if (requests.scene) requested_scene_ = requests.scene;
   });
   if (!drawn) return;
-  if (settings_.watches_plan()) {
+  if (settings_.shows_plan()) {
     live_plan_.updates(shown_->update_levels());
     live_plan_.evaluated(shown_->stages(), shown_->newest());
     if (const auto cache = shown_->cache_facts()) live_plan_.cache(*cache, shown_->newest().work);
@@ -259,21 +263,22 @@ void WindowLoop::draw() {
   const double passed_ms = 1000.0 * seconds_since(last_picture_);
   last_picture_ = Clock::now();
   frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) *
-               (passed_ms - frame_ms_);  // a second without a picture was a pause, not a slow frame
+               (passed_ms - frame_ms_);  // a second without a picture counts as a pause, not as a slow frame
 }
 
-// Does what the panel or a key asked for and what cannot be done within a frame.
-void WindowLoop::grant_wishes() {
-  if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt, std::nullopt);
-  wished_exhibit_.reset();
+// Applies requests that cannot be applied during a frame: another scene, or a new plan after changed settings.
+void WindowLoop::apply_requested_changes() {
+  if (requested_scene_ && *requested_scene_ != scene_index_)
+    switch_scene(*requested_scene_, std::nullopt, std::nullopt);
+  requested_scene_.reset();
   if (settings_.evaluation() == shown_->evaluation()) return;
-  shown_->stop();  // the job thread must not read the scene while it changes
-  add_missing_centers(exhibits_[exhibit_], settings_.skinning);
+  shown_->stop();  // the job thread must not read the scene while centers of rotation are added
+  add_missing_centers(loaded_scenes_[scene_index_], settings_.skinning);
   shown_->plan_for(settings_.evaluation());
   live_plan_.forget();
 }
 
-void WindowLoop::keep_pace() {
+void WindowLoop::limit_frame_rate() {
   next_frame_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kFramePeriod_s));
   const auto now = Clock::now();
   if (next_frame_ > now)
@@ -284,70 +289,73 @@ void WindowLoop::keep_pace() {
 
 int WindowLoop::run() {
   if (const std::string missing = describe_missing_filter(options_.filter, device_.max_anisotropy()); !missing.empty())
-    say(missing);
+    log_line(missing);
   const auto start = Clock::now();
   while (!window_.should_close()) {
     react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleWait_s));
     if (options_.exit_after_s && seconds_since(start) >= *options_.exit_after_s) break;
     shown_->playback().advance(std::min(seconds_since(last_look_), kLongestStep_s));
     last_look_ = Clock::now();
-    grant_wishes();
+    apply_requested_changes();
     if (watch_ != nullptr) follow_file(seconds_since(start));
     if (!fit_swapchain()) {
-      frames_to_draw_ = 0;  // minimised: wait for an event
+      frames_to_draw_ = 0;  // minimised: only wait for events
       continue;
     }
-    ask();
-    say_fault();
+    request_next_pose();
+    report_error_once();
     if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
     if (frames_to_draw_ <= 0) continue;
     draw();
-    keep_pace();
+    limit_frame_rate();
   }
   device_.wait_idle();
   const int code = exit_code_after_validation(options_, device_);
-  return code == 0 && !said_fault_.empty() ? 1 : code;
+  return code == 0 && !reported_error_.empty() ? 1 : code;
 }
 
-// Says once why a geometry cache cannot be shown; the window goes on with the pose.
-void WindowLoop::say_fault() {
-  if (shown_->cache_fault().empty() || shown_->cache_fault() == said_fault_) return;
-  said_fault_ = shown_->cache_fault();
-  say(said_fault_);
+// Reports once why the geometry cache cannot be shown. The window continues with the pose.
+void WindowLoop::report_error_once() {
+  if (shown_->cache_fault().empty() || shown_->cache_fault() == reported_error_) return;
+  reported_error_ = shown_->cache_fault();
+  log_line(reported_error_);
 }
 
-// Goes over to the file as it is now, once it is read. What cannot be shown leaves everything as it is.
+// Starts reloads of changed files and shows their result. If a reload fails, the old scene stays.
 void WindowLoop::follow_file(double now_s) {
-  watch_->look(now_s, [this] { return reading(options_, exhibits_[exhibit_], *shown_); });
+  watch_->look(now_s, [this] { return make_reload_job(options_, loaded_scenes_[scene_index_], *shown_); });
   auto read = watch_->take();
   if (!read) return;
-  for (const std::string& line : read->said) say(line);
-  reload_fault_ = read->exhibit ? show_changed(*std::move(read->exhibit)) : read->exhibit.error().message;
-  say(reload_fault_.empty() ? exhibits_[exhibit_].name + ": read again" : reload_fault_ + "; shown as before");
+  for (const std::string& line : read->messages) log_line(line);
+  reload_fault_ = read->loaded ? show_changed(*std::move(read->loaded)) : read->loaded.error().message;
+  log_line(reload_fault_.empty() ? loaded_scenes_[scene_index_].name + ": read again"
+                                 : reload_fault_ + "; shown as before");
   frames_to_draw_ = kFramesAfterChange;
 }
 
-// Answers why it cannot be shown; nothing when it is.
-std::string WindowLoop::show_changed(Exhibit changed) {
-  Exhibit& exhibit = exhibits_[exhibit_];
-  const auto camera = same_camera(exhibit.scene, settings_.camera, changed.scene),
-             variant = same_variant(exhibit.scene, settings_.variant, changed.scene);
+// Returns an error message if the changed scene cannot be shown; else an empty string.
+std::string WindowLoop::show_changed(LoadedScene changed) {
+  LoadedScene& loaded = loaded_scenes_[scene_index_];
+  const auto camera = same_camera(loaded.scene, settings_.camera, changed.scene),
+             variant = same_variant(loaded.scene, settings_.variant, changed.scene);
   if (!camera) leave_file_camera();
-  const auto make = [this](const Exhibit& made, const Evaluation& evaluation) { return make_shown(made, evaluation); };
-  if (auto done = go_over(device_, std::move(changed), exhibit, shown_, make); !done) return done.error();
+  const auto make = [this](const LoadedScene& made, const Evaluation& evaluation) {
+    return make_shown(made, evaluation);
+  };
+  if (auto done = replace_shown_scene(device_, std::move(changed), loaded, shown_, make); !done) return done.error();
   settings_.camera = camera.value_or(kNone);
   settings_.variant = variant.value_or(kNone);
   live_plan_.forget();
-  said_fault_.clear();
-  camera_.go_on(*shown_);
+  reported_error_.clear();
+  camera_.keep_following(*shown_);
   return {};
 }
 
 }  // namespace
 
-int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip,
-               ExhibitWatch* watch) {
-  WindowLoop loop(options, exhibits, clip, watch);
+int run_window(const Options& options, std::vector<LoadedScene>& loaded_scenes, std::optional<std::uint32_t> clip,
+               SceneReloader* watch) {
+  WindowLoop loop(options, loaded_scenes, clip, watch);
   return loop.run();
 }
 

@@ -4,19 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/app/exhibit.h"
+#include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
-#include "viewer/app/reload/exhibit_watch.h"
+#include "viewer/app/reload/scene_reloader.h"
 
 namespace sinew::viewer {
 
 /// Opens the window and plays until the user closes it.
-/// in   clip   shown first; nothing = the first one
-///      watch  reads the exhibit again when its files change; null = never
-/// io   exhibits  get centers of rotation when the user chooses that kind of skinning
-/// out  exit code of the program: 0, or 3 when Options::validate is set and the validation layer reported something
-/// err  DeviceError when there is no display or no device
-int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip,
-               ExhibitWatch* watch);
+/// in   clip   shown first; kNone = the rest pose; empty = the first clip
+///      watch  reloads the scene when its files change; null = never
+/// io   loaded_scenes  get centers of rotation when the user chooses that skinning method
+/// out  exit code of the program: 0; 1 = a geometry cache is damaged; 3 = Options::validate is set and the validation
+///      layer reported something
+/// err  DeviceError if there is no display or no device
+int run_window(const Options& options, std::vector<LoadedScene>& loaded_scenes, std::optional<std::uint32_t> clip,
+               SceneReloader* watch);
 
 }  // namespace sinew::viewer

@@ -6,7 +6,7 @@
 
 namespace sinew::viewer {
 
-// The destructor runs when the rest throws, since another constructor has ended before.
+// Delegates to the default constructor, so that the destructor runs if the body throws.
 Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use) : Buffer() {
   device_ = &device;
   size_ = std::max<VkDeviceSize>(bytes, 1);

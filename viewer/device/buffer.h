@@ -8,7 +8,7 @@ namespace sinew::viewer {
 class Buffer {
  public:
   Buffer() = default;
-  /// in   bytes  0 counts as 1
+  /// in   bytes  size; 0 is raised to 1
   Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use);
   ~Buffer() { reset(); }
   Buffer(Buffer&& other) noexcept;

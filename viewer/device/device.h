@@ -18,16 +18,16 @@ struct DeviceOptions {
   bool validation = false;  ///< use the Khronos layer with synchronisation checks, if installed
   std::function<void(std::string_view)> on_message;      ///< validation messages; empty = standard error
   DiskCache disk_cache;                                  ///< for compiled pipelines
-  std::vector<const char*> instance_extensions;          ///< those that the window system needs; empty = headless
+  std::vector<const char*> instance_extensions;          ///< extensions that the window system needs; empty = headless
   std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< empty = headless; the device owns the surface
 };
 
-/// The Vulkan instance, the chosen physical device, one queue that draws, copies and (with a surface) presents, and
-/// device memory. Needs Vulkan 1.3 with dynamic rendering and synchronization2. Knows no window library: the
-/// application passes extensions and a surface.
+/// Owns the Vulkan instance, the device, its memory, and one queue for graphics, copies and presentation. Needs Vulkan
+/// 1.3 with dynamic rendering and synchronization2. Independent of the window library: the application passes instance
+/// extensions and a surface.
 class Device {
  public:
-  /// err  DeviceError when no device fits; lists what each device lacks
+  /// err  DeviceError if no device is suitable; the message lists what each device lacks
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -41,7 +41,7 @@ class Device {
   VkSurfaceKHR surface() const noexcept { return surface_; }  ///< null when headless
   const std::string& name() const noexcept { return name_; }
   const VkPhysicalDeviceLimits& limits() const noexcept { return limits_; }
-  bool is_software() const noexcept { return is_software_; }         ///< the driver draws on the CPU
+  bool is_software() const noexcept { return is_software_; }         ///< the driver renders on the CPU
   float max_anisotropy() const noexcept { return max_anisotropy_; }  ///< 1 if the device has no anisotropic filter
   float max_point_size() const noexcept { return max_point_size_; }
   std::uint32_t timestamp_bits() const noexcept { return timestamp_bits_; }  ///< 0 = the queue has no timestamps
@@ -52,8 +52,7 @@ class Device {
   std::uint64_t validation_messages() const noexcept { return messages_.load(); }
   bool validation_active() const noexcept { return messenger_ != VK_NULL_HANDLE; }
 
-  /// Records commands, submits them and waits. For uploads at load time and for read-back; not for frames of the
-  /// window.
+  /// Records commands, submits them and waits for completion. Meant for uploads at load time and for read-back.
   void run_now(const std::function<void(VkCommandBuffer)>& record) const;
   void wait_idle() const;
 

@@ -53,7 +53,7 @@ std::optional<DeviceChoice> with_queue(VkPhysicalDevice device, VkSurfaceKHR sur
   return std::nullopt;
 }
 
-/// Why a device cannot run the passes; null when it can.
+/// The name of the first required feature that a device lacks; null if it is suitable.
 const char* lack_of(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, VkSurfaceKHR surface) {
   if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};

@@ -12,8 +12,8 @@ struct DeviceChoice {
   std::uint32_t timestamp_bits = 0;
 };
 
-/// The best device that can run the passes and, with a surface, present to it: discrete before integrated before
-/// virtual before software. Among equals, the first in the driver's order.
+/// Chooses a suitable device that can also present to the surface, if one is given. Prefers discrete, then integrated,
+/// virtual and software devices; among equals, the first listed.
 /// err  DeviceError, which lists what each device lacks
 DeviceChoice choose_device(VkInstance instance, VkSurfaceKHR surface);
 

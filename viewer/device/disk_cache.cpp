@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;  // of a file that is read
+constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;  // larger cache files are not read
 
 struct Header {
   std::array<char, 8> magic{'s', 'i', 'n', 'e', 'w', 'D', 'C', '1'};
@@ -52,7 +52,8 @@ void DiskCache::store(const std::string& name, std::uint64_t key, std::span<cons
   if (!on()) return;
   std::error_code ignored;
   fs::create_directories(folder_, ignored);
-  std::string unfinished = (folder_ / (name + ".XXXXXX")).string();  // several programs may store at a time
+  // A unique name, because several processes may store at the same time.
+  std::string unfinished = (folder_ / (name + ".XXXXXX")).string();
   const int descriptor = ::mkstemp(unfinished.data());
   if (descriptor < 0) return;
   ::close(descriptor);
@@ -64,7 +65,7 @@ void DiskCache::store(const std::string& name, std::uint64_t key, std::span<cons
     out.flush();
     if (out) fs::rename(unfinished, folder_ / name, ignored);
   }
-  fs::remove(unfinished, ignored);  // where it could not take its place
+  fs::remove(unfinished, ignored);  // cleans up if the rename failed; after a success it no longer exists
 }
 
 }  // namespace sinew::viewer

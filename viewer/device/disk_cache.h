@@ -10,21 +10,21 @@
 
 namespace sinew::viewer {
 
-/// Files that save work in the next run: what the driver compiled, prepared light. Deleting them is always safe.
+/// Files that save work in later runs: compiled pipelines and filtered environment maps. Deleting them is always safe.
 class DiskCache {
  public:
   DiskCache() = default;  ///< stores nothing
 
-  /// in   folder  made when something is stored; empty = nothing is stored
+  /// in   folder  created at the first store; empty = nothing is stored
   explicit DiskCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   bool on() const noexcept { return !folder_.empty(); }
 
-  /// What was stored under a name with this key. Nothing when the file is absent, damaged, or has another key.
+  /// Reads the bytes stored under a name. Returns nothing if the file is missing, damaged, or was stored with another
+  /// key.
   std::optional<std::vector<std::byte>> load(const std::string& name, std::uint64_t key) const;
 
-  /// Replaces the file of this name. Readers see the old file or the new one, never a part. A file that cannot be
-  /// written is no error: its contents are made again in the next run.
+  /// Replaces the file of this name atomically. A failed write is not an error: the next run computes the data again.
   void store(const std::string& name, std::uint64_t key, std::span<const std::byte> bytes) const;
 
  private:

@@ -9,7 +9,7 @@ VkImageAspectFlags aspect_of(VkFormat format) noexcept {
   return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-// The destructor runs when the rest throws, since another constructor has ended before.
+// Delegates to the default constructor, so that the destructor runs if the body throws.
 GpuImage::GpuImage(const Device& device, const ImageShape& shape) : GpuImage() {
   device_ = &device;
   shape_ = shape;

@@ -10,7 +10,7 @@ struct ImageShape {
   std::uint32_t mip_count = 1;
   VkImageUsageFlags usage = 0;
   bool cube = false;          ///< six faces, viewed as a cube
-  std::uint32_t samples = 1;  ///< of a texel: 1 or 4
+  std::uint32_t samples = 1;  ///< samples per texel: 1 or 4
 
   std::uint32_t layers() const noexcept { return cube ? 6 : 1; }
 };
@@ -50,13 +50,13 @@ struct MipRange {
   std::uint32_t first = 0, count = VK_REMAINING_MIP_LEVELS;
 };
 
-/// Makes writes of `before` visible to `after` and changes the layout. Layout UNDEFINED in `before` discards the
+/// Makes writes of `before` visible to `after` and changes the image layout. Layout UNDEFINED in `before` discards the
 /// contents.
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& before,
              const ImageUse& after, const MipRange& levels = {});
 
 /// Copies a whole image in layout TRANSFER_SRC_OPTIMAL to a buffer: tight rows, the top row first. The CPU may read the
-/// buffer once the commands are done.
+/// buffer after the commands have finished.
 void read_back(VkCommandBuffer commands, VkImage image, VkExtent2D extent, VkBuffer to);
 
 VkImageAspectFlags aspect_of(VkFormat format) noexcept;

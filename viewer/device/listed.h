@@ -7,8 +7,7 @@
 
 namespace sinew::viewer {
 
-/// What a function of Vulkan lists: it is called for the length first, then for the entries, which may have become
-/// fewer.
+/// Calls a Vulkan enumeration function twice: for the count, then for the entries, of which there may be fewer by then.
 /// in   call  (std::uint32_t* count, T* entries) -> VkResult
 /// err  DeviceError with `what`
 template <typename T, typename Call>

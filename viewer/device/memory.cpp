@@ -9,8 +9,8 @@ namespace {
 
 constexpr VkDeviceSize kBlockBytes = VkDeviceSize{32} << 20;
 
-/// Memory types with other properties belong to features that are not enabled (protected memory, AMD's uncached memory,
-/// transient attachments).
+/// Memory types with any other property flag need features that are not enabled: protected memory, AMD's uncached
+/// memory, transient attachments.
 constexpr VkMemoryPropertyFlags kUsableFlags =
     VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
     VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
@@ -19,7 +19,7 @@ VkDeviceSize round_up(VkDeviceSize value, VkDeviceSize alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }
 
-/// Property flags, the preferred ones first.
+/// Property flags to try, in order of preference.
 std::vector<VkMemoryPropertyFlags> preferred_flags(MemoryUse use) {
   constexpr VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
   constexpr VkMemoryPropertyFlags mapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -68,7 +68,7 @@ VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use
   return result;
 }
 
-/// Index of a block of that kind with room for the piece, or blocks_.size().
+/// Index of a block of this kind with room for the piece; blocks_.size() if there is none.
 std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint32_t type, bool mapped, bool image) {
   const auto has_room = [&](const Block& block) {
     const bool is_kind =
@@ -78,7 +78,8 @@ std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint
   return static_cast<std::size_t>(std::find_if(blocks_.begin(), blocks_.end(), has_room) - blocks_.begin());
 }
 
-/// Index of a block for the piece: one with room, else a new one of the best type that is not full.
+/// Index of a block for the piece: an existing one with room, else a new one of the best memory type that still has
+/// space.
 std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, bool image) {
   // A large piece gets its own block, so that freeing the piece frees the block.
   const VkDeviceSize size = needs.size > kBlockBytes / 4 ? needs.size : kBlockBytes;
@@ -95,7 +96,7 @@ std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, 
     return static_cast<std::size_t>(at - blocks_.begin());
   }
   must(result, "vkAllocateMemory");
-  throw DeviceError("Vulkan: no memory type fits");  // the list of types was empty
+  throw DeviceError("Vulkan: no memory type fits");  // reached only if the list of types is empty
 }
 
 MemoryPiece Memory::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image) {

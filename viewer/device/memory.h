@@ -10,7 +10,7 @@
 
 namespace sinew::viewer {
 
-/// What memory is used for; it decides the memory type.
+/// Intended use of memory; it decides the memory type.
 enum class MemoryUse : std::uint8_t {
   device,    ///< written once by a copy, read by the GPU
   upload,    ///< written by the CPU every frame, read by the GPU; mapped and coherent
@@ -25,15 +25,15 @@ struct MemoryPiece {
   std::uint32_t block = 0;
 };
 
-/// The memory types of the device for a use, best first. If the best is full, the next is tried: the memory of a
-/// graphics card that the CPU can write may be as small as 256 MB; system memory works too, but is slower.
+/// The device's memory types for a use, best first. The others are fallbacks: host-visible memory of a graphics card
+/// may be only 256 MB; system memory works, but is slower.
 /// in   allowed  one bit per type, as in VkMemoryRequirements
 std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
                                             MemoryUse use);
 
-/// Allocates device memory in blocks, because drivers allow few allocations and scenes have many textures. A block is
-/// filled from front to back and freed when its last piece is freed. Buffers and images never share a block, so
-/// bufferImageGranularity does not matter.
+/// Suballocates device memory from blocks, because drivers limit the number of allocations. A block is filled from
+/// front to back and freed with its last piece. Buffers and images never share a block, so bufferImageGranularity does
+/// not matter.
 class Memory {
  public:
   Memory(VkPhysicalDevice physical, VkDevice device);
@@ -41,7 +41,7 @@ class Memory {
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
-  /// err  DeviceError when no memory of a suitable type is left
+  /// err  DeviceError if no suitable memory is left
   MemoryPiece allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image);
   void free(const MemoryPiece& piece) noexcept;
 

@@ -70,7 +70,7 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   assembly.topology = shape.topology;
   VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
   viewport.viewportCount = viewport.scissorCount = 1;
-  // What is not set is zero: polygons are filled, and both sides of them drawn.
+  // Fields left at zero mean: filled polygons, no culling.
   VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
   raster.lineWidth = 1.0f;
   VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};

@@ -9,32 +9,35 @@
 namespace sinew::viewer {
 
 inline constexpr std::size_t kShaderConstants = 40;
-inline constexpr std::size_t kMostColors = 3;  ///< attachments of a pass
+inline constexpr std::size_t kMostColors = 3;  ///< color attachments of a pass
 
-/// What becomes of a drawn colour s over the stored one d. The second attachment of a frame stores light that is shown
-/// as it is, and its share of the coverage.
+/// How a source colour s is combined with the stored colour d. Notes after "second" and "third" apply to those
+/// attachments. The second attachment of a frame holds light that is shown without tone mapping, and its share of
+/// coverage.
 enum class Blending : std::uint8_t {
-  over,       ///< s + d (1 - s.a): premultiplied
-  straight,   ///< s s.a + d (1 - s.a)
-  filter,     ///< d s, coverage s.a + d.a (1 - s.a);   second: d s, share d.a (1 - s.a)
-  uncovered,  ///< d + s (1 - d.a), coverage too: behind what is drawn; shaders give the second no colour
-  add,        ///< d + s; the same
-  erase,      ///< d (1 - s.a), coverage too; the same
-  weighted    ///< sums, d + s;   second: coverage, s + d (1 - s);   third: sums, too
+  over,      ///< s + d (1 - s.a); s has premultiplied alpha
+  straight,  ///< s s.a + d (1 - s.a)
+  filter,    ///< d s, coverage s.a + d.a (1 - s.a);   second: d s, share d.a (1 - s.a)
+  /// D + s (1 - d.a), also for coverage: draws behind the stored picture; shaders write no colour to the second.
+  uncovered,
+  add,      ///< d + s;   second: likewise
+  erase,    ///< d (1 - s.a), also for coverage;   second: likewise
+  weighted  ///< d + s, a sum of weighted colours;   second: coverage, s + d (1 - s);   third: d + s
 };
 
-/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, up
-/// to three colour attachments of one format, reversed depth.
+/// Parameters that differ between the graphics pipelines. Fixed for all: dynamic rendering, dynamic viewport and
+/// scissor, one colour format, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
-  std::array<std::uint32_t, kShaderConstants> constants{};  ///< specialisation constants of both shaders, by their ids
+  /// Specialisation constants of both shaders, indexed by constant_id.
+  std::array<std::uint32_t, kShaderConstants> constants{};
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
-  std::uint32_t colors = 1;   ///< attachments, where there is a format; what blends over the second covers it, but adds
-                              ///< no coverage
-  bool adds_second = false;   ///< what blends adds its own coverage to the second attachment
-  std::uint32_t samples = 1;  ///< of the attachments: 1 or 4
-  bool depth = false;         ///< there is a D32 depth attachment
+  /// Number of colour attachments if color_format is set; blended draws cover the second one but add no coverage to it.
+  std::uint32_t colors = 1;
+  bool adds_second = false;   ///< blended draws also add their coverage to the second attachment
+  std::uint32_t samples = 1;  ///< samples per texel of the attachments: 1 or 4
+  bool depth = false;         ///< true = uses a D32 depth attachment
   bool depth_write = false;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
   bool blend = false;

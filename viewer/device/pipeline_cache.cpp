@@ -16,7 +16,7 @@ std::uint64_t key_of(const VkPhysicalDeviceProperties& device) {
   return checksum(std::as_bytes(std::span(device.pipelineCacheUUID)), checksum(std::as_bytes(std::span(numbers))));
 }
 
-/// One file for each device: a new version of its driver replaces it.
+/// File name: one file for each device. A new driver version overwrites it.
 std::string name_of(const VkPhysicalDeviceProperties& device) {
   char name[48];
   std::snprintf(name, sizeof name, "%04x-%04x.pipelines", device.vendorID, device.deviceID);
@@ -72,14 +72,15 @@ PipelineCache::PipelineCache(VkPhysicalDevice physical, VkDevice device, const D
 PipelineCache::~PipelineCache() {
   try {
     if (disk_.on()) store();
-  } catch (const std::exception&) {  // no memory or no disk: the next run compiles again
+  } catch (const std::exception&) {  // out of memory or disk error: the next run compiles again
   }
   vkDestroyPipelineCache(device_, cache_, nullptr);
 }
 
 void PipelineCache::store() const {
   const std::vector<std::byte> data = data_of(device_, cache_);
-  if (data.size() <= sizeof(VkPipelineCacheHeaderVersionOne)) return;  // drivers that keep compiled code elsewhere
+  // Empty: this driver keeps compiled code in its own cache.
+  if (data.size() <= sizeof(VkPipelineCacheHeaderVersionOne)) return;
   if (checksum(data) != loaded_checksum_) disk_.store(name_, key_, data);
 }
 

@@ -10,13 +10,13 @@
 
 namespace sinew::viewer {
 
-/// What the driver compiled, kept for the next run where the driver gives it. A cache of another device or of another
-/// version of the driver is not loaded.
+/// A VkPipelineCache that is kept on disk between runs, if the driver exports its data. Data of another device or
+/// driver version is not loaded.
 class PipelineCache {
  public:
-  /// err  DeviceError when the driver makes no cache
+  /// err  DeviceError if the driver cannot create a cache
   PipelineCache(VkPhysicalDevice physical, VkDevice device, const DiskCache& disk);
-  /// Stores the cache when pipelines were added to it.
+  /// Stores the cache if pipelines were added.
   ~PipelineCache();
   PipelineCache(const PipelineCache&) = delete;
   PipelineCache& operator=(const PipelineCache&) = delete;
@@ -29,12 +29,13 @@ class PipelineCache {
   VkDevice device_;
   DiskCache disk_;
   std::string name_;
-  std::uint64_t key_ = 0;              ///< of device and driver
+  std::uint64_t key_ = 0;              ///< identifies device and driver version
   std::uint64_t loaded_checksum_ = 0;  ///< 0 = nothing was loaded
   VkPipelineCache cache_ = VK_NULL_HANDLE;
 };
 
-/// The data begin with the header that Vulkan prescribes, of this device and driver, and hold more than that.
+/// True if the data starts with Vulkan's pipeline cache header for this device and driver, and is longer than the
+/// header.
 bool holds_pipelines_for(const VkPhysicalDeviceProperties& device, std::span<const std::byte> data) noexcept;
 
 }  // namespace sinew::viewer

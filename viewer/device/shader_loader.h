@@ -7,8 +7,8 @@
 
 namespace sinew::viewer {
 
-/// The shaders of viewer/shaders. They are compiled to SPIR-V when the viewer is built and are part of the program.
-/// Those named rip are variants that read rip maps (viewer/shaders/texture_filter.glsl).
+/// The shaders of viewer/shaders, compiled to SPIR-V at build time and embedded in the program. Variants named "rip"
+/// read rip maps (viewer/shaders/texture_filter.glsl).
 enum class Shader : std::uint8_t {
   geometry_vert,
   normal_depth_frag,
@@ -37,7 +37,7 @@ enum class Shader : std::uint8_t {
 
 std::span<const std::uint32_t> code_of(Shader shader) noexcept;
 
-/// A shader module. It is only needed while pipelines are created from it.
+/// A shader module. It may be destroyed once the pipelines are created.
 class ShaderModule {
  public:
   ShaderModule(const Device& device, Shader shader);

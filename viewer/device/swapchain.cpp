@@ -8,7 +8,8 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint64_t kAcquireTimeout_ns = 100'000'000;  // the images of a hidden window may never become free
+// Because images of a hidden window may never become available.
+constexpr std::uint64_t kAcquireTimeout_ns = 100'000'000;
 
 VkSurfaceFormatKHR choose_format(const Device& device) {
   const auto formats =

@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// GPU times of the parts of one frame, measured between marks. Does nothing on a queue without timestamps.
+/// Measures GPU times between marks within one frame. Does nothing on a queue without timestamps.
 class Timestamps {
  public:
   Timestamps(const Device& device, std::uint32_t max_marks);
@@ -15,10 +15,11 @@ class Timestamps {
   Timestamps(const Timestamps&) = delete;
   Timestamps& operator=(const Timestamps&) = delete;
 
-  void begin(VkCommandBuffer commands);  ///< outside of rendering; removes the old marks and writes the first
+  /// Resets the queries and writes the first mark; call it outside a render pass.
+  void begin(VkCommandBuffer commands);
   void mark(VkCommandBuffer commands);
 
-  /// Milliseconds between consecutive marks, one fewer than marks. The GPU must be done with the frame.
+  /// Milliseconds between consecutive marks: one value less than marks. The GPU must have finished the frame.
   std::vector<double> milliseconds() const;
 
  private:

@@ -8,12 +8,12 @@ namespace sinew::viewer {
 
 bool validation_installed();
 
-/// Enables validation with synchronisation checks on an instance, and delivers its messages.
+/// Enables the validation layer, with synchronisation checks, for an instance and its message callback.
 class ValidationRequest {
  public:
   ValidationRequest(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user);
 
-  /// Adds the layer to `info` and its extension to `extensions`. This object must live until the instance is created.
+  /// Adds the layer to `info` and its extension to `extensions`. `info` points into this object afterwards.
   void add_to(VkInstanceCreateInfo& info, std::vector<const char*>& extensions);
   VkDebugUtilsMessengerEXT create_messenger(VkInstance instance) const;
 

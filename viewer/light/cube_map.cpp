@@ -26,12 +26,12 @@ FacePoint face_point(const glm::vec3& d) noexcept {
   return d.z > 0.0f ? FacePoint{4, d.x / size.z, -d.y / size.z} : FacePoint{5, -d.x / size.z, -d.y / size.z};
 }
 
-/// Where a texel is on its face, in [-1, 1].
+/// Center of texel i on its face, as a coordinate in [-1, 1].
 float texel_middle(std::uint32_t i, std::uint32_t size) noexcept {
   return 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(size) - 1.0f;
 }
 
-/// Two neighbouring texels, and how much of the second.
+/// Two neighbouring texels, and the weight of the second.
 struct Between {
   std::uint32_t first = 0, second = 0;
   float share = 0.0f;

@@ -15,7 +15,7 @@
 
 #include "viewer/light/panorama.h"
 
-// A private copy of stb_image that reads Radiance files alone.
+// A private copy of stb_image, restricted to Radiance files.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_HDR
@@ -41,10 +41,10 @@ bool starts_with(Bytes bytes, std::string_view text) noexcept {
   return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
 }
 
-/// The brightest light, so that sums over all texels stay finite. An infinite one would spoil the whole picture.
+/// Radiance is clamped to this, so that sums over all texels stay finite.
 constexpr float kMostLight = 1e30f;
 
-/// What is no light is black: negative, infinite or not a number.
+/// Replaces negative, infinite and NaN values by 0 and clamps to kMostLight.
 glm::vec3 as_light(float r, float g, float b) noexcept {
   const auto channel = [](float v) { return std::isfinite(v) && v > 0.0f ? std::min(v, kMostLight) : 0.0f; };
   return {channel(r), channel(g), channel(b)};
@@ -57,20 +57,20 @@ std::string fault_of_size(std::int64_t width, std::int64_t height) {
   return {};
 }
 
-/// What follows the header of a Radiance file: a blank line ends its fields, one more line has the size.
+/// The pixel rows of a Radiance file: they follow the header fields, a blank line and the size line.
 Bytes rows_of_radiance(Bytes bytes) noexcept {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::size_t fields = text.find("\n\n"), size = fields == text.npos ? fields : text.find('\n', fields + 2);
   return size == text.npos ? Bytes() : bytes.subspan(size + 1);
 }
 
-/// False where run lengths end too early, or one of them is 0: stb_image would read on for ever.
+/// Checks the run lengths: false if the data ends too early or a run is 0, where stb_image would loop forever.
 bool run_lengths_fit(Bytes rows, std::uint32_t width, std::uint32_t height) noexcept {
   std::size_t at = 0;
   const auto byte = [&](std::size_t i) { return std::to_integer<std::uint32_t>(rows[i]); };
   for (std::uint32_t y = 0; y < height; ++y) {
     if (rows.size() - at < 4) return false;
-    if (byte(at) != 2 || byte(at + 1) != 2 || byte(at + 2) >= 128) return true;  // plain texels from here
+    if (byte(at) != 2 || byte(at + 1) != 2 || byte(at + 2) >= 128) return true;  // the rest is not run-length encoded
     at += 4;
     for (std::uint32_t channel = 0; channel < 4; ++channel)
       for (std::uint32_t x = 0; x < width;) {
@@ -92,7 +92,7 @@ Decoded decode_radiance(Bytes bytes) {
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
     return fails(std::string("Radiance: ") + stbi_failure_reason());
   if (std::string fault = fault_of_size(width, height); !fault.empty()) return fails(std::move(fault));
-  // Run lengths store a row in at least 4 bytes and two for each 127 of its values.
+  // Checked before allocation: even run-length encoding needs at least 4 bytes for each row.
   if (bytes.size() / 4 < static_cast<std::size_t>(height)) return fails("Radiance: the file ends too early");
   if (width >= 8 &&
       !run_lengths_fit(rows_of_radiance(bytes), static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)))
@@ -108,7 +108,7 @@ Decoded decode_radiance(Bytes bytes) {
   return panorama;
 }
 
-/// OpenEXR's view of bytes in memory.
+/// An OpenEXR input stream over bytes in memory.
 class MemoryStream : public Imf::IStream {
  public:
   explicit MemoryStream(Bytes bytes) : Imf::IStream("panorama"), bytes_(bytes) {}
@@ -153,7 +153,7 @@ tl::expected<Panorama, std::string> decode_panorama(std::span<const std::byte> b
     return fails("neither Radiance (.hdr) nor OpenEXR (.exr)");
   try {
     return decode_exr(bytes);
-  } catch (const std::exception& error) {  // OpenEXR tells by exceptions
+  } catch (const std::exception& error) {  // OpenEXR reports errors as exceptions
     return fails(std::string("OpenEXR: ") + error.what());
   }
 }

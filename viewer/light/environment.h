@@ -10,50 +10,50 @@
 
 namespace sinew::viewer {
 
-/// Levels of an environment for reflections. Level i is filtered for the roughness i / (kEnvironmentLevels - 1).
+/// Number of mip levels of the reflection map. Level i is prefiltered for roughness i / (kEnvironmentLevels - 1).
 inline constexpr std::uint32_t kEnvironmentLevels = 6;
 
-/// Light that comes from far away, from every direction, as the shaders need it.
+/// Distant environment light, prefiltered for the shaders.
 struct Environment {
-  /// Diffuse light: irradiance / pi of a surface with unit normal (x, y, z) is the sum of these times
-  /// 1, y, z, x, xy, yz, 3 z^2 - 1, xz, x^2 - y^2.
+  /// Diffuse light: irradiance / pi at unit normal (x, y, z) is the dot product of these coefficients with (1, y, z, x,
+  /// xy, yz, 3 z^2 - 1, xz, x^2 - y^2).
   /// eq   Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps" (2001): spherical
-  ///      harmonics of order 3, times 1, 2/3 and 1/4 for the bands; the constants of the basis are multiplied in
+  ///      harmonics up to band 2, scaled by 1, 2/3 and 1/4 for the bands; the basis constants are included
   std::array<glm::vec3, 9> diffuse{};
 
-  /// Reflected light: [kEnvironmentLevels], each of half the size of the one before.
-  /// eq   Karis, "Real Shading in Unreal Engine 4" (2013): sum of L(l) n.l over directions l = reflect(-n, h), where h
-  ///      are distributed as GGX with alpha = roughness^2 about n, over the sum of n.l
+  /// Specular light: [kEnvironmentLevels] mip levels, each half the size of the one before.
+  /// eq   Karis, "Real Shading in Unreal Engine 4" (2013): sum(L(l) n.l) / sum(n.l) over directions l = reflect(-n, h),
+  ///      with h distributed as GGX about n, alpha = roughness^2
   std::vector<CubeMap> reflected;
 
-  /// The table of split_sum.h, where it was stored beside the environment; empty = split_sum_table() gives it.
+  /// The table of split_sum.h, if it was loaded from the disk cache; empty = use split_sum_table().
   std::vector<glm::vec3> split_sum;
 };
 
-/// Prepares an environment.
+/// Prefilters a sky into an environment.
 /// in   sky  size a power of two, at least 2^(kEnvironmentLevels - 1)
-/// cost some 3 million reads of the map for 256 texels, on all cores
+/// cost about 3 million map reads for a 256-texel cube, on all cores
 std::shared_ptr<const Environment> make_environment(CubeMap sky);
 
-/// Light that changes evenly with the height of its direction: `ground` from below to `sky` from above.
+/// Radiance linear in the y of its direction: `ground` at -1, `sky` at +1.
 struct Gradient {
   glm::vec3 sky{0.46f, 0.50f, 0.57f}, ground{0.25f, 0.22f, 0.20f};
 };
 
-/// A gradient as an environment, by its closed form.
+/// The environment of a gradient, computed in closed form.
 std::shared_ptr<const Environment> gradient_environment(const Gradient& gradient);
 
-/// The default gradient, a cool sky and a warm ground; one object for all.
+/// The environment of the default gradient, a cool sky and a warm ground. A shared singleton.
 std::shared_ptr<const Environment> plain_environment();
 
-/// Mean cosine between n and the directions that GGX reflects light from, weighted as `Environment::reflected`: what is
-/// left of a gradient.
+/// Mean cosine between n and the GGX-reflected directions, weighted as in `Environment::reflected`. It is the factor by
+/// which filtering flattens a gradient.
 double mean_reflected_cosine(double roughness);
 
-/// A neutral room with three large soft lights: one above to the front, one aside, one behind.
+/// A neutral room with three large soft lights: one above and in front, one at the side, one behind.
 CubeMap studio_sky();
 
-/// The same as an environment; one object for all.
+/// The environment of studio_sky(). A shared singleton.
 std::shared_ptr<const Environment> studio_environment();
 
 }  // namespace sinew::viewer

@@ -6,7 +6,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kSize = 128;  // leaves four texels for the roughest level
+constexpr std::uint32_t kSize = 128;  // so that the roughest level still has four texels along an edge
 
 }  // namespace
 

@@ -5,26 +5,27 @@
 #include <span>
 #include <utility>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "runtime/base/contract.h"
 #include "runtime/math/interpolate.h"
+#include "runtime/threads/default_executor.h"
 #include "viewer/light/environment.h"
 #include "viewer/light/reflected_directions.h"
 
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kDiffuseSize = 32;  // of the map that is projected: order 3 sees nothing finer
+constexpr std::uint32_t kDiffuseSize = 32;  // map size for the projection; bands up to 2 contain no finer detail
 
-/// Directions for a texel of a level: more for wide lobes, whose levels have fewer texels.
+/// Sample directions per texel of each level: more for wide lobes, whose levels have fewer texels.
 constexpr std::array<std::uint32_t, kEnvironmentLevels> kSamples = {1, 16, 48, 128, 384, 1024};
 
-/// Coarser maps of the pyramid are not read: light would leak from face to face.
+/// Least face size of the pyramid level that is sampled. On smaller faces, clamped filtering at the edges becomes
+/// visible.
 constexpr std::uint32_t kCoarsest = 8;
 
-/// Squares of the constants of the real spherical harmonics times the cosine lobe's share of their band.
+/// Squared constants of the real spherical harmonics, times the cosine lobe's factor of their band.
 constexpr float kBand0 = 0.079577472f;                    // 1 / (4 pi)
 constexpr float kBand1 = 0.238732415f * 2.0f / 3.0f;      // 3 / (4 pi)
 constexpr float kBand2 = 1.193662073f * 0.25f;            // 15 / (4 pi)
@@ -55,7 +56,7 @@ std::array<glm::vec3, 9> project(const CubeMap& cube) {
   return diffuse;
 }
 
-/// The map, and smaller ones of averaged texels.
+/// The mip pyramid of a map.
 std::vector<CubeMap> pyramid(CubeMap cube) {
   std::vector<CubeMap> levels;
   levels.push_back(std::move(cube));
@@ -70,8 +71,8 @@ glm::vec3 sample(std::span<const CubeMap> levels, const glm::vec3& direction, fl
   return lerp(sample(levels[first], direction), sample(levels[second], direction), at - static_cast<float>(first));
 }
 
-/// One texel of a level: the mean over the directions that light is reflected from. Each sample reads the level of the
-/// source whose texels are as large as the share of directions that the sample stands for.
+/// Computes one texel of a level: the weighted mean over the reflected directions. Each sample reads the source level
+/// whose texels match its solid angle.
 glm::vec3 filtered(std::span<const CubeMap> source, std::span<const ReflectedDirection> directions,
                    const glm::vec3& n) noexcept {
   const glm::vec3 aside = glm::normalize(std::abs(n.y) < 0.99f ? glm::cross(n, {0, 1, 0}) : glm::cross(n, {1, 0, 0}));
@@ -91,7 +92,8 @@ CubeMap filtered_level(std::span<const CubeMap> source, std::uint32_t level) {
   const std::uint32_t size = source[0].size >> level;
   const auto directions = reflected_directions(roughness, kSamples[level], source[0].size);
   CubeMap cube{size, std::vector<glm::vec3>(std::size_t{kCubeFaces} * size * size)};
-  tbb::parallel_for(0u, kCubeFaces * size, [&](std::uint32_t row) {
+  run_in_parallel(kCubeFaces * size, [&](std::size_t item) {
+    const auto row = static_cast<std::uint32_t>(item);
     for (std::uint32_t x = 0; x < size; ++x)
       cube.texels[std::size_t{row} * size + x] =
           filtered(source, directions, texel_direction(row / size, x, row % size, size));

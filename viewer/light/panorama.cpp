@@ -12,7 +12,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// The texels around a direction, linear; around the seam at -x they continue on the other side.
+/// Bilinear lookup in a direction; columns wrap around at the seam at -x.
 glm::vec3 sample(const Panorama& panorama, const glm::vec3& direction) {
   const glm::vec3 d = glm::normalize(direction);
   const float turn = std::atan2(d.z, d.x) / (2.0f * std::numbers::pi_v<float>)+0.5f;
@@ -36,7 +36,7 @@ glm::vec3 sample(const Panorama& panorama, const glm::vec3& direction) {
 }  // namespace
 
 CubeMap cube_from(const Panorama& panorama, std::uint32_t size) {
-  // Four faces lie around the horizon. Each texel takes as many samples as the panorama has texels there.
+  // Four faces span the horizon. Each cube texel takes as many samples as the panorama has texels in its width.
   const std::uint32_t across = (panorama.width + 4 * size - 1) / (4 * size), fine = size * across;
   CubeMap cube{size, {}};
   cube.texels.reserve(std::size_t{kCubeFaces} * size * size);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Samples overlap by this many levels, so that few of them leave no pattern.
+/// Added to the source level, so that neighbouring samples overlap and a low sample count leaves no pattern.
 constexpr float kOverlap = 0.5f;
 
-/// The base-2 digits of i behind the point, reversed: in [0, 1).
+/// Radical inverse of i in base 2 (van der Corput sequence), in [0, 1).
 float reversed_bits(std::uint32_t i) noexcept {
   float sum = 0.0f;
   for (float digit = 0.5f; i > 0; i /= 2) {
@@ -32,7 +32,7 @@ std::vector<ReflectedDirection> reflected_directions(float roughness, std::uint3
   for (std::uint32_t i = 0; i < count; ++i) {
     const float s = (static_cast<float>(i) + 0.5f) / static_cast<float>(count), turn = 2.0f * kPi * reversed_bits(i);
     const float cos2 = (1.0f - s) / (1.0f + (alpha2 - 1.0f) * s);
-    const float z = 2.0f * cos2 - 1.0f;  // of the reflected direction: the cosine of twice the angle
+    const float z = 2.0f * cos2 - 1.0f;  // z of the reflected direction: cos(2 angle)
     if (z <= 0.0f) continue;
     const float r = std::sqrt(std::max(0.0f, 1.0f - z * z));
     const float d = cos2 * (alpha2 - 1.0f) + 1.0f, density = alpha2 / (kPi * d * d) / 4.0f;

@@ -9,11 +9,11 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr int kHeights = 24, kTurns = 8;  // turns of half a circle, because the other half is alike
+constexpr int kHeights = 24, kTurns = 8;  // kTurns azimuths of half a circle; the other half is symmetric
 
 constexpr float kSmallestCosine = 1e-4f;
 
-/// The fit of Lambda between roughness 0 and 1 for one roughness.
+/// The paper's fit of Lambda, interpolated for one roughness.
 struct Lambda {
   float a, b, c, d, e;
 
@@ -50,7 +50,7 @@ float sheen_albedo(float n_v, float roughness) noexcept {
       const float flat = x * x + y * y;
       ring += std::pow(flat / (flat + h * h), 0.5f * inverse);
     }
-    // D V n.l, times dz = 2 u du and the turn of each ring; n.l and pi cancel.
+    // D V n.l, times dz = 2 u du and the angle step of the ring. n.l and pi cancel out.
     sum += ring * (2.0f + inverse) * u / ((1.0f + lambda_v + lambda(z)) * 2.0f * v * kHeights * kTurns);
   }
   return sum;

@@ -3,16 +3,16 @@
 
 namespace sinew::viewer {
 
-/// Share of light from all around that white sheen reflects towards the viewer. It is above 1 at grazing angles where
-/// roughness is low: the lobe makes energy there, so the shader divides it by what is above 1.
+/// Directional albedo of white sheen. At grazing angles and low roughness the lobe creates energy and the albedo
+/// exceeds 1; the shader divides by the excess.
 /// eq   integral over l of D V n.l, with D = (2 + 1/a) sin(h)^(1/a) / 2 pi of Estevez and Kulla, "Production Friendly
-///      Microfacet Sheen BRDF" (2017), a = roughness^2, and V = 1 / ((1 + L(n.v) + L(n.l)) 4 n.v n.l) with L as they
-///      fitted it
-/// in   n_v  cosine between normal and viewer, [0, 1];   roughness  [0, 1], at least kLeastSheenRoughness is used
+///      Microfacet Sheen BRDF" (2017), a = roughness^2, and V = 1 / ((1 + L(n.v) + L(n.l)) 4 n.v n.l) with their fit of
+///      L
+/// in   n_v  cosine between normal and viewer, [0, 1];   roughness  [0, 1], raised to kLeastSheenRoughness
 /// cost 192 evaluations
 float sheen_albedo(float n_v, float roughness) noexcept;
 
 inline constexpr float kLeastSheenRoughness =
-    5.0f / 63.0f;  ///< a row of the table; below, the lobe is thinner than float resolves
+    5.0f / 63.0f;  ///< a row of the table; below it, the lobe is too narrow for float
 
 }  // namespace sinew::viewer

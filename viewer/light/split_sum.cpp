@@ -6,27 +6,28 @@
 #include <cmath>
 #include <numbers>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "runtime/threads/default_executor.h"
 #include "viewer/light/sheen_albedo.h"
 
 namespace sinew::viewer {
 namespace {
 
-constexpr std::size_t kRings = 32, kTurns = 8;  // of the unit disk; turns of half of it, because the other is alike
+// Rings of the unit disk, and azimuths of half of it; the other half is symmetric.
+constexpr std::size_t kRings = 32, kTurns = 8;
 
-constexpr float kSmallestAlpha = 1e-6f;   // a mirror within float
-constexpr float kSmallestCosine = 1e-6f;  // at 0 nothing would be visible
+constexpr float kSmallestAlpha = 1e-6f;   // a perfect mirror within float precision
+constexpr float kSmallestCosine = 1e-6f;  // at 0 the surface would not be visible
 
 struct DiskPoint {
   glm::vec2 at;
   float weight;
 };
 
-/// Points of half the unit disk whose weights add up to 1. They are denser towards the edge, where the long tail of GGX
-/// is: the area inside of a ring is u (2 - u).
+/// Sample points of half the unit disk; their weights add up to 1. The area within ring u is u (2 - u), so points are
+/// denser near the edge, where the long tail of GGX lies.
 std::array<DiskPoint, kRings * kTurns> half_disk() {
   std::array<DiskPoint, kRings * kTurns> points{};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -40,7 +41,7 @@ std::array<DiskPoint, kRings * kTurns> half_disk() {
 /// A surface and a viewer in the plane y = 0; the normal is +z.
 struct GgxView {
   float alpha, alpha2;
-  glm::vec3 to_viewer, stretched;  ///< stretched: as for a surface of alpha 1
+  glm::vec3 to_viewer, stretched;  ///< stretched: the view vector in the space where alpha is 1
   float smith_v;                   ///< sqrt(alpha^2 + (1 - alpha^2) n.v^2)
 };
 
@@ -52,8 +53,8 @@ GgxView ggx_view(float n_v, float roughness) noexcept {
           std::sqrt(alpha2 + (1.0f - alpha2) * z * z)};
 }
 
-/// A half vector that the viewer sees.
-/// in   point  of the disk across `stretched`
+/// A half vector of the distribution of visible normals.
+/// in   point  on the disk perpendicular to `stretched`
 glm::vec3 visible_half_vector(const GgxView& view, const glm::vec2& point) noexcept {
   const glm::vec3 aside(0.0f, 1.0f, 0.0f), up = glm::cross(view.stretched, aside);
   const float lift = 0.5f * (1.0f + view.stretched.z);
@@ -66,7 +67,7 @@ glm::vec3 visible_half_vector(const GgxView& view, const glm::vec2& point) noexc
 std::vector<glm::vec3> make_table() {
   constexpr float last = kSplitSumSize - 1;
   std::vector<glm::vec3> table(std::size_t{kSplitSumSize} * kSplitSumSize);
-  tbb::parallel_for(0u, kSplitSumSize, [&](std::uint32_t row) {
+  run_in_parallel(kSplitSumSize, [&](std::size_t row) {
     for (std::uint32_t i = 0; i < kSplitSumSize; ++i) {
       const float root = static_cast<float>(i) / last, n_v = root * root;
       const float roughness = static_cast<float>(row) / last;

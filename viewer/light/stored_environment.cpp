@@ -10,10 +10,10 @@
 namespace sinew::viewer {
 namespace {
 
-/// Grows when make_environment or split_sum_table give other values for the same sky.
+/// Increase it when make_environment or split_sum_table change their results for the same sky.
 constexpr std::uint64_t kVersion = 2;
 
-/// Arrays of floats, one after another.
+/// Visits all stored arrays, as bytes, in the order of the file.
 template <class Visit>
 void for_each_part(Environment& environment, const Visit& visit) {
   visit(std::as_writable_bytes(std::span(environment.diffuse)));
@@ -28,7 +28,7 @@ std::size_t size_of_parts(Environment& environment) {
   return size;
 }
 
-/// With room for every part, and the sky as its sharpest level.
+/// An environment with the sky as its sharpest level and memory for all stored arrays.
 std::shared_ptr<Environment> empty_environment(CubeMap sky) {
   auto made = std::make_shared<Environment>();
   const std::uint32_t size = sky.size;
@@ -59,7 +59,7 @@ std::vector<std::byte> stored_parts(const Environment& environment) {
   return bytes;
 }
 
-std::shared_ptr<const Environment> whole_environment(CubeMap sky, std::span<const std::byte> parts) {
+std::shared_ptr<const Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts) {
   auto made = empty_environment(std::move(sky));
   if (parts.size() != size_of_parts(*made)) return nullptr;
   std::size_t at = 0;

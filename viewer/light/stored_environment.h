@@ -10,14 +10,15 @@
 
 namespace sinew::viewer {
 
-/// Names everything that a prepared environment depends on: the sky, bit by bit, and how environments are made.
+/// A cache key of everything that a prefiltered environment depends on: the bits of the sky and the version of the
+/// algorithms.
 std::uint64_t environment_key(const CubeMap& sky);
 
-/// What takes long to make of an environment, as bytes: diffuse light, the filtered levels, the table of the split sum.
+/// The expensive parts of an environment as bytes: diffuse coefficients, filtered levels, split-sum table.
 std::vector<std::byte> stored_parts(const Environment& environment);
 
-/// The environment of a sky with its stored parts: the same bits as make_environment gives. Null when the bytes have
-/// another size.
-std::shared_ptr<const Environment> whole_environment(CubeMap sky, std::span<const std::byte> parts);
+/// Rebuilds an environment from its sky and stored parts, bit-identical to make_environment. Null if `parts` has the
+/// wrong size.
+std::shared_ptr<const Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts);
 
 }  // namespace sinew::viewer

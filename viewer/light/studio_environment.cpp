@@ -11,16 +11,16 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kSize = 128;  // the edges of the lights are soft
+constexpr std::uint32_t kSize = 128;  // enough, because the lights have soft edges
 
-/// A rectangle of light that faces the middle of the room.
+/// A rectangular area light that faces the center of the room.
 struct Panel {
-  glm::vec3 towards;  ///< its centre
+  glm::vec3 towards;  ///< direction to its center
   glm::vec2 half;     ///< its half width and height at distance 1
   glm::vec3 radiance;
 };
 
-constexpr float kSoftEdge = 0.12f;  // of a panel, at distance 1
+constexpr float kSoftEdge = 0.12f;  // width of a panel's soft edge, at distance 1
 
 glm::vec3 from_panel(const Panel& panel, const glm::vec3& d) {
   const glm::vec3 back = glm::normalize(panel.towards);

@@ -13,7 +13,7 @@ struct Span {
   std::uint32_t first = 0, count = 0;
 };
 
-/// Texels from one before `least` to one behind `most`, which are in normalised device coordinates.
+/// Texels that cover [least, most] (normalised device coordinates), plus one on either side.
 Span texels_between(double least, double most, std::uint32_t pixels, std::uint32_t step) noexcept {
   const double texels = std::ceil(static_cast<double>(pixels) / step), to_texels = 0.5 * pixels / step;
   const double first = std::clamp(std::floor((least + 1.0) * to_texels) - 1.0, 0.0, texels),

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "runtime/math/determinant_sign.h"
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
@@ -27,15 +27,15 @@ void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& 
   }
 }
 
-/// Moves ambient access from the first key pose to the two around the time of the frame.
-void choose_key_poses(Draw& draw, const PrimitiveBuffers& own, std::size_t vertices, const AccessBlend& blend) {
-  const auto access = static_cast<std::size_t>(Attribute::access);
-  if (own.attributes[access] == kAbsent) return;
-  draw.offsets[access] += VkDeviceSize{kAttributeBytes[access]} * vertices * blend.pose;
-  draw.offsets[access + 1] += VkDeviceSize{kAttributeBytes[access]} * vertices * blend.next;
+/// Points the visibility attributes to the key poses before and after the frame's time.
+void choose_key_poses(Draw& draw, const PrimitiveBuffers& own, std::size_t vertices, const VisibilityBlend& blend) {
+  const auto visibility = static_cast<std::size_t>(Attribute::visibility);
+  if (own.attributes[visibility] == kAbsent) return;
+  draw.offsets[visibility] += VkDeviceSize{kAttributeBytes[visibility]} * vertices * blend.pose;
+  draw.offsets[visibility + 1] += VkDeviceSize{kAttributeBytes[visibility]} * vertices * blend.next;
 }
 
-/// Distances of a box from the eye plane.
+/// Range of distances of a box from the eye plane.
 DepthRange range_of(const Affine& view_from_box, const Aabb& box) {
   const glm::vec4 row = view_from_box.row[2];
   const glm::vec3 middle = 0.5f * (box.lower + box.upper), half = 0.5f * (box.upper - box.lower);
@@ -43,7 +43,7 @@ DepthRange range_of(const Affine& view_from_box, const Aabb& box) {
   return {distance - reach, distance + reach};
 }
 
-/// Number of draws of an instance that is in view.
+/// Number of draw calls of an instance, copies included.
 std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
   const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(),
                                    [](const Primitive& p) { return !p.indices.empty(); });
@@ -85,7 +85,8 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
       const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();
       for_each_copy(scene.instances[i], view_from_mesh, [&](const Affined& view_from_copy) {
-        const bool mirrored = copied ? determinant_sign(view_from_copy) < 0 : placed.mirrored;  // views do not mirror
+        // The view matrix never mirrors.
+        const bool mirrored = copied ? determinant_sign(view_from_copy) < 0 : placed.mirrored;
         add(frame, drawn, i, view_from_copy, mirrored);
       });
     }
@@ -109,7 +110,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const PrimitiveBuffers& own = meshes.primitive(mesh_index, p);
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
-    const bool moved = deformed.positions != kAbsent;  // then only the bounds of the whole instance are known
+    const bool moved = deformed.positions != kAbsent;  // deformed: only the bounds of the whole instance are known
     const bool out_of_view = moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, bounds)
                                    : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds);
     out_of_view_ += out_of_view;
@@ -119,7 +120,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
     Draw draw;
     bind_attributes(draw, meshes, own, deformed, {meshes.buffer(), vertices.buffer.handle()});
-    choose_key_poses(draw, own, primitive.vertex_count(), drawn.access);
+    choose_key_poses(draw, own, primitive.vertex_count(), drawn.visibility);
     draw.indices = meshes.buffer();
     draw.indices_at = own.indices;
     draw.index_count = own.index_count;
@@ -127,7 +128,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.constants = {{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]},
                       mirrored ? -1.0f : 1.0f,
                       frame.point_size,
-                      drawn.access.factor};
+                      drawn.visibility.factor};
     draw.surface = surface_of(primitive, drawn.scene->materials().features_of(material_index));
     draw.surface.double_sided = material && material->double_sided;
     draw.topology = primitive.topology;
@@ -156,7 +157,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
 
 void DrawList::add_opaque(const Draw& draw, const Affined& view_from_bounds, const Aabb& bounds) {
   if (draw.topology == Topology::points)
-    opaque_area_.add_everything();  // they are larger than their bounds
+    opaque_area_.add_everything();  // points extend beyond their bounds
   else
     opaque_area_.add_box(view_from_bounds, bounds);
   opaque_.push_back(draw);

@@ -19,17 +19,17 @@ struct DrawConstants {
   std::array<glm::vec4, 3> view_from_mesh;  ///< rows
   float handedness = 1.0f;                  ///< -1 for mirrored meshes
   float point_size = 1.0f;
-  float access_factor = 0.0f;  ///< AccessBlend::factor
+  float visibility_factor = 0.0f;  ///< VisibilityBlend::factor
 };
 
-/// Where the normals of a surface come from.
+/// Source of a surface's normals.
 enum class NormalSource : std::uint8_t {
   none,     ///< points and lines, and triangles without normals
-  faces,    ///< each triangle is flat
-  vertices  ///< interpolated
+  faces,    ///< one normal per triangle, from derivatives
+  vertices  ///< vertex normals, interpolated
 };
 
-/// What the shaders of a draw are compiled for.
+/// Properties of a draw that select a shader variant.
 struct SurfaceFeatures {
   NormalSource normals = NormalSource::none;
   bool tangents = false;
@@ -39,8 +39,8 @@ struct SurfaceFeatures {
   auto operator<=>(const SurfaceFeatures&) const = default;
 };
 
-/// One draw call. Each attribute has its own binding: the deformed one, else the mesh's own, else a default of stride
-/// 0.
+/// One draw call. Each attribute has its own binding: the deformed stream, else the static one, else a default value
+/// with stride 0.
 struct Draw {
   std::array<VkBuffer, kAttributeCount> buffers{};
   std::array<VkDeviceSize, kAttributeCount> offsets{}, strides{};
@@ -53,43 +53,43 @@ struct Draw {
   Topology topology = Topology::triangles;
   bool masked = false, mirrored = false;
   bool blended = false;    ///< alpha is coverage
-  bool transmits = false;  ///< light passes through, also where alpha covers all
-  bool frosted = false;    ///< and what is behind is blurred by roughness
-  float distance = 0.0f;   ///< from the eye plane to the centre of the primitive, metres
+  bool transmits = false;  ///< KHR_materials_transmission: light passes through, even at alpha 1
+  bool frosted = false;    ///< transmits, and roughness blurs what is behind
+  float distance = 0.0f;   ///< metres from the eye plane to the primitive's center
 };
 
 struct DrawnScene;
 
-/// The draws of a frame: opaque and masked ones in the order of the scene; blended ones, and those that light passes
-/// through, from far to near. With Transparency::weighted those that only blend are apart, in the order of the scene.
+/// The draw calls of a frame. Opaque and masked draws are in scene order; blended and transmissive ones are sorted from
+/// far to near. With Transparency::weighted, draws that only blend are in a separate list, in scene order.
 class DrawList {
  public:
-  /// Collects the draws of the scenes, without instances that are hidden and primitives that are out of view.
-  /// in   aspect  width / height of the picture;   casters  collects what casts shadows, too
-  ///      transparency  weighted: what only blends is in weighted(), not in blended()
+  /// Collects the draws of the scenes. Skips hidden instances and primitives that are out of view.
+  /// in   aspect  width / height of the picture;   casters  also collect shadow casters
+  ///      transparency  weighted: draws that only blend go to weighted() instead of blended()
   /// cost O(primitives); allocates only while the number of draws grows
   void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
                float point_size, bool casters = false, Transparency transparency = Transparency::sorted);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
-  /// What opaque() may cover.
+  /// Screen area that opaque() may cover.
   const CoveredArea& opaque_area() const noexcept { return opaque_area_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
   std::span<const Draw> weighted() const noexcept { return weighted_; }
-  /// Of the bounds of weighted().
+  /// Range of distances of the draws of weighted().
   DepthRange weighted_range() const noexcept { return weighted_range_; }
-  /// Opaque and masked triangles, also those that are out of view.
+  /// Opaque and masked triangles, including those out of view.
   std::span<const Draw> casters() const noexcept { return casters_; }
-  bool unlit() const noexcept { return unlit_; }  ///< some draw that is in view is unlit
-  /// Some draw that is in view reads the table of the environment for lamps, too.
+  bool unlit() const noexcept { return unlit_; }  ///< true if a visible draw is unlit
+  /// True if a visible draw needs the split-sum table for direct lights: sheen does.
   bool reads_table() const noexcept { return reads_table_; }
-  std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
+  std::uint32_t hidden() const noexcept { return hidden_; }  ///< number of instances on hidden nodes
   std::uint32_t out_of_view() const noexcept {
     return out_of_view_;
-  }  ///< primitives out of view, counted for each copy
+  }  ///< number of culled primitives, counted for each copy
 
  private:
-  /// The frame whose draws are collected.
+  /// Arguments of collect() for the helpers below.
   struct Frame {
     std::uint32_t slot;
     const View& view;

@@ -42,9 +42,9 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   ground_occluded = occlusion && needs.ground;
   sampled = picture && needs.smooth_edges;
   depth_image = prepass || !sampled;
-  vertex_access = needs.reads_baked();
+  vertex_visibility = needs.reads_baked();
   normal_image = occlusion || outlined || needs.show == Show::normals || needs.show == Show::level ||
-                 (vertex_access && needs.show == Show::ao);
+                 (vertex_visibility && needs.show == Show::ao);
   color_image = picture;
   behind_image = has(Pass::behind);
   weighted_images = has(Pass::weighted);

@@ -10,77 +10,77 @@
 namespace sinew::viewer {
 
 enum class Pass : std::uint8_t {
-  shadow,        ///< depth as lights see it
-  normal_depth,  ///< view-space normals and depth of everything opaque
-  ssao,          ///< ambient access: how much ambient light arrives; at half size
+  shadow,        ///< shadow maps: depth as seen from lights
+  normal_depth,  ///< prepass: view-space normals and depth of opaque surfaces
+  ssao,          ///< ambient visibility (1 = no occlusion) at half size, by either method
   blur_horizontal,
   blur_vertical,
   opaque,
-  outline,  ///< of Gooch shading: lines at silhouettes and creases
-  ground,   ///< shadows and contact on a level ground, and its grid
-  behind,   ///< what is drawn so far in ever smaller copies, for rough surfaces that let light through
+  outline,  ///< Gooch shading only: lines at silhouettes and creases
+  ground,   ///< shadows, contact occlusion and grid of the ground plane
+  behind,   ///< mip levels of the opaque picture, for rough transmissive surfaces
   transparent,
-  weighted,  ///< weighted sums of blended surfaces, which lie over the picture where that is read
-  exposure,  ///< automatic: from the light of the picture
+  weighted,  ///< weighted sums of blended surfaces; later passes composite them when they read the picture
+  exposure,  ///< automatic exposure, from the brightness of the picture
   tonemap,
-  show,    ///< one of the buffers instead of the picture
+  show,    ///< shows an intermediate buffer instead of the picture
   overlay  ///< lines and the panel
 };
 inline constexpr std::size_t kPassCount = 15;
 
 std::string_view name_of(Pass pass) noexcept;
 
-/// What a frame contains and what was asked for.
+/// Content of a frame and requested options; FrameGraph derives the passes from it.
 struct FrameNeeds {
-  bool opaque = false;    ///< something opaque or masked is visible
-  bool blended = false;   ///< something is visible that is drawn from far to near
-  bool frosted = false;   ///< some of it is rough and lets light through
-  bool weighted = false;  ///< something is visible that blends in any order
+  bool opaque = false;    ///< an opaque or masked surface is visible
+  bool blended = false;   ///< a surface that is drawn sorted from far to near is visible
+  bool frosted = false;   ///< one of these is rough and transmissive
+  bool weighted = false;  ///< a surface that blends with weighted sums is visible
   bool overlay = false;   ///< lines or a panel
   bool lines = false;
-  bool unlit = false;  ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
-  bool gooch = false;  ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
-  std::uint32_t shadows = 0;  ///< lights that cast them
-  bool ambient = true;        ///< there is ambient light
-  bool occlusion = true;      ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
-  bool horizons = false;      ///< and by horizons, which know where the light comes from
-  bool baked = false;         ///< ambient access comes with the vertices; then `occlusion` is false
+  bool unlit = false;         ///< a visible surface writes display colours without lighting: unlit or Gooch
+  bool gooch = false;         ///< Gooch shading: no shadows, ambient light or occlusion
+  std::uint32_t shadows = 0;  ///< number of lights that cast shadows
+  bool ambient = true;        ///< environment light is present
+  bool occlusion = true;      ///< screen-space ambient occlusion is on and has an effect
+  bool horizons = false;      ///< it uses horizons (gtao), which also give bent normals
+  bool baked = false;         ///< ambient visibility is a vertex attribute; then `occlusion` is false
   bool blur = true;
   bool auto_exposure = false;
-  bool ground = false;        ///< it is switched on and seen from above
-  bool grid = false;          ///< with lines, which are as bright whatever the exposure
+  bool ground = false;        ///< the ground is on and seen from above
+  bool grid = false;          ///< the ground has grid lines, whose brightness is independent of exposure
   bool smooth_edges = false;  ///< 4 samples a pixel
   Show show = Show::color;
 
-  /// Some pass reads the shadow map.
+  /// True if a pass reads shadow maps.
   bool shadowed() const noexcept {
     return shadows > 0 && show == Show::color && (opaque || blended || weighted || ground);
   }
 
-  /// Some surface shows what is behind it, blurred.
+  /// True if a surface shows a blurred picture of what is behind it.
   bool blurs_behind() const noexcept { return frosted && !gooch && show == Show::color; }
 
-  /// Some pass reads normals and depth to draw lines.
+  /// True if the outline pass runs; it reads normals and depth.
   bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
 
-  /// Lines are fainter behind surfaces: they read depth.
+  /// True if lines read depth, because they are fainter behind surfaces.
   bool hides_lines() const noexcept { return lines && opaque; }
 
-  /// Some pass reads ambient access.
+  /// True if a pass reads screen-space ambient visibility.
   bool occluded() const noexcept {
     return opaque && occlusion && (show == Show::ao || (show == Show::color && ambient));
   }
 
-  /// Some pass reads bent normals: reflections of the ambient light.
+  /// True if a pass reads bent normals, for reflections of environment light.
   bool bent() const noexcept { return occluded() && horizons && show == Show::color; }
 
-  /// Some pass reads ambient access of the vertices.
+  /// True if a pass reads per-vertex ambient visibility.
   bool reads_baked() const noexcept {
     return (opaque || blended || weighted) && baked && (show == Show::ao || (show == Show::color && ambient));
   }
 };
 
-/// The passes of a frame in order, and the images between them. What the frame does not need does not exist.
+/// The passes of a frame in order, and the images between them. Contains only what the frame needs.
 class FrameGraph {
  public:
   explicit FrameGraph(const FrameNeeds& needs) noexcept;
@@ -93,15 +93,15 @@ class FrameGraph {
   bool depth_image = false, normal_image = false, color_image = false;
   std::uint32_t shadow_maps = 0;
   bool exposure_image = false;
-  bool behind_image = false;     ///< with an unlit image one of unlit colours, too
-  bool weighted_images = false;  ///< sums of colours and weights, and coverage; with an unlit image unlit sums, too
-  bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
-  bool vertex_access = false;    ///< vertices bring their ambient access
-  bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
-  bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image
-  bool bent_normals = false;     ///< the image of ambient access has bent normals, too
+  bool behind_image = false;       ///< mip levels of the opaque picture; with unlit_image, also of unlit colours
+  bool weighted_images = false;    ///< sums of colours and weights, and coverage; with unlit_image, also unlit sums
+  bool unlit_image = false;        ///< display colours that bypass the tone curve
+  bool vertex_visibility = false;  ///< ambient visibility is a vertex attribute
+  bool ground_occluded = false;    ///< the prepass also draws the ground, which needs ambient visibility
+  bool sampled = false;            ///< 4x multisampling; colours are resolved into the colour image
+  bool bent_normals = false;       ///< the ambient visibility image also holds bent normals
   bool ao_image = false,
-       half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
+       half_blurred_ao = false;  ///< images of ambient visibility: the result, and the state after the first blur pass
 
  private:
   void add(Pass pass) noexcept { passes_[count_++] = pass; }

@@ -21,7 +21,7 @@ struct ViewLineVertex {
 };
 static_assert(sizeof(ViewLineVertex) == 16);
 
-/// What one frame in flight owns.
+/// Resources of one frame in flight.
 struct FrameSlot {
   FrameSlot(const Device& device, const PassLayouts& layouts)
       : set(device, layouts), timestamps(device, kPassCount + 1) {}
@@ -29,7 +29,7 @@ struct FrameSlot {
   FrameSet set;
   Timestamps timestamps;
   Buffer lines;
-  std::vector<Pass> passes;  ///< of its last frame
+  std::vector<Pass> passes;  ///< passes of its last frame
   std::vector<PassTime> times;
   FrameReport report;
 };
@@ -66,7 +66,7 @@ FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32
     : state_(std::make_unique<State>(device, target_format, slot_count, occlusion)) {}
 
 FrameRenderer::~FrameRenderer() {
-  vkDeviceWaitIdle(state_->device.handle());  // no throw here: the next frame reports a lost device
+  vkDeviceWaitIdle(state_->device.handle());  // result ignored: a destructor must not throw
 }
 
 void FrameRenderer::State::upload_lines(FrameSlot& slot, const FrameInputs& inputs) const {
@@ -117,7 +117,7 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
 
 bool is_gooch(const FrameInputs& inputs) { return inputs.options.shading == Shading::gooch; }
 
-/// Gooch shading counts no light of the environment, but its backdrop may show it.
+/// True if the environment is read as light or as backdrop. Gooch shading uses it only as backdrop.
 bool reads_environment(const FrameInputs& inputs) {
   return inputs.options.lighting.ambient() && (!is_gooch(inputs) || inputs.options.backdrop != Backdrop::plain);
 }
@@ -126,7 +126,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
                           const ShadowLights& shadows) {
   return {.occluded = graph.ao_image,
           .bent = graph.bent_normals,
-          .vertex_access = graph.vertex_access,
+          .vertex_visibility = graph.vertex_visibility,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
           .ambient = inputs.options.lighting.ambient() && !is_gooch(inputs),
@@ -143,7 +143,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .light_count = light_count(inputs.options, lights)};
 }
 
-/// What the prepass may cover.
+/// Screen area that the prepass may cover.
 CoveredArea occluded_area(CoveredArea area, bool ground, const FrameUniforms& uniforms) {
   if (!ground) return area;
   const glm::vec4& reach = uniforms.ground_reach;
@@ -153,7 +153,8 @@ CoveredArea occluded_area(CoveredArea area, bool ground, const FrameUniforms& un
   return area;
 }
 
-/// Of surfaces at one distance all weigh the same.
+/// Near distance and 1 / depth of the range for weights. With no depth, the factor 0 gives all surfaces the same
+/// weight.
 glm::vec2 weighted_range(const DepthRange& range) {
   const float depth_m = range.farthest_m - range.nearest_m;
   return {range.nearest_m, depth_m > 0.0f ? 1.0f / depth_m : 0.0f};
@@ -228,7 +229,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             occluded,
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
-  // The submit waits for the target's semaphore at colour output; this barrier continues from there.
+  // The submit waits for the target's semaphore at the COLOR_ATTACHMENT_OUTPUT stage; this barrier chains to that wait.
   barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
           kWriteColor);
   slot.timestamps.begin(commands);

@@ -10,12 +10,12 @@ namespace sinew::viewer {
 
 namespace {
 
-/// Down to one texel.
+/// Number of mip levels down to one texel.
 std::uint32_t mip_levels(VkExtent2D extent) noexcept {
   return static_cast<std::uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
 }
 
-ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access, const ShadowTiles& shadows) {
+ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D visibility, const ShadowTiles& shadows) {
   constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   switch (target) {
     case Target::depth:
@@ -45,7 +45,7 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access, const Sha
     case Target::weighted_sums:
     case Target::weighted_coverage:
     case Target::weighted_unlit: return {kColorFormat, full, 1, color};
-    default: return {kAoFormat, access, 1, color};
+    default: return {kAoFormat, visibility, 1, color};
   }
 }
 

@@ -54,7 +54,7 @@ LightUniforms scene_light(const View& view, const PlacedLight& placed) {
 void write_environment(const View& view, const Lighting& lighting, FrameUniforms& u) {
   if (!lighting.ambient()) return;
   const float c = std::cos(lighting.environment_turn_rad), s = std::sin(lighting.environment_turn_rad);
-  // Axes of the environment, in the world: its turn is undone by the opposite one.
+  // Axes of the environment in world space: the inverse of its rotation.
   const std::array<glm::vec3, 3> axes = {glm::vec3(c, 0.0f, -s), {0.0f, 1.0f, 0.0f}, {s, 0.0f, c}};
   for (int row = 0; row < 3; ++row) {
     const glm::vec3 axis = into_view(view, axes[static_cast<std::size_t>(row)]);
@@ -76,8 +76,9 @@ ShadowMapUniforms shadow_map(const View& view, const Aabb& bounds, const ShadowL
   return u;
 }
 
-/// The part of the ground that is drawn, from its middle: a grid all around, else no more than what may be darker.
-///      contact_m  how far ambient occlusion reaches
+/// The rectangle of the ground to draw, relative to its center. The whole ground with a grid, else only where shadows
+/// or occlusion may fall.
+///      in   contact_m  reach of ambient occlusion
 glm::vec4 ground_reach(const Ground& ground, const ShadowLights& shadows, double contact_m) {
   const double radius = ground.radius_m;
   const glm::vec4 whole(-ground.radius_m, -ground.radius_m, ground.radius_m, ground.radius_m);
@@ -97,7 +98,7 @@ glm::vec4 ground_reach(const Ground& ground, const ShadowLights& shadows, double
       add(corner);
       for (const ShadowLight& shadow : shadows) {
         const glm::dvec3 to_light = shadow.spot ? shadow.position - corner : shadow.to_light;
-        if (!(to_light.y > 0.0)) return whole;  // a lamp below the highest caster: shadows without end
+        if (!(to_light.y > 0.0)) return whole;  // a spot light below the highest caster casts infinite shadows
         add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
       }
     }
@@ -150,7 +151,7 @@ ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::
     const glm::dvec3 to_key(safe_normalize(lighting.to_key, {0.0f, 1.0f, 0.0f}));
     const glm::dmat3 view_from_world = linear_part(view.view_from_world);
     casting.add({0, lighting.key_follows_camera ? glm::transpose(view_from_world) * to_key : to_key});
-    return casting;  // of a rotation, the transpose is the inverse
+    return casting;  // the transpose of a rotation is its inverse
   }
   for (const Light::Kind kind : {Light::Kind::directional, Light::Kind::spot})
     for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights) && !casting.full(); ++i) {

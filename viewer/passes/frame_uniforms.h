@@ -17,37 +17,37 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kMaxLights = 16;  ///< of a scene; further lights have no effect
+inline constexpr std::size_t kMaxLights = 16;  ///< per scene; further lights are ignored
 
 /// Mirrors shaders/frame_uniforms.glsl, std140.
 struct LightUniforms {
   glm::vec3 position{0.0f};  ///< view space
   std::uint32_t kind = 0;    ///< 0 directional, 1 point, 2 spot
-  glm::vec3 to_light{0.0f};  ///< directional and spot: unit vector against the direction of the light
+  glm::vec3 to_light{0.0f};  ///< directional and spot: unit vector towards the light
   float range_m = 0.0f;      ///< 0 = unlimited
   glm::vec3 color{0.0f};     ///< linear, times intensity
-  float cos_outer = 0.0f;    ///< of the cone of a spot light
+  float cos_outer = 0.0f;    ///< spot: cosine of the outer cone angle
   float inverse_cone_width = 0.0f;
   std::array<float, 3> padding{};
 };
 
 struct ShadowMapUniforms {
-  std::array<glm::vec4, 4> from_view{};  ///< rows of ShadowView::map_from_view
+  std::array<glm::vec4, 4> from_view{};  ///< rows of ShadowView::map_from_view()
   float texel_m = 0.0f;
   std::array<float, 3> padding{};
 };
 
 struct FrameUniforms {
-  glm::vec4 projection{0.0f};  ///< clip x and y = these * view x and y; clip z = third + fourth * view z
+  glm::vec4 projection{0.0f};  ///< clip x, y = xy * view x, y;   clip z = z + w * view z
   float near_m = 0.0f;
-  float pixels_per_metre = 0.0f;  ///< of a perspective: at distance 1
+  float pixels_per_metre = 0.0f;  ///< perspective: at distance 1
   float exposure = 1.0f;
   float occlusion_power = 0.0f;
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
-  float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< range of the depth picture
+  float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< distance range of Show::depth
   float environment_intensity = 0.0f;
   float first_padding = 0.0f;
-  std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
+  std::array<glm::vec4, 3> environment_from_view{};  ///< columns of a rotation matrix
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
   std::array<ShadowMapUniforms, kMostShadows> shadow_maps{};
   glm::vec3 ground_middle{0.0f};  ///< view space
@@ -56,9 +56,9 @@ struct FrameUniforms {
   float ground_grid_step_m = 0.0f;
   glm::vec3 ground_z{0.0f};
   float padding = 0.0f;
-  glm::vec2 ground_grid_offset{0.0f};  ///< metres from a corner of the grid to the middle of the ground
-  glm::vec2 weighted_range{0.0f};      ///< least distance of what blends by weights, and 1 / (most - least)
-  glm::vec4 ground_reach{0.0f};        ///< least x and z, most x and z of what is drawn, from the middle
+  glm::vec2 ground_grid_offset{0.0f};  ///< metres from a grid line crossing to the center of the ground
+  glm::vec2 weighted_range{0.0f};      ///< nearest distance of weighted surfaces, and 1 / (farthest - nearest)
+  glm::vec4 ground_reach{0.0f};        ///< drawn rectangle: min x, min z, max x, max z, relative to the center
   glm::vec4 background{0.0f};          ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
@@ -66,22 +66,22 @@ struct FrameUniforms {
 };
 static_assert(sizeof(FrameUniforms) == 16 * (22 + 5 * kMostShadows + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
-/// A light of the scene and the world matrix of its joint, as animated in this frame.
+/// A light of the scene with this frame's animated values, and the world matrix of its joint.
 struct PlacedLight {
   const Light* light = nullptr;
   Affine world_from_light;
 };
 
-/// A light in the uniforms that casts shadows, and where it shines from. World space.
+/// A light that casts shadows, with its index in the uniforms. World space.
 struct ShadowLight {
   std::uint32_t index = kNone;
-  glm::dvec3 to_light{0.0};  ///< unit, against the direction of the light
+  glm::dvec3 to_light{0.0};  ///< unit vector towards the light
   bool spot = false;
   glm::dvec3 position{0.0};  ///< spot
-  double cone_rad = 0.0;     ///< spot: half angle, outside of which it is dark
+  double cone_rad = 0.0;     ///< spot: half angle of the outer cone
 };
 
-/// The lights that cast shadows, by their place in the uniforms; each has the map of its place in this list.
+/// The lights that cast shadows, in the order of the uniforms. Light i of this list uses shadow map i.
 class ShadowLights {
  public:
   void add(const ShadowLight& light) noexcept { lights_[count_++] = light; }
@@ -91,7 +91,7 @@ class ShadowLights {
   const ShadowLight* end() const noexcept { return lights_.data() + count_; }
   std::uint32_t count() const noexcept { return count_; }
   bool full() const noexcept { return count_ == kMostShadows; }
-  /// Bit i is set where light i of the uniforms casts shadows.
+  /// Bit i is set if light i of the uniforms casts shadows.
   std::uint32_t mask() const noexcept;
 
  private:
@@ -99,21 +99,21 @@ class ShadowLights {
   std::uint32_t count_ = 0;
 };
 
-/// The first directional lights, then the first spot lights, kMostShadows of both; the key light where the scene has no
-/// lights. None where shadows are off or have no bounds.
+/// Chooses up to kMostShadows lights: directional lights first, then spot lights; the key light if the scene has no
+/// lights. None if shadows are off or have no bounds.
 ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
 
-/// It is switched on, and the eye is above it (a parallel view looks down on it).
+/// True if the ground is on and the eye is above it. An orthographic view must look down on it.
 bool ground_is_seen(const View& view, const Ground& ground) noexcept;
 
-/// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
+/// in   lights  of all shown scenes; the key light of `options` is used if there are none or scene_lights is off
 ///      shadows  their maps are fitted to options.shadows.bounds
-///      occlusion  the frame has ambient occlusion: its sample offsets are needed
+///      occlusion  true = fill in the sample offsets of ambient occlusion
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
                                   std::span<const PlacedLight> lights, const ShadowLights& shadows,
                                   const SsaoKernel& kernel);
 
-/// Number of lights in the uniforms, at least the key light.
+/// Number of lights in the uniforms; at least 1, the key light.
 std::uint32_t light_count(const RenderOptions& options, std::span<const PlacedLight> lights) noexcept;
 
 /// eq   IEC 61966-2-1

@@ -10,12 +10,12 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, access, colour
-constexpr std::uint32_t kFrameBindings =
-    1 + kTargetBindings + 10;  // uniforms before; environment, split sum, shadow map, unlit colours, exposure, three of
-                               // weighted sums, two of what is behind surfaces
+constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, ambient visibility, colour
+// 1 = the uniforms; 10 = environment, split sum, shadow map, unlit colours, exposure, 3 weighted sums, 2 of the picture
+// behind.
+constexpr std::uint32_t kFrameBindings = 1 + kTargetBindings + 10;
 
-constexpr std::uint32_t kSets = 3;  // FrameSet::set() and those that differ from it
+constexpr std::uint32_t kSets = 3;  // FrameSet::set() and its two variants
 
 }  // namespace
 
@@ -84,8 +84,8 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
   std::memcpy(uniforms_.mapped(), &uniforms, sizeof(uniforms));
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), 0, sizeof(FrameUniforms)};
   for (std::size_t s = 0; s < sets_.size(); ++s) {
-    // Without a prepass no shader reads depth. The set then must not contain the depth attachment: the view of the
-    // missing normals takes its place.
+    // Without a prepass no shader reads depth, and the set must not contain the depth attachment. The (missing) normal
+    // image takes its place.
     const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
                                                        s != 1 ? Target::ao : Target::half_blurred_ao, Target::color};
     const VkImageView shadow = s != 1 ? targets.view(Target::shadow) : targets.nothing();

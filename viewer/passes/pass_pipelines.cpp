@@ -24,7 +24,8 @@ bool encodes_in_hardware(VkFormat format) noexcept {
          format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
 }
 
-/// Ids of specialisation constants; each shader declares those that it uses. Ids 0 to 2 depend on the shader.
+/// Ids of specialisation constants; each shader declares those that it uses. Ids 0 to 2 have a meaning of their own in
+/// each shader.
 enum ConstantId : std::size_t {
   id_masked = 0,
   id_blended = 1,
@@ -35,7 +36,7 @@ enum ConstantId : std::size_t {
   id_tangents = 6,
   id_unlit = 7,
   id_texcoord_sets = 8,
-  id_tone_curve = 8,  // of screens, which have no texture coordinates
+  id_tone_curve = 8,  // same id: full-screen shaders have no texture coordinates
   id_backdrop = 9,
   id_light_count = 13,
   id_transparent_background = 14,
@@ -44,7 +45,7 @@ enum ConstantId : std::size_t {
   id_shadow_lights = 17,
   id_unlit_image = 18,
   id_auto_exposure = 19,
-  id_vertex_access = 20,
+  id_vertex_visibility = 20,
   id_bent = 23,
   id_specular = 24,
   id_clearcoat = 25,
@@ -54,7 +55,7 @@ enum ConstantId : std::size_t {
   id_wraps = 36,
   id_show_level = 37,
   id_quaternions = 38,
-  id_weighted = 39  // of screens: the frame has weighted sums
+  id_weighted = 39  // full-screen shaders: the frame has weighted sums
 };
 
 bool reads_textures(const MaterialFeatures& material) noexcept {
@@ -75,17 +76,17 @@ Blending blending_of(Through step) noexcept {
   }
 }
 
-/// A step that shows what is opaque behind a rough surface.
+/// True for steps that show the blurred opaque picture through a rough surface.
 bool is_frosted(Through step) noexcept {
   return step == Through::frosted || step == Through::frosted_blurred || step == Through::frosted_sharp;
 }
 
-/// The step in which the surface's own light is drawn.
+/// True for steps that draw the surface's own light.
 bool adds_light(Through step) noexcept {
   return step == Through::nothing || step == Through::light || is_frosted(step);
 }
 
-/// The key without features that the shaders of the pass do not use, so that draws share pipelines.
+/// Removes features that the pass's shaders do not use, so that draws share pipelines.
 MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   SurfaceFeatures& surface = key.surface;
   auto& sets = surface.material.texcoord_sets;
@@ -97,13 +98,13 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
   key.frame.weighted = false;
   if (key.pass == Pass::transparent || key.pass == Pass::weighted)
-    key.frame.occluded = key.frame.bent = false;  // ambient access is that of opaque surfaces
+    key.frame.occluded = key.frame.bent = false;  // the ambient visibility image holds only opaque surfaces
   const bool shows_level = key.pass == Pass::normal_depth && !key.depth_only && key.frame.shows_level;
   key.frame.shows_level = shows_level;
   if (key.depth_only || shows_level) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
-  const bool shows_access = key.pass == Pass::normal_depth && !key.depth_only;
-  if ((!shades && !shows_access) || surface.normals == NormalSource::none) key.frame.vertex_access = false;
+  const bool shows_visibility = key.pass == Pass::normal_depth && !key.depth_only;
+  if ((!shades && !shows_visibility) || surface.normals == NormalSource::none) key.frame.vertex_visibility = false;
   if (!shades || surface.normals == NormalSource::none) {
     key.frame.occluded = key.frame.bent = key.frame.ambient = false;
     key.frame.light_count = 0;
@@ -127,7 +128,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     key.frame.ambient = false;
     key.frame.light_count = 0;
     key.frame.shadow_lights = 0;
-    key.frame.vertex_access = false;
+    key.frame.vertex_visibility = false;
     sets[3] = sets[4] = 0;
   }
   if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
@@ -204,7 +205,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
   shape.constants[id_shadow_map] = key.pass == Pass::shadow ? key.shadow_map + 1 : 0;
-  shape.constants[id_vertex_access] = key.frame.vertex_access;
+  shape.constants[id_vertex_visibility] = key.frame.vertex_visibility;
   shape.constants[id_shadow_lights] = key.frame.shadow_lights;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
@@ -240,7 +241,8 @@ void shape_outline(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.color_format = kColorFormat;
   shape.samples = key.frame.smooth_edges ? kSmoothSamples : 1;
   shape.depth = true;
-  shape.depth_compare = VK_COMPARE_OP_LESS;  // the triangle is at depth 0: only where surfaces are
+  // The triangle has depth 0 (infinity), so LESS passes only where surfaces are.
+  shape.depth_compare = VK_COMPARE_OP_LESS;
   shape.blend = shape.adds_second = true;
   shape.colors = 2;
 }
@@ -263,7 +265,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_auto_exposure] = key.frame.auto_exposure;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
   shape.constants[id_weighted] = key.frame.weighted;
-  shape.constants[id_vertex_access] = key.frame.vertex_access;
+  shape.constants[id_vertex_visibility] = key.frame.vertex_visibility;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 32, VK_VERTEX_INPUT_RATE_INSTANCE}}};
   constexpr std::array<VkVertexInputAttributeDescription, 3> line_attributes = {

@@ -15,8 +15,8 @@
 
 namespace sinew::viewer {
 
-/// Layouts that all pipelines share: set 0 is the frame (shaders/frame_uniforms.glsl), set 1 the material
-/// (shaders/material.glsl), and push constants hold a draw (shaders/geometry.glsl).
+/// Layouts shared by all pipelines. Set 0 is for the frame (shaders/frame_uniforms.glsl), set 1 for the material
+/// (shaders/material.glsl), push constants for a draw (shaders/geometry.glsl).
 class PassLayouts {
  public:
   explicit PassLayouts(const Device& device);
@@ -44,19 +44,19 @@ class FrameSet {
   FrameSet(const FrameSet&) = delete;
   FrameSet& operator=(const FrameSet&) = delete;
 
-  /// in   prepass  shaders read the depth image; false = it is only an attachment
+  /// in   prepass  true = shaders read the depth image; false = it is only an attachment
   ///      environment  its images must outlive the frame
   void write(const FrameUniforms& uniforms, const FrameTargets& targets, const EnvironmentUpload& environment,
              bool prepass);
 
   VkDescriptorSet set() const noexcept { return sets_[0]; }
-  /// Its ao_image is the one after the first blur pass.
+  /// Variant whose ao_image is the result of the first blur pass.
   VkDescriptorSet between_blurs() const noexcept { return sets_[1]; }
-  /// Its exposure_image holds the sums.
+  /// Variant whose exposure_image holds the block sums.
   VkDescriptorSet before_exposure() const noexcept { return sets_[1]; }
-  /// Has behind_image and behind_unlit_image, which are a black texel in the others.
+  /// Variant with behind_image and behind_unlit_image; in the others they are a black texel.
   VkDescriptorSet with_behind() const noexcept { return sets_[2]; }
-  /// Its shadow_image is black: for the pass that draws the shadow map.
+  /// Variant without shadow_image, for the pass that draws the shadow maps.
   VkDescriptorSet without_shadow() const noexcept { return sets_[1]; }
 
  private:
@@ -67,7 +67,7 @@ class FrameSet {
   std::array<VkDescriptorSet, 3> sets_{};
 };
 
-/// All pipelines. Each is created at its first use and kept.
+/// All pipelines; each is created at its first use and kept.
 class PassPipelines {
  public:
   PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format,

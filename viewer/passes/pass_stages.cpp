@@ -6,7 +6,7 @@ namespace {
 
 std::string_view why_not_occluded(const FrameNeeds& needs) {
   if (!needs.opaque) return "nothing opaque is in view";
-  if (needs.reads_baked()) return "ambient access comes with the vertices, baked by rays";
+  if (needs.reads_baked()) return "ambient visibility comes with the vertices, baked by rays";
   if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
   if (needs.show != Show::color && needs.show != Show::ao)
     return "the picture shows a buffer that needs no ambient occlusion";
@@ -19,14 +19,14 @@ std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
   if (needs.occluded()) return "ambient occlusion reads normals and depth";
   if (needs.outlined()) return "outlines read normals and depth";
   if (needs.show == Show::color) return "depth only: lines are fainter behind surfaces";
-  if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
+  if (needs.reads_baked()) return "ambient visibility of the vertices goes beside the normals";
   if (needs.show == Show::level) return "the picture shows the levels of textures";
   return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
 }
 
 std::string_view why_blur(const FrameNeeds& needs) {
   if (!needs.occluded()) return why_not_occluded(needs);
-  return needs.blur ? "smooths ambient access on each surface" : "the blur is switched off";
+  return needs.blur ? "smooths ambient visibility on each surface" : "the blur is switched off";
 }
 
 std::string_view why_outline(const FrameNeeds& needs) {
@@ -78,7 +78,7 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::opaque:
       if (!picture) return "the picture shows a buffer instead";
       if (needs.gooch) return "cool to warm tones of what is opaque or alpha-tested";
-      return needs.reads_baked() ? "shades what is opaque or alpha-tested, with the ambient access of the vertices"
+      return needs.reads_baked() ? "shades what is opaque or alpha-tested, with the ambient visibility of the vertices"
                                  : "shades what is opaque or alpha-tested";
     case Pass::tonemap:
       if (!picture) return "the picture shows a buffer instead";

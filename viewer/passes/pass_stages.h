@@ -9,22 +9,22 @@
 
 namespace sinew::viewer {
 
-/// One pass of a frame, run or left out, with the reason as a sentence: like PlanStage for passes.
+/// State of one pass in a frame: run or skipped, with the reason as a sentence. The counterpart of PlanStage.
 struct PassStage {
   Pass pass{};
   bool runs = false;
   std::string_view reason;
-  std::uint64_t count = 0;  ///< draws of a pass over meshes, lines of the overlay, pixels of other passes
+  std::uint64_t count = 0;  ///< mesh passes: draws; overlay: lines; other passes: pixels
 };
 
 /// Amount of work in a frame.
 struct PassWork {
   std::uint32_t caster_draws = 0, opaque_draws = 0, blended_draws = 0, weighted_draws = 0, lines = 0;
   VkExtent2D extent{};          ///< of the picture
-  std::uint64_t ao_texels = 0;  ///< of ambient occlusion: those that may have a surface
+  std::uint64_t ao_texels = 0;  ///< texels of ambient occlusion that may show a surface
 };
 
-/// All passes in the order in which they run. The frame graph of the same needs contains those that run.
+/// Describes all passes in order, also those that do not run. Consistent with FrameGraph(needs).
 std::array<PassStage, kPassCount> describe_passes(const FrameNeeds& needs, const PassWork& work);
 
 }  // namespace sinew::viewer

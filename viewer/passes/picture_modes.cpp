@@ -33,7 +33,7 @@ PictureMode normals(NormalInterpolation normals) {
           quaternions ? "unit between vertices without a square root" : "linear between vertices, then unit again"};
 }
 
-/// What shows an environment behind the scene.
+/// True if the environment is visible behind the scene.
 bool environment_behind(const RenderOptions& options) {
   return options.backdrop != Backdrop::plain && options.lighting.ambient() && !options.transparent_background;
 }

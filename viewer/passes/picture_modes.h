@@ -9,16 +9,16 @@
 
 namespace sinew::viewer {
 
-/// A choice of how passes make a picture, in effect or not, with the reason as a sentence: like PassStage for choices.
+/// State of one rendering mode, with the reason as a sentence. The counterpart of PassStage for options.
 struct PictureMode {
   std::string_view mode;
   bool runs = false;
   std::string_view reason;
-  std::uint64_t count = 0;  ///< samples a pixel; most places of an anisotropic filter; else 0
+  std::uint64_t count = 0;  ///< multisampling: samples per pixel; anisotropic filter: largest number of samples; else 0
 };
 inline constexpr std::size_t kModeCount = 5;
 
-/// Samples a pixel, texture filter, normals between vertices, tone curve and backdrop of a frame of these needs.
+/// Describes the modes of a frame: multisampling, texture filter, normal interpolation, tone curve, backdrop.
 std::array<PictureMode, kModeCount> describe_modes(const FrameNeeds& needs, const RenderOptions& options,
                                                    const TextureFilter& filter);
 

@@ -9,46 +9,45 @@
 
 namespace sinew::viewer {
 
-/// What a frame has that shaders are compiled for. Each combination has its own pipelines, with the features as
-/// specialisation constants. They are no uniforms, because drivers that run on the CPU compile a shader again for each
-/// value of a uniform that it branches on.
+/// Properties of a frame that select shader variants, as specialisation constants. They are not uniforms, because
+/// software drivers recompile a shader for each value of a uniform that it branches on.
 struct FrameFeatures {
-  bool occluded = false, bent = false;  ///< there is an ambient access image; it has bent normals, too
-  bool vertex_access = false;           ///< vertices bring their ambient access
-  bool parallel = false;                ///< parallel projection
+  bool occluded = false, bent = false;  ///< an ambient visibility image exists; it also holds bent normals
+  bool vertex_visibility = false;       ///< ambient visibility is a vertex attribute
+  bool parallel = false;                ///< orthographic projection
   bool transparent_background = false;
-  bool ambient = false;             ///< there is an environment
-  std::uint32_t shadow_lights = 0;  ///< bit i is set: light i casts shadows
+  bool ambient = false;             ///< environment light is present
+  std::uint32_t shadow_lights = 0;  ///< bit i set = light i casts shadows
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
-  bool auto_exposure = false;       ///< there is an image with the exposure
-  bool unlit_image = false;         ///< there is an image for colours that no tone curve changes
-  bool weighted = false;            ///< there are weighted sums
+  bool auto_exposure = false;       ///< an exposure image exists
+  bool unlit_image = false;         ///< an image for display colours that bypass the tone curve exists
+  bool weighted = false;            ///< weighted sums exist
   bool gooch = false;               ///< Gooch shading
   bool shows_level = false;         ///< the prepass writes levels of textures instead of normals
-  bool quaternion_normals = false;  ///< normals and frames are interpolated as quaternions
-  bool smooth_edges = false;        ///< opaque and transparent passes draw 4 samples a pixel
+  bool quaternion_normals = false;  ///< normals and tangent frames are interpolated as quaternions
+  bool smooth_edges = false;        ///< opaque and transparent passes use 4x multisampling
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;
 };
 
-/// The steps in which a surface that lets light through is drawn over what is behind it: its colour filters that, then
-/// it adds its own light.
+/// The steps of drawing a transmissive surface. First its colour multiplies the picture behind it, then its own light
+/// is added.
 enum class Through : std::uint8_t {
-  nothing,           ///< the surface is drawn at once
-  filter,            ///< first step; a plain backdrop is darkened, too
-  filter_drawn,      ///< first step before an environment, which is no part of the image yet
-  blurred_backdrop,  ///< second step then: the environment through the surface, where nothing is drawn behind it
+  nothing,           ///< not transmissive: drawn in one step
+  filter,            ///< first step; also darkens a plain backdrop
+  filter_drawn,      ///< first step if the backdrop is an environment, which is not in the image yet
+  blurred_backdrop,  ///< second step then: adds the environment seen through the surface, where nothing is behind it
   sharp_backdrop,
-  light,            ///< last step
-  erase,            ///< first step of a rough surface: nothing is seen directly through it
-  frosted,          ///< last step then: its own light, and what is opaque behind it, blurred
-  frosted_blurred,  ///< the same with the environment, where nothing is drawn behind it
+  light,            ///< last step: adds the surface's own light
+  erase,            ///< first step of a rough surface: removes the sharp picture behind it
+  frosted,          ///< last step then: adds its own light and the blurred opaque picture
+  frosted_blurred,  ///< frosted, plus the environment where nothing is behind it
   frosted_sharp
 };
 
-/// The properties of a pipeline that draws meshes.
+/// Key of a pipeline that draws meshes.
 struct MeshPipelineKey {
   Pass pass = Pass::opaque;  ///< normal_depth, opaque, transparent or weighted
   Topology topology = Topology::triangles;
@@ -64,13 +63,13 @@ struct MeshPipelineKey {
   auto operator<=>(const MeshPipelineKey&) const = default;
 };
 
-/// The properties of a pipeline that covers the target, or draws the ground (or its prepass) or lines of the overlay.
+/// Key of a pipeline without meshes: full-screen passes, the ground and its prepass, overlay lines.
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
-  Show show = Show::color;                            ///< Pass::show: which buffer
+  Show show = Show::color;                            ///< for Pass::show: the buffer to show
   bool sums = false;                                  ///< Pass::exposure: the first of its steps
   bool grid = false;                                  ///< Pass::ground
-  OcclusionMethod occlusion = OcclusionMethod::gtao;  ///< Pass::ssao
+  OcclusionMethod occlusion = OcclusionMethod::gtao;  ///< for Pass::ssao
   FrameFeatures frame;
 
   auto operator<=>(const ScreenPipelineKey&) const = default;

@@ -6,8 +6,8 @@
 
 namespace sinew::viewer {
 
-// Projection matrices, from view space to clip space. frame_uniforms.cpp builds the viewer's from them, with reversed
-// depth; the numeric cases of tests/math check every depth mapping and both handednesses.
+// Projection matrices, from view space to clip space. frame_uniforms.cpp uses them with reversed depth. tests/math
+// checks every depth mapping and both handednesses.
 
 /// The stored depth after the division by w.
 enum class DepthMapping {
@@ -16,7 +16,7 @@ enum class DepthMapping {
   reversed,  ///< 1 at near, 0 at far: with float depth the resolution is nearly even
 };
 
-/// Edges of the near rectangle of a frustum and its distance, metres.
+/// A frustum: the edges of its rectangle in the near plane and the near distance, in metres.
 template <class T>
 struct FrustumT {
   T left, right, bottom, top, near_m;
@@ -43,7 +43,8 @@ Mat4<T> perspective_frame(const FrustumT<T>& f, T facing) noexcept {
   return m;
 }
 
-/// The same for a symmetric frustum, from the angle: lengths that may overflow do not occur.
+/// Perspective matrix without its depth row for a symmetric frustum, computed from the angle, so that no length can
+/// overflow.
 /// eq   y scale = 1 / tan(fov / 2), x scale = y scale / aspect   (Real-Time Rendering, eq. 4.75)
 template <class T>
 Mat4<T> perspective_frame(T fov_y_rad, T aspect, T facing) noexcept {
@@ -55,10 +56,10 @@ Mat4<T> perspective_frame(T fov_y_rad, T aspect, T facing) noexcept {
   return m;
 }
 
-/// Adds the depth row to a perspective frame: depth = A + B / distance. A and B are formed without the product of near
-/// and far, because that would overflow first.
-/// eq   gl A = (f + n) / (f - n), B = -2 n f / (f - n)   (Real-Time Rendering, eqs. 4.74-4.76);
-///      [0,1] A = f / (f - n), B = -n f / (f - n);  reversed A = -n / (f - n), B = n f / (f - n)
+/// Adds the depth row to a perspective frame: depth = A + B / distance. A and B are computed without the product of
+/// near and far, which could overflow.
+/// eq   gl A = (f + n) / (f - n), B = -2 n f / (f - n)   (Real-Time Rendering, eqs. 4.74-4.76); [0,1] A = f / (f - n),
+///      B = -n f / (f - n);  reversed A = -n / (f - n), B = n f / (f - n)
 template <class T>
 Mat4<T> with_depth(Mat4<T> frame, DepthMapping mapping, T near_m, T far_m) noexcept {
   const T facing = frame[2][3], length = far_m - near_m;
@@ -87,7 +88,7 @@ struct ViewBoxT {
   T left, right, bottom, top, near_z, far_z;
 };
 
-/// A parallel projection.
+/// An orthographic projection.
 /// eq   x, y to [-1, 1] (Real-Time Rendering, eq. 4.63); z of near and far to the ends of the range (gl 4.63, [0,1]
 ///      4.66)
 template <class T>

@@ -8,11 +8,11 @@ namespace sinew::viewer {
 
 namespace {
 
-/// The sides of a draw that are not drawn, for each time that it is drawn.
+/// Cull modes of a draw, one for each time that it is drawn: blended double-sided surfaces are drawn back faces first.
 std::span<const VkCullModeFlagBits> culled_sides(const Draw& draw, Pass pass) noexcept {
   static constexpr std::array nothing = {VK_CULL_MODE_NONE}, back = {VK_CULL_MODE_BACK_BIT};
   static constexpr std::array back_faces_first = {VK_CULL_MODE_FRONT_BIT, VK_CULL_MODE_BACK_BIT};
-  if (pass == Pass::shadow) return nothing;  // what is thin casts a shadow from either side
+  if (pass == Pass::shadow) return nothing;  // thin single-sided surfaces cast shadows from both sides
   if (!draw.surface.double_sided || draw.topology != Topology::triangles) return back;
   if (pass == Pass::transparent) return back_faces_first;
   return nothing;
@@ -46,7 +46,7 @@ void bind_draw(const PassContext& context, const Draw& draw) {
   vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
 }
 
-/// Draws meshes; each draw completes `key` with its topology, alpha test, surface and step.
+/// Draws meshes. Each draw adds its topology, alpha test, surface and step to `key`.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
   const VkDescriptorSet frame_set = key.pass == Pass::shadow        ? context.set.without_shadow()
@@ -74,7 +74,7 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
   }
 }
 
-/// in   pass  ground, or normal_depth for its prepass
+/// in   pass  Pass::ground, or Pass::normal_depth for the ground's prepass
 void draw_ground(const PassContext& context, Pass pass) {
   const VkDescriptorSet set = context.set.set();
   const bool grid = pass == Pass::ground && context.inputs.options.ground.look == GroundLook::grid;
@@ -126,8 +126,8 @@ void record_normal_depth(const PassContext& context) {
   if (normals) context.targets.next_use(context.commands, Target::normals, kReadInShader);
 }
 
-/// Draws into an image of ambient occlusion, where there may be surfaces. Elsewhere its zeros are the distance of no
-/// surface, which every reader leaves out.
+/// Draws into an ambient occlusion image, only where surfaces may be. Elsewhere it is cleared to 0, the distance that
+/// readers treat as "no surface".
 void draw_occlusion(const PassContext& context, Target to, VkPipeline pipeline, VkDescriptorSet set) {
   context.targets.next_use(context.commands, to, kWriteColor, false);
   {
@@ -154,7 +154,7 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
                  vertical ? context.set.between_blurs() : context.set.set());
 }
 
-/// The images that the scene is shaded into. With 4 samples a pixel, the last pass over the scene averages them.
+/// The images that the scene is shaded into. With multisampling, the last pass over the scene resolves them.
 struct SceneTargets {
   Target color, unlit, depth;
   bool sampled;
@@ -166,7 +166,7 @@ struct SceneTargets {
         sampled(graph.sampled) {}
 };
 
-/// Attaches an image of the scene's colours, and the one that gets the mean of its samples.
+/// Attaches a colour image of the scene, and its resolve image.
 void attach(const PassContext& context, Target drawn, Target resolved, bool resolves, bool keep, VkImageView& view,
             VkImageView& resolve) {
   context.targets.next_use(context.commands, drawn, kWriteColor, keep);
@@ -176,7 +176,7 @@ void attach(const PassContext& context, Target drawn, Target resolved, bool reso
   resolve = context.targets.view(resolved);
 }
 
-/// Adds the images of the scene's colours to a pass over them, and what becomes of their samples after the last pass.
+/// Attaches the colour images of the scene to a pass; the last pass over them also resolves their samples.
 /// in   keep  false = the contents are discarded
 void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments& attachments) {
   const SceneTargets scene(context.graph);
@@ -191,7 +191,7 @@ void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments
     attach(context, scene.unlit, Target::unlit, resolves, keep, attachments.second, attachments.second_resolve);
 }
 
-/// The prepass has one sample a pixel. Surfaces that are shaded for four are chosen by a depth of their own.
+/// Fills the multisampled depth image, because the prepass has one sample per pixel.
 void record_depth_samples(const PassContext& context) {
   context.targets.next_use(context.commands, Target::depth_samples, kWriteDepth, false);
   {
@@ -218,7 +218,7 @@ void record_opaque(const PassContext& context) {
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kReadDepth);
 }
 
-/// Attachments of a pass that blends over what is opaque.
+/// Attachments of a pass that blends over the opaque picture.
 Attachments over_opaque(const PassContext& context, Pass pass) {
   Attachments attachments{.depth = context.targets.view(SceneTargets(context.graph).depth),
                           .extent = context.targets.extent()};
@@ -249,7 +249,8 @@ void record_transparent(const PassContext& context) {
   draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
 }
 
-/// Sums start at 0. Nothing is sorted, and depth is tested only: surfaces that blend do not hide each other.
+/// Accumulates weighted sums, starting from 0. Draws are unsorted; depth is tested but not written, so blended surfaces
+/// do not hide each other.
 void record_weighted(const PassContext& context) {
   const bool sampled = context.graph.sampled;
   const auto drawn = [&](Target samples, Target alone) { return sampled ? samples : alone; };
@@ -284,7 +285,7 @@ void draw_exposure(const PassContext& context, Target target, VkExtent2D extent,
   context.targets.next_use(context.commands, target, kReadInShader);
 }
 
-/// From here on the colours of the scene are read.
+/// Makes the scene's colour images readable for the following passes.
 void end_scene(const PassContext& context) {
   context.targets.next_use(context.commands, Target::color, kReadInShader);
   if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::unlit, kReadInShader);

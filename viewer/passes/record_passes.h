@@ -6,7 +6,7 @@
 
 namespace sinew::viewer {
 
-/// What recording a pass needs. The images between passes exist already and have the size of the target.
+/// Inputs for recording a pass. The intermediate images must exist and have the size of the target.
 struct PassContext {
   VkCommandBuffer commands;
   const FrameGraph& graph;
@@ -18,12 +18,12 @@ struct PassContext {
   const FrameInputs& inputs;
   const ColorTarget& target;
   FrameFeatures features;
-  VkRect2D occluded;  ///< texels of ambient occlusion with a surface
+  VkRect2D occluded;  ///< texels of ambient occlusion that may show a surface
   VkBuffer lines;     ///< vertices in view space, 16 bytes each
   std::uint32_t line_vertices;
 };
 
-/// Records one pass: the barriers in front of it, its attachments and its draws.
+/// Records one pass: its barriers, attachments and draws.
 void record_pass(Pass pass, const PassContext& context);
 
 }  // namespace sinew::viewer

@@ -27,7 +27,7 @@ AmbientOcclusion ambient_occlusion_for(const Aabb& bounds) {
 }
 
 Ground ground_for(const Aabb& bounds) {
-  constexpr float kBelow = 0.002f;  // of half the diagonal
+  constexpr float kBelow = 0.002f;  // relative to half the diagonal
   const float half = half_diagonal(bounds);
   Ground ground;
   ground.bounds = bounds;

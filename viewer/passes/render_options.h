@@ -8,56 +8,56 @@
 
 namespace sinew::viewer {
 
-/// What the picture shows: the lit scene, or one of the buffers between passes.
+/// Displayed content: the lit scene, or an intermediate buffer.
 enum class Show : std::uint8_t {
   color,
-  ao,       ///< ambient access in grey, white = nothing is occluded
+  ao,       ///< ambient visibility in grey; white = not occluded
   normals,  ///< view space, n * 0.5 + 0.5
   depth,    ///< distance in grey within depth_range, near = bright
-  level     ///< mip or rip levels of the base colour: red 0.1 a level along u, green along v; blue = no texture
+  level  ///< sampled mip or rip level of the base colour: red = 0.1 * level along u, green along v; blue = no texture
 };
 
-/// What the colours of surfaces say.
+/// Shading model.
 enum class Shading : std::uint8_t {
-  physical,  ///< the light that they reflect
-  gooch      ///< their shape: cool to warm tones with outlines, as in technical illustrations
+  physical,  ///< physically based lighting
+  gooch      ///< Gooch shading: cool to warm tones with outlines, as in technical illustrations
 };
 
-/// How normals and tangent frames lie between the vertices of a triangle.
+/// Interpolation of normals and tangent frames between vertices.
 enum class NormalInterpolation : std::uint8_t {
-  interpolated,  ///< linear, then of unit length again
-  quaternion     ///< as quaternions (Hast 2005): of unit length without a square root
+  interpolated,  ///< linear, then normalised
+  quaternion     ///< as quaternions (Hast 2005), which gives unit length without a square root
 };
 
-/// How surfaces whose alpha is coverage lie over each other.
+/// Compositing of alpha-blended surfaces.
 enum class Transparency : std::uint8_t {
-  sorted,   ///< primitives from far to near: exact where they do not intersect
-  weighted  ///< in any order: a mean of their colours in which near ones weigh more (McGuire and Bavoil 2013)
+  sorted,   ///< primitives sorted from far to near: exact if they do not intersect
+  weighted  ///< order-independent: a weighted mean in which near surfaces weigh more (McGuire and Bavoil 2013)
 };
 
-/// How light of the scene becomes light of the display.
+/// Curve that maps scene light to display light.
 enum class ToneCurve : std::uint8_t {
-  neutral,  ///< Khronos PBR Neutral: keeps base colours, compresses highlights
-  aces,     ///< film-like: Hill's fit of ACES' reference and output transforms
+  neutral,  ///< Khronos PBR Neutral: preserves base colours, compresses highlights
+  aces,     ///< filmic: Hill's fit of ACES' reference and output transforms
   none      ///< clipped at 1
 };
 
-/// What is behind the scene.
+/// Background of the scene.
 enum class Backdrop : std::uint8_t {
   plain,    ///< RenderOptions::background
   blurred,  ///< the environment, out of focus
   sharp     ///< the environment
 };
 
-/// How ambient occlusion looks for what is in the way.
+/// Algorithm of ambient occlusion.
 enum class OcclusionMethod : std::uint8_t {
-  ssao,  ///< points around the surface, looked up in the depth image
-  gtao,  ///< horizons along lines through the pixel
-  rays   ///< nothing: it was baked at the vertices (VertexAccess)
+  ssao,  ///< random points around the surface, tested against the depth image
+  gtao,  ///< horizons along lines through the pixel (ground-truth AO)
+  rays   ///< no screen-space pass: baked per vertex by casting rays (VertexVisibility)
 };
 
-/// Ambient occlusion in screen space or at vertices. Lengths are metres in view space. They must follow the size of the
-/// scene: start from ambient_occlusion_for.
+/// Ambient occlusion in screen space or at vertices. Lengths are metres in view space. They must scale with the scene:
+/// start from ambient_occlusion_for.
 struct AmbientOcclusion {
   bool on = true;
   OcclusionMethod method = OcclusionMethod::gtao;
@@ -65,10 +65,10 @@ struct AmbientOcclusion {
   float surface_epsilon_m = 0.01f;  ///< smaller differences of depth are the surface itself
   float fade_start_m = 0.2f;        ///< ssao: difference of depth up to which an occluder counts fully
   float fade_end_m = 1.0f;          ///< ssao: difference of depth from which it does not count
-  float power = 1.0f;               ///< contrast: access = open share^power; ssao: (1 - average occlusion)^(2 power)
+  float power = 1.0f;  ///< contrast: visibility = (1 - occlusion)^power; ssao: (1 - mean occlusion)^(2 power)
   bool blur = true;
 
-  /// It is on and not of strength 0.
+  /// True if it is on and its strength is not 0.
   bool has_effect() const noexcept { return on && power > 0.0f && radius_m > 0.0f; }
   bool in_screen_space() const noexcept { return has_effect() && method != OcclusionMethod::rays; }
   bool at_vertices() const noexcept { return has_effect() && method == OcclusionMethod::rays; }
@@ -77,50 +77,50 @@ struct AmbientOcclusion {
 /// eq   radius = 0.1 * r, epsilon = 0.02 * radius, fade from 0.4 to 2 times the radius; r = half the box's diagonal
 AmbientOcclusion ambient_occlusion_for(const Aabb& bounds);
 
-/// Ambient light, and the key light that is used when the scene has no lights. Linear colours.
+/// Environment light, and the key light that is used if the scene has no lights. Colours are linear.
 struct Lighting {
   glm::vec3 to_key{0.45f, 0.8f,
                    0.4f};  ///< direction to the key light: world space, or view space if it follows the camera
   bool key_follows_camera = false;
-  glm::vec3 key{1.75f, 1.68f, 1.58f};  ///< irradiance on a surface that faces the light
-  std::shared_ptr<const Environment> environment = plain_environment();  ///< ambient light; null = none
+  glm::vec3 key{1.75f, 1.68f, 1.58f};                                    ///< irradiance on a surface facing the light
+  std::shared_ptr<const Environment> environment = plain_environment();  ///< environment light; null = none
   float environment_intensity = 1.0f;
-  float environment_turn_rad = 0.0f;  ///< turns the environment about +y, counter-clockwise from above
-  bool scene_lights =
-      true;  ///< use the lights of the scene (KHR_lights_punctual) instead of the key light, if it has any
+  float environment_turn_rad = 0.0f;  ///< rotation of the environment about +y, counter-clockwise seen from above
+  bool scene_lights = true;  ///< use the scene's lights (KHR_lights_punctual), if any, instead of the key light
   float exposure = 1.0f;
-  bool auto_exposure = false;  ///< `exposure` is times what makes the log average of the picture middle grey
+  bool auto_exposure = false;  ///< multiply `exposure` by the factor that maps the picture's log average to middle grey
   ToneCurve tone_curve = ToneCurve::neutral;
 
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
 
-/// Shadows of the directional and spot lights of the scene, four at most, or of the key light.
+/// Shadows of up to four directional and spot lights of the scene, or of the key light.
 struct Shadows {
   bool on = false;
-  Aabb bounds;  ///< world space: everything that casts or receives them; empty = none
+  Aabb bounds;  ///< bounds of all casters and receivers, world space; empty = no shadows
 };
 
 enum class GroundLook : std::uint8_t {
   none,
-  shadows,  ///< shadows and contact alone: what is behind is seen through the ground
-  grid      ///< a grid besides
+  shadows,  ///< transparent except for shadows and contact occlusion
+  grid      ///< shadows and a grid
 };
 
-/// A level ground below the scene.
+/// A horizontal ground plane below the scene.
 struct Ground {
   GroundLook look = GroundLook::none;
-  Aabb bounds;               ///< world space: what casts shadows on it
+  Aabb bounds;               ///< bounds of the shadow casters, world space
   glm::dvec3 middle{0.0};    ///< world space
-  float radius_m = 1.0f;     ///< it fades out from 0.6 of this distance to all of it
-  float grid_step_m = 1.0f;  ///< lines are at multiples of this, in world space
+  float radius_m = 1.0f;     ///< fades out from 0.6 of this distance to 1.0 of it
+  float grid_step_m = 1.0f;  ///< grid lines are at multiples of this, in world space
 };
 
-/// Just below the bounds, so that feet do not touch it; as wide as shadows of a high light reach. Without a look.
-/// eq   radius = 1.5 * diagonal; the step is the largest power of 10 that has at least 3 lines in the radius
+/// A ground just below the bounds, so that feet do not touch it. Wide enough for the shadows of a high light. `look` is
+/// not set.
+/// eq   radius = 1.5 * diagonal; grid step = the largest power of 10 with at least 3 steps in the radius
 Ground ground_for(const Aabb& bounds);
 
-/// Distances from the plane of the eye.
+/// Range of distances from the eye plane.
 struct DepthRange {
   float nearest_m = 0.0f, farthest_m = 10.0f;
 };
@@ -135,13 +135,14 @@ struct RenderOptions {
   Shadows shadows;
   Ground ground;
   DepthRange depth_range;     ///< for Show::depth
-  bool smooth_edges = false;  ///< coverage and depth of 4 samples a pixel; shading stays one a pixel
+  bool smooth_edges = false;  ///< 4x multisampling of coverage and depth; shading once per pixel
   Backdrop backdrop = Backdrop::plain;
-  bool transparent_background = false;        ///< alpha 0 where nothing was drawn
+  bool transparent_background = false;        ///< alpha is 0 where nothing is drawn
   glm::vec3 background{0.13f, 0.14f, 0.16f};  ///< sRGB, as displayed
 };
 
-/// Options for a scene of these bounds seen from `eye`: lengths of ambient occlusion, ground, and depth range.
+/// Options for a scene of these bounds seen from `eye`. Sets the lengths of ambient occlusion, the ground and the depth
+/// range.
 RenderOptions render_options_for(const Aabb& bounds, const glm::dvec3& eye);
 
 }  // namespace sinew::viewer

@@ -4,19 +4,20 @@
 
 namespace sinew::viewer {
 
-/// The attachments of a pass.
+/// The attachments of a render pass.
 struct Attachments {
   VkImageView color = VK_NULL_HANDLE;
-  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;             ///< CLEAR = to zeros
-  VkImageView resolve = VK_NULL_HANDLE;                                  ///< gets the mean of the samples of `color`
-  VkImageView second = VK_NULL_HANDLE, second_resolve = VK_NULL_HANDLE;  ///< as `color` and `resolve`; null = none
+  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  ///< CLEAR clears to zeros
+  VkImageView resolve = VK_NULL_HANDLE;                       ///< receives the resolved samples of `color`
+  /// Second attachment and its resolve image; null = none.
+  VkImageView second = VK_NULL_HANDLE, second_resolve = VK_NULL_HANDLE;
   VkImageView third = VK_NULL_HANDLE, third_resolve = VK_NULL_HANDLE;
   VkImageView depth = VK_NULL_HANDLE;
-  bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
+  bool depth_write = false;  ///< true = depth is cleared and written; false = loaded and only tested
   VkExtent2D extent{};
 };
 
-/// Dynamic rendering: begins on construction and ends with the object.
+/// Begins dynamic rendering on construction and ends it on destruction.
 class Rendering {
  public:
   Rendering(VkCommandBuffer commands, const Attachments& attachments);
@@ -28,7 +29,7 @@ class Rendering {
   VkCommandBuffer commands_;
 };
 
-/// Draws go to this part of the attachments, which at first is all of them.
+/// Restricts viewport and scissor to this rectangle. Initially they cover the whole attachments.
 void set_area(VkCommandBuffer commands, const VkRect2D& area);
 
 }  // namespace sinew::viewer

@@ -9,7 +9,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr double kMargin = 1.01;  // the filter reads beyond the outermost vertex
+constexpr double kMargin = 1.01;  // because the filter reads beyond the outermost vertex
 constexpr double kSmallest_m = 1e-6;
 
 struct Sphere {
@@ -22,7 +22,7 @@ Sphere sphere_around(const Aabb& bounds) {
   return {0.5 * (lower + upper), std::max(kMargin * 0.5 * glm::length(upper - lower), kSmallest_m)};
 }
 
-/// Axes of the map: `up` is the way of y, +z points to the light.
+/// Axes of the map: x = right, y = up, z towards the light.
 struct Axes {
   glm::dvec3 right, up;
 
@@ -33,7 +33,7 @@ struct Axes {
   }
 };
 
-/// scale * axis . (p - origin) + offset
+/// Matrix row for p -> scale * dot(axis, p - origin) + offset.
 glm::dvec4 row(const glm::dvec3& axis, double scale, const glm::dvec3& origin, double offset) {
   return glm::dvec4(axis * scale, offset - scale * glm::dot(axis, origin));
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 0x51e2d5a0;
 
-/// SplitMix64. The standard distributions would give other numbers on other platforms.
+/// SplitMix64. The distributions of <random> give different numbers on different platforms.
 class Random {
  public:
   float in(float lower, float upper) noexcept {
@@ -33,7 +33,7 @@ glm::vec3 scaled_to(const glm::vec3& v, float length) {
   return v * (length / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
 }
 
-/// Directions, without the opposite of any.
+/// Directions that represent lines: no direction is the opposite of another.
 /// eq   more than seven: height (i + 1/2) / count, angle i times the golden angle   (Swinbank and Purser 2006)
 std::vector<glm::vec3> lines(std::size_t count) {
   constexpr std::array<glm::vec3, 7> of_cube = {

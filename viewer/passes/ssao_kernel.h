@@ -10,12 +10,11 @@
 
 namespace sinew::viewer {
 
-/// Offsets of the ambient occlusion samples. Opposite directions are neighbours in the list, so that the first n are
-/// spread evenly for every even n. Up to 14 samples: the 8 corners of a cube, then the 6 centres of its faces. More: a
-/// spherical Fibonacci lattice. Lengths are random in [0.25, 1].
+/// Sample offsets of ambient occlusion, in opposite pairs. Up to 14 samples: the 8 corners of a cube, then its 6 face
+/// centers. More: a spherical Fibonacci lattice. Lengths are random in [0.25, 1].
 using SsaoOffsets = std::vector<glm::vec3>;
 
-/// Unit vectors, one per pixel of a tile of 4 x 4: the offsets of the pixel are reflected about it.
+/// Unit vectors for a tile of 4 x 4 pixels; the offsets of a pixel are reflected about its vector.
 using SsaoNoise = std::array<glm::vec3, 16>;
 
 struct SsaoKernel {
@@ -23,8 +22,8 @@ struct SsaoKernel {
   SsaoNoise noise;
 };
 
-/// Returns the same numbers in every run and on every machine.
-/// in   samples  even, OcclusionShape::samples
+/// Deterministic: the same numbers on every machine.
+/// in   samples  OcclusionShape::samples
 SsaoKernel make_ssao_kernel(std::uint32_t samples = OcclusionShape{}.samples);
 
 }  // namespace sinew::viewer

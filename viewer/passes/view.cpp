@@ -32,7 +32,7 @@ View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, 
   const double distance = glm::length(sight);
   const glm::dvec3 back = distance > 0.0 ? -sight / distance : glm::dvec3(0.0, 0.0, 1.0);
   glm::dvec3 right = glm::cross(up, back);
-  if (!(glm::length(right) > 1e-6 * glm::length(up)))  // `up` is parallel to the line of sight, or zero
+  if (!(glm::length(right) > 1e-6 * glm::length(up)))  // `up` is zero or parallel to the line of sight
     right = glm::cross(std::abs(back.z) < 0.9 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(1.0, 0.0, 0.0), back);
   right = glm::normalize(right);
   const glm::dvec3 above = glm::cross(back, right);
@@ -71,7 +71,7 @@ bool is_out_of_view(const View& view, double aspect, const Affined& view_from_bo
   constexpr double kMargin = 1.0001;
   const double slope_y = view.parallel() ? 0.0 : kMargin * std::tan(0.5 * view.fov_y_rad),
                half_y = kMargin * view.half_height_m;
-  std::array<bool, 6> outside{true, true, true, true, true, true};  // all corners so far are beyond that plane
+  std::array<bool, 6> outside{true, true, true, true, true, true};  // for each plane: all corners so far are outside it
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p = transform_point(
         view_from_box, glm::dvec3(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Automatic exposure, second step: what turns the log average of light into middle grey. Without any light it is 1.
+// Automatic exposure, second step: the factor that maps the log average luminance to middle grey; 1 if there is no
+// light.
 // eq   Reinhard, Stark, Shirley and Ferwerda, "Photographic Tone Reproduction for Digital Images" (2002), eqs. 1 and 2:
 //      exposure = 0.18 / 2^mean(log2(light))
 #include "frame_uniforms.glsl"

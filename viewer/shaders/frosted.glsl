@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What is seen through a rough surface: the picture of what is opaque, blurred. Its mip levels are as wide as common
-// viewers have them, at roughness 1 as high as the picture: how far things are behind the surface does not count.
+// The view through a rough transmissive surface: a mip level of the opaque picture, chosen by roughness. At roughness 1
+// the blur is as wide as the picture is high. The distance of objects behind the surface is ignored.
 
-// A texel of a mip level, smoothed by a cubic B-spline in four bilinear look-ups, so that its texels do not show.
+// A mip level filtered with a cubic B-spline (four bilinear look-ups), so that single texels are not visible.
 vec4 smooth_texel(sampler2D image, vec2 uv, int level) {
   vec2 size = vec2(textureSize(image, level)), p = uv * size - 0.5, f = fract(p), g = 1.0 - f;
   vec2 first = g * g * g / 6.0, last = f * f * f / 6.0;
@@ -26,7 +26,7 @@ vec4 frosted_texel(sampler2D image, float frost) {
 
 vec4 frosted_unlit(float frost) { return kUnlitImage ? frosted_texel(behind_unlit_image, frost) : vec4(0.0); }
 
-// Light and coverage. Where the environment is seen behind the scene, it is seen through the surface, too, and covers.
+// Blurred light and coverage. If the backdrop is an environment, it fills the part that is not covered.
 vec4 frosted_light(float frost) {
   vec4 seen = frosted_texel(behind_image, frost);
   if (kThrough == kFrosted) return seen;

@@ -1,15 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Transforms meshes to view space. Prepass and shading passes use this module and `invariant`, so that their depths are
-// equal.
+// Transforms meshes to view space. Prepass and shading passes share this module; `invariant` makes their depths equal.
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "projection.glsl"
 #include "quaternion_normal.glsl"
 
-layout(constant_id = 16) const int kShadowMap = 0;           // draws this shadow map, counted from 1; 0 = none
-layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
+layout(constant_id = 16) const int kShadowMap = 0;           // number of the shadow map to draw, from 1; 0 = none
+layout(constant_id = 20) const bool kVertexVisibility = false;   // ambient visibility is a vertex attribute
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -17,30 +16,31 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 texcoord_0;
 layout(location = 4) in vec2 texcoord_1;
 layout(location = 5) in vec4 color;
-layout(location = 6) in float access;        // ambient access in the key pose before the time of the frame, and in the next
-layout(location = 7) in float next_access;
+layout(location = 6) in float visibility;  // ambient visibility at the key poses before and after the frame's time
+layout(location = 7) in float next_visibility;
 
 layout(location = 0) out vec3 view_position;
-layout(location = 1) out vec3 view_normal;   // or, with quaternions, its half-way vector
+layout(location = 1) out vec3 view_normal;   // with quaternions: the half-way vector
 layout(location = 2) out vec4 view_tangent;
 layout(location = 3) out vec4 texcoords;
 layout(location = 4) out vec4 vertex_color;
-layout(location = 5) out float vertex_access;
+layout(location = 5) out float vertex_visibility;
 
-// With quaternions. -q is the same frame as q, but what lies between the two is not. A vertex does not know the other
-// corners of its triangles, so it brings both signs: cosine and sine of half the turn about the normal positive. The first
-// corner says which of them all take: the one that is farther from its change of sign. So frames that turn by less than
-// 90 degrees within a triangle are interpolated the short way. Back sides have frames of their own, of -n.
+// Quaternion frames. q and -q are the same frame, but interpolation needs matching signs across a triangle. A vertex
+// does not know the other corners, so it outputs both signs. One has the cosine of half the rotation about the normal
+// positive, one with the sine. The first (provoking) vertex decides which of them all corners use: the one that is
+// farther from its change of sign. Frames that differ by less than 90 degrees within a triangle are then interpolated
+// the short way. Back sides have their own frames, for -n.
 layout(location = 6) out vec4 frame_by_cosine;
 layout(location = 7) out vec4 frame_by_sine;
 layout(location = 8) out vec3 back_half_way;
 layout(location = 9) out vec4 back_frame_by_cosine;
 layout(location = 10) out vec4 back_frame_by_sine;
-layout(location = 11) flat out vec2 sine_is_larger;   // front and back: above 0 = yes
+layout(location = 11) flat out vec2 sine_is_larger;   // for front and back: above 0 = use the frame by sine
 
 invariant gl_Position;
 
-// eq   n' = sign(det M) * cofactor(M) * n: no division, right for mirrored and flattened meshes
+// eq   n' = sign(det M) * cofactor(M) * n: no division; correct for mirrored and flattened meshes
 vec3 transformed_normal(vec3 n) {
   vec3 a = draw.view_from_mesh[0].xyz, b = draw.view_from_mesh[1].xyz, c = draw.view_from_mesh[2].xyz;
   vec3 bc = cross(b, c);
@@ -50,7 +50,7 @@ vec3 transformed_normal(vec3 n) {
   return length_squared > 0.0 ? turned * inversesqrt(length_squared) : n;
 }
 
-// out  by_cosine, by_sine  the frame in both signs, zero without a tangent;   returns sine_is_larger
+// out  by_cosine, by_sine  the frame with both signs, zero without a tangent;   returns sine_is_larger
 float both_signs(vec3 h, vec3 along, out vec4 by_cosine, out vec4 by_sine) {
   vec2 spinor;
   by_cosine = frame_quaternion(h, along, spinor);
@@ -75,7 +75,7 @@ void main() {
   }
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
-  vertex_access = kVertexAccess ? mix(access, next_access, draw.access_factor) : 1.0;
+  vertex_visibility = kVertexVisibility ? mix(visibility, next_visibility, draw.visibility_factor) : 1.0;
   if (kShadowMap > 0) {
     vec4 from = vec4(view, 1.0), rows[4] = frame.shadow_maps[kShadowMap - 1].from_view;
     gl_Position = vec4(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from), dot(rows[3], from));

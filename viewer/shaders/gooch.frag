@@ -1,12 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Tones of a technical illustration: cool away from the first light, warm towards it, and a white highlight. They are
-// colours of the display (sRGB), as the paper has them; no exposure or tone curve changes them.
-// eq   Gooch, Gooch, Shirley and Cohen, "A Non-Photorealistic Lighting Model for Automatic Technical Illustration" (1998),
-//      eq. 2 with eqs. 3 and 4: t = (1 + n.l) / 2, colour = (1 - t) (blue + 0.2 base) + t (yellow + 0.6 base);
-//      highlight as in Akenine-Moeller et al., "Real-Time Rendering", 4th ed. (2018), eq. 5.2:
-//      s = clamp(100 r.v - 97), r = l mirrored about n
+// Gooch shading: cool tones away from the first light, warm tones towards it, and a white highlight. As in the paper,
+// tones are display colours (sRGB); exposure and tone curve do not apply.
+// eq   Gooch, Gooch, Shirley and Cohen, "A Non-Photorealistic Lighting Model for Automatic Technical Illustration"
+//      (1998), eq. 2 with eqs. 3 and 4: t = (1 + n.l) / 2, colour = (1 - t) (blue + 0.2 base) + t (yellow + 0.6 base);
+//      highlight as in Akenine-Moeller et al., "Real-Time Rendering", 4th ed. (2018), eq. 5.2: s = clamp(100 r.v - 97),
+//      r = l mirrored about n
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -14,7 +14,7 @@
 #include "lighting.glsl"
 #include "srgb.glsl"
 
-layout(constant_id = 0) const bool kMasked = false;    // the alpha test, when no prepass did it
+layout(constant_id = 0) const bool kMasked = false;    // do the alpha test, if no prepass did it
 layout(constant_id = 1) const bool kBlended = false;   // coverage from alpha
 
 const vec3 kBlue = vec3(0.0, 0.0, 0.4), kYellow = vec3(0.4, 0.4, 0.0);
@@ -25,7 +25,7 @@ layout(location = 1) centroid in vec3 view_normal;
 layout(location = 3) in vec4 texcoords;
 layout(location = 4) centroid in vec4 vertex_color;
 
-layout(location = 0) out vec4 color;   // no light, and coverage
+layout(location = 0) out vec4 color;   // no light, only coverage
 layout(location = 1) out vec4 unlit;   // premultiplied, as displayed
 #include "weighted_output.glsl"
 

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A level rectangle of the ground, two triangles without vertex buffers. Prepass and ground pass use this
-// module and `invariant`, so that their depths are equal.
+// The ground rectangle, two triangles without vertex buffers. Prepass and ground pass share this module; `invariant`
+// makes their depths equal.
 #include "frame_uniforms.glsl"
 #include "projection.glsl"
 

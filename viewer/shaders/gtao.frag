@@ -1,35 +1,34 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Horizon-based ambient occlusion, at half size. In slices through the line of sight, the highest visible surface within
-// the radius on either side bounds the light from around the normal.
-// eq   Jimenez, Wu, Pesce and Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eqs. 6, 7:
-//      access = 1 - mean over slices of |m| * (cos g + g sin g - sum over both sides of arc(h))
-//      arc(h) = (cos g + 2 h sin g - cos(2 h - g)) / 4;   m = normal projected to the slice, g = its angle to the line of
-//      sight, h = horizon angle. cos g + g sin g is the sum for free horizons: without anything in the way, access is 1 in
-//      each slice, not only on average
-//      bent normal = direction of 2/3 n - mean over slices of |m| * the part of it that horizons hide: likewise n itself
-//      without anything in the way
+// Horizon-based ambient occlusion, at half size. In each slice through the line of sight, the highest surface within
+// the radius on either side limits the arriving light.
+// eq   Jimenez, Wu, Pesce and Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eqs. 6,
+//      7: visibility = 1 - mean over slices of |m| * (cos g + g sin g - sum over both sides of arc(h)) arc(h) = (cos g
+//      + 2 h sin g - cos(2 h - g)) / 4;   m = normal projected to the slice, g = its angle to the line of sight, h =
+//      horizon angle. cos g + g sin g is the sum for free horizons, so visibility is exactly 1 in each slice if nothing
+//      occludes bent normal = direction of 2/3 n - mean over slices of |m| * the part of it hidden by horizons; exactly
+//      n if nothing occludes
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
-#include "access_texel.glsl"
+#include "visibility_texel.glsl"
 
 layout(constant_id = 0) const int kSlices = 2;   // OcclusionShape::slices
 layout(constant_id = 1) const int kSteps = 6;    // OcclusionShape::steps
 
 const float kPi = 3.14159265358979;
-// Least sine of the height of a surface above the tangent plane. Points at the middles of pixels lie beside the slice, so
-// without it a steep plane would rise above its own horizon. What is lower hides less than its square of the light.
+// Least sine of a surface's elevation above the tangent plane. Samples at pixel centers lie beside the slice, so
+// without it a steep plane would occlude itself. Lower surfaces hide less than the square of this sine of the light.
 const float kLevel = 0.02;
-// Parts of the radius between which surfaces count less and less. A surface that leaves the radius does so between two
-// look-ups; with a sharp end, the one nearer by often misses it, and the pattern of the look-ups shows as stripes.
+// Relative distances between which an occluder fades out. With a sharp end, a thin occluder can fall between two
+// look-ups, and their pattern shows as stripes.
 const float kFadeStart = 0.95, kFadeEnd = 1.3;
 
-layout(location = 0) out vec4 access_distance_normal;
+layout(location = 0) out vec4 visibility_distance_normal;
 
 // Cosine of the angle between the line of sight and the highest surface on one side.
-// in   way  pixels to the radius;   lowest  cosine for a free horizon
+// in   way  vector of the slice, as long as the radius in pixels;   lowest  cosine of a free horizon
 float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float lowest) {
   ivec2 last = textureSize(depth_image, 0) - 1;
   float highest = lowest, scale = 1.0 / (kFadeEnd - kFadeStart);
@@ -54,14 +53,15 @@ float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float
 
 float arc(float h, float g) { return 0.25 * (cos(g) + 2.0 * h * sin(g) - cos(2.0 * h - g)); }
 
-// Light of a slice between the line of sight and a horizon, as a vector: along the slice, and towards the viewer.
-// eq   integral of cos(t - g) sin t (sin t, cos t) over t from 0 to h, without what does not depend on h
+// Light of a slice between the line of sight and a horizon, as a vector with components along the slice and towards the
+// viewer.
+// eq   integral of cos(t - g) sin t (sin t, cos t) over t from 0 to h, without the terms that do not depend on h
 vec2 light_up_to(float cos_h, float cos_g, float sin_g) {
   float cube = cos_h * cos_h * cos_h / 3.0, sine2 = 1.0 - cos_h * cos_h, sine3 = sine2 * sqrt(max(sine2, 0.0)) / 3.0;
   return vec2(cos_g * sine3 + sin_g * (cube - cos_h), sin_g * sine3 - cos_g * cube);
 }
 
-// in,out  hidden  gets the light that horizons hide, as a vector
+// in,out  hidden  adds the light hidden by horizons, as a vector
 float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels, vec3 p, vec3 n, vec3 v, inout vec3 hidden) {
   vec2 along = vec2(cos(turn), sin(turn));
   vec3 direction = vec3(along.x, -along.y, 0.0);
@@ -88,7 +88,7 @@ void main() {
   ivec2 pixel = full_pixel(texel);
   float far_p = distance_at(pixel);
   vec3 n = texelFetch(normal_image, pixel, 0).xyz;
-  access_distance_normal = access_texel(1.0, far_p, n, n);
+  visibility_distance_normal = visibility_texel(1.0, far_p, n, n);
   if (far_p == 0.0 || n == vec3(0.0)) return;
   n = normalize(n);
   float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(far_p);
@@ -96,15 +96,15 @@ void main() {
   if (resolved == 0.0) return;
   vec3 p = view_point(pixel, far_p);
   vec3 v = towards_viewer(p);
-  // A tile of 4 x 4 texels has 16 turns and 4 jitters; the blur averages them.
+  // A tile of 4 x 4 texels has 16 slice rotations and 4 step offsets; the blur averages them.
   float turn = float((((texel.x + texel.y) & 3) << 2) + (texel.x & 3)) / 16.0;
   float jitter = (float((texel.y - texel.x) & 3) + 0.5) / 4.0;
   float sum = 0.0;
   vec3 hidden = vec3(0.0);
   for (int i = 0; i < kSlices; ++i)
     sum += slice_occlusion(pixel, (float(i) + turn) * kPi / float(kSlices), jitter, radius_pixels, p, n, v, hidden);
-  float open = clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), access = pow(open, frame.occlusion_power);
-  float contrast = (1.0 - access) / max(1.0 - open, 1e-6);
+  float open = clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), visibility = pow(open, frame.occlusion_power);
+  float contrast = (1.0 - visibility) / max(1.0 - open, 1e-6);
   vec3 bent = n - 1.5 * contrast * resolved / float(kSlices) * hidden;
-  access_distance_normal = access_texel(access, far_p, n, dot(bent, bent) > 1e-6 ? normalize(bent) : n);
+  visibility_distance_normal = visibility_texel(visibility, far_p, n, dot(bent, bent) > 1e-6 ? normalize(bent) : n);
 }

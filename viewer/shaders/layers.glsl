@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layers of a surface. A material without a layer has none of its code: each is a specialisation constant.
+// Material layers. Each is enabled by a specialisation constant, so materials without a layer do not pay for it.
 
 // eq   KHR_materials_ior and KHR_materials_specular: f0 = min(f0 of ior * color, 1) * specular, f90 = specular
 void set_specular(inout Surface s) {
@@ -24,7 +24,7 @@ void set_transmission(inout Surface s) {
 struct Sheen {
   vec3 color;
   float roughness;
-  float albedo;   // towards the viewer, of white sheen
+  float albedo;   // directional albedo of white sheen, towards the viewer
 };
 
 const float kLeastSheenRoughness = 5.0 / 63.0;   // (viewer/light/sheen_albedo.h)
@@ -52,9 +52,9 @@ float sheen_lambda(float x, float alpha) {
   return exp(x < 0.5 ? log_at : 2.0 * log_middle - log_at);
 }
 
-// Light of one direction on sheen and on what is below, which gets what sheen leaves on the way in or out.
-// eq   KHR_materials_sheen: color D V + below * min(1 - max(color) E(n.v), 1 - max(color) E(n.l)); D V is divided by what
-//      E(n.v) is above 1, so that no energy is made
+// Direct light on sheen and on the layers below, which get the light that sheen lets pass.
+// eq   KHR_materials_sheen: color D V + below * min(1 - max(color) E(n.v), 1 - max(color) E(n.l)); D V is divided by
+//      max(E(n.v), 1), so that no energy is created
 vec3 under_sheen(Sheen sheen, Surface s, vec3 below, vec3 to_light, vec3 irradiance) {
   if (!kSheen) return below;
   float n_l = dot(s.n, to_light);
@@ -69,21 +69,21 @@ vec3 under_sheen(Sheen sheen, Surface s, vec3 below, vec3 to_light, vec3 irradia
   return sheen.color * lobe * irradiance + below * (1.0 - greatest(sheen.color) * min(most, 1.0));
 }
 
-// Share of the light from below that sheen lets through towards the viewer.
+// Fraction of the light from below that sheen transmits towards the viewer.
 float left_by_sheen(Sheen sheen) { return kSheen ? 1.0 - greatest(sheen.color) * min(sheen.albedo, 1.0) : 1.0; }
 
-// The same for ambient light. Fibres gather it from the half sphere.
-// in   access  share of the light that arrives at the fibres; `below` has its own
-vec3 under_sheen(Sheen sheen, Surface s, vec3 below, float access) {
+// Ambient light on sheen and on the layers below. Fibres gather it from the hemisphere.
+// in   visibility  fraction of ambient light that arrives at the fibres; `below` already includes it
+vec3 under_sheen(Sheen sheen, Surface s, vec3 below, float visibility) {
   if (!kSheen) return below;
   vec3 arriving_light = diffuse_light(frame.environment_from_view * s.n);
-  return sheen.color * min(sheen.albedo, 1.0) * arriving_light * access + below * left_by_sheen(sheen);
+  return sheen.color * min(sheen.albedo, 1.0) * arriving_light * visibility + below * left_by_sheen(sheen);
 }
 
 struct Coat {
   vec3 n;
   float roughness;
-  float share;   // of the light that the layer reflects and the surface below does not get
+  float share;   // fraction of light reflected by the coat, which the surface below does not get
 };
 
 // eq   KHR_materials_clearcoat: share = clearcoat * (0.04 + 0.96 (1 - |n.v|)^5); (1 - share) * below + share * GGX
@@ -104,21 +104,21 @@ Coat coat_at(vec3 geometry_normal, vec3 to_viewer) {
   return coat;
 }
 
-// Light of one direction on the layer and on what is below.
+// Direct light on the coat and on the surface below.
 vec3 coated(Coat coat, vec3 below, vec3 to_viewer, vec3 to_light, vec3 irradiance) {
   if (!kClearcoat) return below;
   return mix(below, ggx(coat.n, to_viewer, to_light, coat.roughness) * irradiance, coat.share);
 }
 
-// Ambient light on the layer and on what is below. Fresnel is in the share, so the lobe reflects all light.
-// in   access  share of the light that arrives at the layer; `below` has its own
-//      surroundings  light of the half sphere that is reflected instead of the rest
-vec3 coated(Coat coat, vec3 below, vec3 to_viewer, float access, vec3 surroundings) {
+// Ambient light on the coat and on the surface below. Fresnel is part of `share`, so the lobe has reflectance 1.
+// in   visibility  fraction of light that arrives at the coat; `below` already includes it
+//      surroundings  hemisphere light that occluders reflect in place of the hidden part
+vec3 coated(Coat coat, vec3 below, vec3 to_viewer, float visibility, vec3 surroundings) {
   if (!kClearcoat) return below;
   vec2 sums = split_sums(clamp(dot(coat.n, to_viewer), 0.0, 1.0), coat.roughness);
   float once = sums.x + sums.y;
   vec3 direction = frame.environment_from_view * reflect(-to_viewer, coat.n);
   vec3 around = diffuse_light(frame.environment_from_view * coat.n);
   vec3 lobe = mirrored_light(direction, coat.roughness) * once + around * (1.0 - once);
-  return mix(below, lobe * access + around * surroundings, coat.share);
+  return mix(below, lobe * visibility + around * surroundings, coat.share);
 }

@@ -1,17 +1,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Automatic exposure, first step: each of 32 x 32 texels sums the logarithm of light over its block of the picture, always
-// in the same order. What is unlit, the backdrop, and what gives no light do not count.
+// Automatic exposure, first step: each of 32 x 32 texels sums log luminance over its block of the picture, in a fixed
+// order. Unlit surfaces, the backdrop and black pixels do not count.
 #include "frame_uniforms.glsl"
 #include "luminance.glsl"
 #include "weighted_sums.glsl"
 
-layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
-layout(constant_id = 39) const bool kWeightedSums = false;   // surfaces lie over the picture that blend in any order
+layout(constant_id = 18) const bool kUnlitImage = false;   // the unlit image exists
+layout(constant_id = 39) const bool kWeightedSums = false;   // weighted sums must be composited over the picture
 
 const int kBlocks = 32;            // kExposureBlocks
-const float kLeastLight = 1e-6;    // less is black
+const float kLeastLight = 1e-6;    // darker counts as black
 
 layout(location = 0) out vec4 sums;   // coverage * log2(luminance), coverage
 

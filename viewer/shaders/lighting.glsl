@@ -11,14 +11,14 @@ struct Surface {
   vec3 base_color;
   float metallic, roughness;
   vec3 n, to_viewer;
-  vec3 dielectric_f0;     // what the dielectric reflects along its normal,
+  vec3 dielectric_f0;     // reflectance at normal incidence,
   float dielectric_f90;   // and at grazing angles
-  float transmission;     // share of what enters the dielectric that passes through instead of being scattered
+  float transmission;     // fraction of refracted light that passes through instead of being scattered
 };
 
 float greatest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
-// D V n.l of GGX: what a mirror of this roughness reflects of one light; 0 where the light is behind.
+// D V n.l of GGX, without Fresnel; 0 if the light is behind the surface.
 float ggx(vec3 n, vec3 to_viewer, vec3 to_light, float roughness) {
   float n_l = dot(n, to_light);
   if (n_l <= 0.0) return 0.0;
@@ -58,25 +58,25 @@ vec3 arriving(Light light, vec3 p, out vec3 to_light) {
   return light.color * mix(1.0 / d2 * within * cone, 1.0, directional);
 }
 
-// Irradiance / pi on a surface.
+// Irradiance / pi of the environment on a surface.
 // in   n  unit, in the space of the environment
 vec3 diffuse_light(vec3 n) {
   vec3 sum = frame.diffuse_light[0].rgb + frame.diffuse_light[1].rgb * n.y + frame.diffuse_light[2].rgb * n.z +
              frame.diffuse_light[3].rgb * n.x + frame.diffuse_light[4].rgb * n.x * n.y +
              frame.diffuse_light[5].rgb * n.y * n.z + frame.diffuse_light[6].rgb * (3.0 * n.z * n.z - 1.0) +
              frame.diffuse_light[7].rgb * n.x * n.z + frame.diffuse_light[8].rgb * (n.x * n.x - n.y * n.y);
-  return max(sum, vec3(0.0));   // three bands undershoot opposite to a small bright light
+  return max(sum, vec3(0.0));   // three bands undershoot on the side opposite to a small bright light
 }
 
-// Light from around the mirror direction, as far around as the surface is rough.
+// Environment light around the mirror direction, prefiltered for the roughness.
 vec3 mirrored_light(vec3 direction, float roughness) {
   float last = float(textureQueryLevels(environment_image) - 1);
   return textureLod(environment_image, direction, roughness * last).rgb * frame.environment_intensity;
 }
 
-// Shares of ambient light that a rough layer reflects after one reflection on it, and after more.
-// eq   Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting" (2019): what one
-//      reflection loses, 1 - x - y, is reflected again with the mean reflectance f0 + (f90 - f0) / 21
+// Fractions of ambient light that a rough layer reflects after one bounce, and after further bounces.
+// eq   Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting" (2019): the loss of the
+//      first bounce, 1 - x - y, is reflected again with the mean reflectance f0 + (f90 - f0) / 21
 // in   sums  of the split sum: once = f0 * x + f90 * y
 void layer(vec3 f0, float f90, vec2 sums, out vec3 once, out vec3 again) {
   once = f0 * sums.x + f90 * sums.y;
@@ -85,7 +85,7 @@ void layer(vec3 f0, float f90, vec2 sums, out vec3 once, out vec3 again) {
   again = once * mean * lost / (1.0 - mean * lost);
 }
 
-// The table of viewer/light/split_sum.h: the split sum, and the albedo of sheen.
+// Reads the table of viewer/light/split_sum.h: split sum in xy, sheen albedo in z.
 vec3 tabled(float n_v, float roughness) {
   vec2 size = vec2(textureSize(split_sum_image, 0));
   return textureLod(split_sum_image, (vec2(sqrt(n_v), roughness) * (size - 1.0) + 0.5) / size, 0.0).rgb;
@@ -93,18 +93,18 @@ vec3 tabled(float n_v, float roughness) {
 
 vec2 split_sums(float n_v, float roughness) { return tabled(n_v, roughness).xy; }
 
-// Share of the ambient light that a matte surface gets, with the light that its surroundings scatter, if they have its
-// colour. At access 1 it is exactly 1.
+// Ambient visibility of a diffuse surface with interreflections, assuming that occluders have its albedo. Exactly 1 at
+// visibility 1.
 // eq   Jimenez, Wu, Pesce and Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), section 5
-vec3 scattered_access(float access, vec3 albedo) {
+vec3 scattered_visibility(float visibility, vec3 albedo) {
   vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
-  return clamp(((a * access + b) * access + c) * access, vec3(access), vec3(1.0));
+  return clamp(((a * visibility + b) * visibility + c) * visibility, vec3(visibility), vec3(1.0));
 }
 
-// Ambient light. What the layer of a dielectric does not reflect is scattered below it, so a white surface in white
-// light returns all of it.
-// in   scattered, mirrored  shares of the light of the half sphere, and of that around the mirror direction, that arrive
-//      surroundings  light of the half sphere that is reflected instead of what is hidden around the mirror direction
+// Ambient light. Light that a dielectric does not reflect is scattered below its surface, so a white furnace test
+// returns all light.
+// in   scattered, mirrored  visibility of the hemisphere, and around the mirror direction
+//      surroundings  hemisphere light that occluders reflect in place of the hidden part of the mirror lobe
 vec3 ambient(Surface s, vec3 scattered, float mirrored, vec3 surroundings) {
   vec2 sums = split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness);
   vec3 metal_once, metal_again, once, again;
@@ -117,8 +117,8 @@ vec3 ambient(Surface s, vec3 scattered, float mirrored, vec3 surroundings) {
          mirrored_light(direction, s.roughness) * reflectance * mirrored + around * reflectance * surroundings;
 }
 
-// Share of the light behind a thin surface that passes through, in the direction that it has.
-// eq   KHR_materials_transmission: base colour of what the surface of the dielectric does not reflect
+// Fraction of light that passes straight through a thin surface.
+// eq   KHR_materials_transmission: base colour times the light that the dielectric does not reflect
 vec3 transmitted(Surface s) {
   vec3 once, again;
   layer(s.dielectric_f0, s.dielectric_f90, split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness), once, again);

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
 const float kLineHalfWidth = 0.75;                  // pixels
-const float kLineReach = kLineHalfWidth + 0.5;      // where a pixel is covered no longer
+const float kLineReach = kLineHalfWidth + 0.5;      // beyond this distance, pixels are not covered

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Lines over the picture, as rectangles along them: few devices draw smooth lines. One instance a line, in view space.
+// Overlay lines drawn as rectangles, because few devices support smooth lines. One instance per line; positions in view
+// space.
 #include "frame_uniforms.glsl"
 #include "projection.glsl"
 #include "line.glsl"
@@ -13,9 +14,9 @@ layout(location = 2) in vec3 to;
 layout(location = 0) flat out vec4 line_color;
 layout(location = 1) noperspective out float across;   // pixels from the middle of the line
 
-const int kCorners[6] = int[](0, 1, 2, 2, 1, 3);   // of two triangles; odd ones are on the right, 2 and 3 at the end
+const int kCorners[6] = int[](0, 1, 2, 2, 1, 3);   // corners of two triangles; odd = right side, 2 and 3 = end point
 
-// The point p of a line, moved to the near plane where it is behind that.
+// Clips point p of a line to the near plane.
 vec3 in_front(vec3 p, vec3 other) {
   float behind = p.z + frame.near_m;
   return behind <= 0.0 ? p : mix(p, other, behind / (p.z - other.z));
@@ -29,7 +30,7 @@ void main() {
     return;
   }
   vec4 a = clip_from_view(in_front(from, to)), b = clip_from_view(in_front(to, from));
-  vec2 pixels = frame.pixels_per_metre / frame.projection.xy;   // half the picture
+  vec2 pixels = frame.pixels_per_metre / frame.projection.xy;   // half the picture's size
   vec2 along = (b.xy / b.w - a.xy / a.w) * pixels;
   vec2 right = vec2(-along.y, along.x) / max(length(along), 1e-6);
   across = kLineReach * ((corner & 1) == 0 ? -1.0 : 1.0);

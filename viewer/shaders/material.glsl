@@ -16,7 +16,7 @@ layout(set = 1, binding = 0, std140) uniform Material {
   float roughness;
   float normal_scale;
   float occlusion_strength;
-  vec3 dielectric_f0;               // of ior and specular colour; not clipped
+  vec3 dielectric_f0;               // from ior and specular colour; may exceed 1
   float specular;
   float clearcoat;
   float clearcoat_roughness;
@@ -24,7 +24,7 @@ layout(set = 1, binding = 0, std140) uniform Material {
   float transmission;
   vec3 sheen_color;
   float sheen_roughness;
-  TextureTransform transforms[13];  // of the five textures below in their order, then of those of the layers
+  TextureTransform transforms[13];  // of the five textures below in this order, then of the layer textures
 } material;
 
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
@@ -35,7 +35,7 @@ layout(set = 1, binding = 5) uniform sampler2D emissive_texture;
 layout(set = 1, binding = 6) uniform sampler2D other_texture;
 layout(set = 1, binding = 7) uniform sampler2D last_texture;
 
-// in   set  one of the constants k...Set;   texcoords  both sets of the vertex
+// in   set  one of the constants k...Set;   texcoords  both sets, xy and zw
 vec2 uv_of_set(int set, vec4 texcoords) {
   if (set == 2) return texcoords.zw;
   return texcoords.xy;
@@ -48,7 +48,7 @@ vec2 transformed_uv(int index, int set, vec4 texcoords) {
   return vec2(dot(t.row_u.xy, uv) + t.row_u.z, dot(t.row_v.xy, uv) + t.row_v.z);
 }
 
-// A texture of a layer. Its image has one of the places above: where the five have none, or share one with it.
+// Reads a layer texture. Its image is bound to one of the places above: an unused one, or one with the same image.
 // in   use    one of the constants k...Texture;   index  into material.transforms
 vec4 layer_texel(int use, int index, vec4 texcoords) {
   vec2 uv = transformed_uv(index, 1 + (use - 1) % 2, texcoords);
@@ -69,6 +69,6 @@ vec4 base_color_at(vec4 texcoords, vec4 vertex_color) {
   return color;
 }
 
-// The alpha test. An interpolated 1 may be a step of float below 1, so that alpha equal to the cutoff needs a margin; it
-// is far below a step of an 8-bit texture.
+// The alpha test. The margin allows for interpolated values slightly below the exact one; it is far below a step of an
+// 8-bit texture.
 bool is_cut(float alpha) { return alpha < material.alpha_cutoff - 1e-6; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of normal maps. The shader that includes this has the inputs view_position, view_tangent and texcoords.
+// Normal mapping. The including shader must declare the inputs view_position, view_tangent and texcoords.
 
 layout(location = 6) centroid in vec4 frame_by_cosine;
 layout(location = 7) centroid in vec4 frame_by_sine;
@@ -7,7 +7,8 @@ layout(location = 9) centroid in vec4 back_frame_by_cosine;
 layout(location = 10) centroid in vec4 back_frame_by_sine;
 layout(location = 11) flat in vec2 sine_is_larger;
 
-// The direction of `along` in the plane perpendicular to n; false if `along` is zero or nearly parallel to n.
+// Projects `along` onto the plane perpendicular to n and normalises it. False if `along` is zero or nearly parallel to
+// n.
 bool perpendicular(vec3 n, vec3 along, out vec3 t) {
   t = along - n * dot(n, along);
   float square = dot(t, t);
@@ -16,10 +17,10 @@ bool perpendicular(vec3 n, vec3 along, out vec3 t) {
   return true;
 }
 
-// On back faces n is reversed; the bitangent must not change then.
+// Sign of the bitangent. On back faces n is reversed, but the bitangent must not change.
 float bitangent_side() { return view_tangent.w * (gl_FrontFacing ? draw.handedness : -draw.handedness); }
 
-// Normal, tangent and bitangent from the quaternions of the vertices; false if the tangents have no direction.
+// Tangent frame from interpolated quaternions; false if the tangents are degenerate.
 bool quaternion_frame(inout vec3 n, out vec3 t, out vec3 b) {
   vec4 q = sine_is_larger.x > 0.0 ? frame_by_sine : frame_by_cosine;
   if (back_side()) q = sine_is_larger.y > 0.0 ? back_frame_by_sine : back_frame_by_cosine;
@@ -31,15 +32,15 @@ bool quaternion_frame(inout vec3 n, out vec3 t, out vec3 b) {
   return true;
 }
 
-// Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
+// Tangent and bitangent from the mesh's tangents; false if the tangent is degenerate.
 bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
   if (!perpendicular(n, view_tangent.xyz, t)) return false;
   b = cross(n, t) * bitangent_side();
   return true;
 }
 
-// The same for a mesh without tangents, from screen-space derivatives, as stored tangents would have it: the tangent lies
-// along u, and the bitangent is perpendicular to it on the side where v falls.
+// Tangent and bitangent from screen-space derivatives, for a mesh without tangents. Follows the convention of stored
+// tangents: the tangent lies along u, the bitangent is perpendicular to it, on the side where v decreases.
 // eq   [dP/dx, dP/dy] = [dP/du, dP/dv] * [duv/dx, duv/dy]
 bool derived_frame(vec3 n, int set, out vec3 t, out vec3 b) {
   vec3 dx = dFdx(view_position), dy = dFdy(view_position);
@@ -52,7 +53,7 @@ bool derived_frame(vec3 n, int set, out vec3 t, out vec3 b) {
   return true;
 }
 
-// in   n  on the seen side;   texel  of the map;   set  of its texture coordinates: 1 or 2
+// in   n  normal on the visible side;   texel  of the map;   set  texture coordinate set, 1 or 2
 vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
   vec3 relief = texel * 2.0 - 1.0;
   vec3 t, b;
@@ -61,7 +62,7 @@ vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
   else if (kTangents) found = stored_frame(n, t, b);
   else found = derived_frame(n, set, t, b);
   if (!found) return n;
-  if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is reversed already: a bump of the front is a dent of the back
+  if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is already reversed; a bump on the front is a dent on the back
   return normalize(t * relief.x * scale + b * relief.y * scale + n * relief.z);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Octahedral encoding: unit vectors as two numbers in [-1, 1] (Cigolle et al., "A Survey of Efficient Representations for Independent Unit
-// Vectors", JCGT 2014). The zero vector ("no normal") is stored as 2, 2.
+// Octahedral encoding: unit vectors as two numbers in [-1, 1] (Cigolle et al., "A Survey of Efficient Representations for
+// Independent Unit Vectors", JCGT 2014). The zero vector ("no normal") is stored as 2, 2.
 
 vec2 pack_normal(vec3 n) {
   float sum = abs(n.x) + abs(n.y) + abs(n.z);

@@ -1,23 +1,24 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Black lines on surfaces, where they end before something farther away (silhouettes) and where normals turn (creases).
-// eq   Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes" (1990): lines where the second difference of depth is
-//      great. 1 / distance is linear over the picture of a plane, so planes have none, however steep they are.
-// The triangle lies at depth 0 and the test is LESS: with 4 samples a pixel, only samples of surfaces get the line.
+// Black lines at silhouettes (the surface ends in front of something farther) and at creases (normals change).
+// eq   Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes" (1990): lines where the second difference of depth
+//      is large. 1 / distance is linear in screen space on a plane, so planes have no lines
+//
+// The triangle has depth 0 and the depth test is LESS, so with multisampling only samples on surfaces get the line.
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 
-const float kGapStart = 4.0, kGapFull = 8.0;         // pixels that surfaces lie behind: no line yet, full line
-const float kCreaseStart = 0.87, kCreaseFull = 0.7;  // cosines between the normals of neighbours
-const float kNothing = 1e30;                         // distance where nothing is drawn
+const float kGapStart = 4.0, kGapFull = 8.0;         // depth gap in pixels: line starts, full line
+const float kCreaseStart = 0.87, kCreaseFull = 0.7;  // cosine between neighbouring normals
+const float kNothing = 1e30;                         // distance used where nothing is drawn
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out vec4 unlit;
 
 vec3 normal_at(ivec2 pixel) { return texelFetch(normal_image, pixel, 0).xyz; }
 
-// How far behind a surface its two neighbours lie on average, metres: 0 on a plane.
+// Mean distance of two opposite neighbours behind the surface, in metres; 0 on a plane.
 float gap(float near_m, float a, float b) {
   if (kParallel) return 0.5 * ((a > 0.0 ? a : kNothing) + (b > 0.0 ? b : kNothing)) - near_m;
   vec2 inverse = vec2(a > 0.0 ? 1.0 / a : 0.0, b > 0.0 ? 1.0 / b : 0.0);
@@ -29,7 +30,7 @@ float crease(vec3 n, ivec2 other) {
   return m == vec3(0.0) ? 0.0 : 1.0 - smoothstep(kCreaseFull, kCreaseStart, dot(n, normalize(m)));
 }
 
-// Strength of the line between neighbours on both sides along `step`. At the border of the picture there is none.
+// Line strength from the two neighbours along `step`; 0 at the border of the picture.
 float line_along(ivec2 pixel, ivec2 step, vec3 n, float distance) {
   ivec2 before = pixel - step, behind = pixel + step;
   if (any(lessThan(before, ivec2(0))) || any(greaterThanEqual(behind, textureSize(depth_image, 0)))) return 0.0;
@@ -38,7 +39,7 @@ float line_along(ivec2 pixel, ivec2 step, vec3 n, float distance) {
   return max(silhouette, max(crease(n, before), crease(n, behind)));
 }
 
-// The middle of a pixel that is empty may have samples of a surface at its side.
+// For a pixel whose center is empty: with multisampling, some of its samples may lie on a neighbouring surface.
 float line_beside(ivec2 pixel) {
   ivec2 last = textureSize(depth_image, 0) - 1;
   vec3 sum = vec3(0.0);

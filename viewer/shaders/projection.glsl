@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef SINEW_PROJECTION
 #define SINEW_PROJECTION
-// Between view space and clip space, for perspective and parallel projection. Depth is reversed; y points down in the
-// frame buffer.
+// Conversions between view space and clip space, for perspective and orthographic projection. Depth is reversed; y
+// points down in the framebuffer.
 
 layout(constant_id = 4) const bool kParallel = false;
 
@@ -10,7 +10,7 @@ vec4 clip_from_view(vec3 p) {
   return vec4(p.x * frame.projection.x, -p.y * frame.projection.y, frame.projection.z + frame.projection.w * p.z, kParallel ? 1.0 : -p.z);
 }
 
-// Distance from the eye plane of a stored depth above 0.
+// Converts a stored depth above 0 to the distance from the eye plane.
 float distance_of(float depth) {
   return kParallel ? (frame.projection.z - depth) / frame.projection.w : frame.projection.z / (depth + frame.projection.w);
 }

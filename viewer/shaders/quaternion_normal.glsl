@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Normals and tangent frames as quaternions: between vertices they are interpolated linearly, and give unit normals and
-// orthonormal frames without a square root. The quaternion with w = 0 of a normal is the vector half way between it and
-// the axis +z; it turns the axis to the normal. Near -z it is not continuous: callers turn surfaces so that their normals
-// are near +z.
+// Normals and tangent frames as quaternions. Interpolated linearly between vertices, they give unit normals and
+// orthonormal frames without a square root. A normal's quaternion with w = 0 is the half-way vector between the normal
+// and +z. It is discontinuous near -z, so callers orient surfaces towards +z.
 // eq   Hast, "Shading by Quaternion Interpolation" (WSCG 2005), eqs. 16 and 17, with the last line read as N.z -= 1
 
-layout(constant_id = 38) const int kQuaternions = 0;   // 0 normals are interpolated linearly, 1 front sides, 2 both sides
+// 0 = linear interpolation, 1 = quaternions for front sides, 2 = for both sides.
+layout(constant_id = 38) const int kQuaternions = 0;
 
-const float kLeastSine = 1e-3;   // between normal and tangent: below it, rounding and quantisation decide the direction
+const float kLeastSine = 1e-3;   // between normal and tangent; below it, rounding would decide the direction
 
-// The half-way vector, of unit length. At n = -z every one is right: +x. Zero stays zero.
-// eq   (n.x, n.y, 2 z^2) / (2 z), 2 z^2 = 1 + n.z, without cancellation below the equator (x^2 + y^2) / (1 - n.z)
+// The unit half-way vector between n and +z. At n = -z every perpendicular vector is valid; +x is used. Zero stays
+// zero.
+// eq   (n.x, n.y, 2 z^2) / (2 z), 2 z^2 = 1 + n.z, for n.z < 0 computed as (x^2 + y^2) / (1 - n.z), which avoids
+//      cancellation
 vec3 half_way(vec3 n) {
   float side = dot(n.xy, n.xy), twice_square = n.z < 0.0 ? side / (1.0 - n.z) : 1.0 + n.z;
   vec3 h = vec3(n.xy, twice_square);
-  float most = max(max(abs(h.x), abs(h.y)), h.z);   // near -z, squares would be too small for float
+  float most = max(max(abs(h.x), abs(h.y)), h.z);   // scaled, because squares near -z would underflow
   if (n == vec3(0.0)) return vec3(0.0);
   return most > 0.0 ? normalize(h / most) : vec3(1.0, 0.0, 0.0);
 }
 
-// The axis +z mirrored about h, which may have any length: a unit vector.
+// The unit normal of a half-way vector h of any length: +z mirrored about h.
 vec3 normal_of(vec3 h) { return h * (2.0 * h.z / dot(h, h)) - vec3(0.0, 0.0, 1.0); }
 
-// The quaternion, xyzw, that turns x to the tangent, y to n x tangent and z to n. Its other half is the turn of the
-// tangent about the normal: q = h * (cos(a / 2) + z sin(a / 2)).
-// in   h       half_way(n);   along  its direction in the plane of n counts
-// out  spinor  (cos, sin) of half the turn, cos >= 0: -q is the same frame; returns zero if `along` is parallel to n
+// The quaternion (xyzw) that rotates x to the tangent, y to n x tangent and z to n. It is the half-way vector times a
+// rotation by a about the normal: q = h * (cos(a / 2) + z sin(a / 2)).
+// in   h       half_way(n);   along  only its direction in the plane of n counts
+// out  spinor  (cos, sin) of half the rotation, cos >= 0: -q is the same frame; returns zero if `along` is parallel to
+//      n
 vec4 frame_quaternion(vec3 h, vec3 along, out vec2 spinor) {
   vec2 turn = vec2(dot(along, 2.0 * h.x * h - vec3(1.0, 0.0, 0.0)), dot(along, 2.0 * h.y * h - vec3(0.0, 1.0, 0.0)));
   float square = dot(turn, turn);
@@ -37,7 +40,7 @@ vec4 frame_quaternion(vec3 h, vec3 along, out vec2 spinor) {
   return vec4(spinor.x * h.x + spinor.y * h.y, spinor.x * h.y - spinor.y * h.x, spinor.x * h.z, -spinor.y * h.z);
 }
 
-// Images of x, y and z under q, which may have any length but 0: an orthonormal matrix.
+// The rotation matrix of q, which may have any length except 0.
 mat3 frame_of(vec4 q) {
   float twice = 2.0 / dot(q, q);
   vec3 v = q.xyz * twice;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How much a neighbouring sample counts in a mean of ambient access: as far as it may be on the same surface. It falls off
-// smoothly as normals turn and as the sample leaves the tangent plane. The scale of that grows with the distance on
-// screen, because surfaces curve. On a plane it is 1.
+// Weight of a neighbouring sample in a mean of ambient visibility: how likely it is on the same surface. Falls smoothly
+// with the angle between normals and with the distance from the tangent plane. The distance scale grows with screen
+// distance, because surfaces curve. Exactly 1 on a plane.
 // eq   max(n . other n, 0)^4 * exp(-(n . (other - p) / scale)^2 / 2)
 
 const float kCurve = 0.25;

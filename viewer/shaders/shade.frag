@@ -1,17 +1,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Shades opaque and transparent surfaces. Ambient occlusion scales the ambient term only.
-// Textures and dFdx use the neighbours in a quad of pixels. They are read in control flow that all pixels of a draw share,
-// and before any discard: otherwise their values are undefined.
-// Centroid: with several samples the middle of a pixel may lie outside of the triangle, where normals and colours are beyond
-// those of any vertex. Position and texture coordinates are of the middle: their derivatives need a neighbour one pixel away.
+// Texture reads and dFdx need the neighbours in a 2 x 2 pixel quad. They happen in control flow that is uniform over a
+// draw, and before any discard; otherwise their values are undefined.
+//
+// Centroid: with multisampling the pixel center may lie outside the triangle, where normals and colours would be
+// extrapolated. Position and texture coordinates are not centroid, because their derivatives need a regular pixel grid.
 layout(location = 0) in vec3 view_position;
 layout(location = 1) centroid in vec3 view_normal;
 layout(location = 2) centroid in vec4 view_tangent;
 layout(location = 3) in vec4 texcoords;
 layout(location = 4) centroid in vec4 vertex_color;
-layout(location = 5) centroid in float vertex_access;
+layout(location = 5) centroid in float vertex_visibility;
 
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
@@ -20,13 +20,13 @@ layout(location = 5) centroid in float vertex_access;
 #include "view_position.glsl"
 #include "octahedral.glsl"
 #include "same_surface.glsl"
-#include "ambient_access.glsl"
+#include "ambient_visibility.glsl"
 #include "lighting.glsl"
-#include "mirrored_access.glsl"
+#include "mirrored_visibility.glsl"
 #include "shadow.glsl"
 #include "normal_map.glsl"
 
-// How a surface lets light through: the step of it that is drawn (enum Through in viewer/passes/pass_resources.h).
+// Step of drawing a transmissive surface (enum Through in viewer/passes/pipeline_keys.h).
 const int kOpaque = 0, kFilter = 1, kFilterDrawn = 2, kBlurredBackdrop = 3, kSharpBackdrop = 4, kLightAlone = 5;
 const int kErase = 6, kFrosted = 7, kFrostedBlurred = 8, kFrostedSharp = 9;
 layout(constant_id = 27) const int kThrough = kOpaque;
@@ -36,25 +36,25 @@ const bool kOwnLight = kThrough == kOpaque || kThrough == kLightAlone || kShowsF
 
 #include "layers.glsl"
 
-layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
-layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
+layout(constant_id = 0) const bool kMasked = false;      // do the alpha test, if no prepass did it
+layout(constant_id = 1) const bool kBlended = false;  // coverage from alpha; no ambient visibility image covers these
 layout(constant_id = 13) const int kLightCount = 1;
-layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
-layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
-layout(constant_id = 18) const bool kUnlitImage = false; // there is an image for colours that no tone curve changes
+layout(constant_id = 20) const bool kVertexVisibility = false;   // ambient visibility is a vertex attribute
+layout(constant_id = 15) const bool kAmbient = true;     // environment light is present
+layout(constant_id = 18) const bool kUnlitImage = false; // an image for display colours without tone curve exists
 
 #include "frosted.glsl"
 
-const bool kHidden = kOccluded || kVertexAccess || kOcclusionSet != 0;   // not all ambient light arrives
+const bool kHidden = kOccluded || kVertexVisibility || kOcclusionSet != 0;   // ambient light may be occluded
 
 const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
 
 layout(location = 0) out vec4 color;   // premultiplied light, and coverage of all surfaces
-layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for the image of such a frame
+layout(location = 1) out vec4 unlit;   // display colours and coverage of unlit surfaces
 #include "weighted_output.glsl"
 
-// out  through  share of what the surface emits that its layers let through
-//      behind   share of the light behind that the surface lets through;   frost  how rough it is
+// out  through  fraction of emitted light that the coat transmits
+//      behind   fraction of the light behind that is transmitted;   frost  roughness, 0 to 1
 vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behind, out float frost) {
   Surface s;
   s.base_color = base_color;
@@ -72,14 +72,14 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
   vec2 bend;
-  float open = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n, bend);
-  if (kVertexAccess) open = vertex_access;
+  float open = ambient_visibility(ivec2(gl_FragCoord.xy), view_position, s.n, bend);
+  if (kVertexVisibility) open = vertex_visibility;
   float baked = 1.0;
   if (kOcclusionSet != 0) {
     float texel = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
     baked += material.occlusion_strength * (texel - 1.0);
   }
-  float access = open * baked;
+  float visibility = open * baked;
   Sheen sheen = sheen_at(s);
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
@@ -88,12 +88,12 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   if (kThrough != kOpaque && kThrough != kLightAlone) behind = transmitted(s) * left_by_sheen(sheen) * through;
   if (!kOwnLight) return sum;
   if (kAmbient) {
-    vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
-    float mirrored = mirrored_access(open, bend, s.n, s.to_viewer, s.roughness);
-    vec3 surroundings = mirrored_surroundings(access, mirrored, s.base_color);
-    vec3 below = under_sheen(sheen, s, ambient(s, scattered, mirrored * baked, surroundings), access);
-    float on_coat = kClearcoat ? mirrored_access(open, bend, coat.n, s.to_viewer, coat.roughness) : 1.0;
-    surroundings = mirrored_surroundings(access, on_coat, s.base_color);
+    vec3 scattered = kHidden ? scattered_visibility(visibility, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
+    float mirrored = mirrored_visibility(open, bend, s.n, s.to_viewer, s.roughness);
+    vec3 surroundings = mirrored_surroundings(visibility, mirrored, s.base_color);
+    vec3 below = under_sheen(sheen, s, ambient(s, scattered, mirrored * baked, surroundings), visibility);
+    float on_coat = kClearcoat ? mirrored_visibility(open, bend, coat.n, s.to_viewer, coat.roughness) : 1.0;
+    surroundings = mirrored_surroundings(visibility, on_coat, s.base_color);
     sum += coated(coat, below, s.to_viewer, on_coat * baked, surroundings);
   }
   for (int i = 0; i < kLightCount; ++i) {
@@ -106,8 +106,8 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   return sum;
 }
 
-// A step of a surface that lets light through. The blending of each step is in viewer/device/pipeline.h.
-// in   behind  share of the light behind;   frost  of lit();   light  of the surface;   coverage  by its alpha
+// Outputs one step of a transmissive surface. viewer/device/pipeline.h has the blending of each step.
+// in   behind  transmitted fraction;   frost  from lit();   light  of the surface itself;   coverage  from alpha
 void show_through(vec3 behind, float frost, vec3 light, float coverage) {
   unlit = vec4(0.0);
   if (kThrough == kLightAlone) {
@@ -160,7 +160,8 @@ void main() {
     unlit = vec4(clamp(light, 0.0, 1.0) * coverage, coverage);
     color = vec4(vec3(0.0), coverage);
   } else {
-    unlit = vec4(vec3(0.0), kBlended ? coverage : 0.0);   // blending covers what is behind, and adds nothing
+    // Blended surfaces cover unlit colours behind them and add none.
+    unlit = vec4(vec3(0.0), kBlended ? coverage : 0.0);
     color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
   }
   if (kWeighted) weigh(-view_position.z, coverage, kUnlit);

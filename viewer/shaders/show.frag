@@ -1,23 +1,23 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Shows one of the buffers between passes instead of the picture.
+// Displays an intermediate buffer instead of the picture.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
 #include "same_surface.glsl"
-#include "ambient_access.glsl"
+#include "ambient_visibility.glsl"
 
 layout(constant_id = 1) const int kShow = 1;   // enum Show: 1 ambient occlusion, 2 normals, 3 depth, 4 level
-layout(constant_id = 20) const bool kVertexAccess = false;   // it is beside the normals
+layout(constant_id = 20) const bool kVertexVisibility = false;   // ambient visibility is in alpha of the normal image
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
 layout(location = 0) out vec4 shown;
 
-float access_at(ivec2 pixel, float far_p) {
+float visibility_at(ivec2 pixel, float far_p) {
   vec3 n = texelFetch(normal_image, pixel, 0).xyz;
-  return n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_point(pixel, far_p), normalize(n));
+  return n == vec3(0.0) ? 1.0 : ambient_visibility(pixel, view_point(pixel, far_p), normalize(n));
 }
 
 void main() {
@@ -26,10 +26,10 @@ void main() {
   float covered = far_p > 0.0 ? 1.0 : 0.0;
   vec3 value;
   if (kShow == 1) {
-    float access = 1.0;
-    if (kVertexAccess) access = clamp(texelFetch(normal_image, pixel, 0).a, 0.0, 1.0);
-    else if (kOccluded) access = access_at(pixel, far_p);
-    value = vec3(covered == 0.0 ? 1.0 : access);
+    float visibility = 1.0;
+    if (kVertexVisibility) visibility = clamp(texelFetch(normal_image, pixel, 0).a, 0.0, 1.0);
+    else if (kOccluded) visibility = visibility_at(pixel, far_p);
+    value = vec3(covered == 0.0 ? 1.0 : visibility);
   } else if (kShow == 2) {
     value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz * 0.5 + 0.5;
   } else if (kShow == 4) {

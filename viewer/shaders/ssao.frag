@@ -1,21 +1,22 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Screen-space ambient occlusion, at half size. Points around a surface point p with normal n are looked up in the depth
-// image; r is the surface point that is visible there.
+// Screen-space ambient occlusion, at half size. Random points around a surface point p with normal n are looked up in
+// the depth image; r is the surface point found there.
 // eq   occlusion = sum over N samples of fade(distance(p) - distance(r)) * max(n . normalise(r - p), 0) / N
-//      access    = (1 - occlusion)^power
-// r lies at the centre of the pixel whose depth was read, not at the sample: then n . (r - p) is 0 on a plane of any slope,
-// and planes do not darken themselves.
+//      visibility = (1 - occlusion)^power
+//
+// r is the center of the pixel whose depth was read, not the sample point. Then n . (r - p) is 0 on a plane of any
+// slope, and planes do not occlude themselves.
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
 
 layout(constant_id = 0) const int kSamples = 14;   // OcclusionShape::samples
 
-layout(location = 0) out vec4 access_distance_normal;
+layout(location = 0) out vec4 visibility_distance_normal;
 
-// 1 up to fade start, linear to 0 at fade end; 0 within the surface epsilon.
+// 0 within the surface epsilon, then 1 up to fade start, then linear to 0 at fade end.
 float fade(float nearer_by) {
   if (nearer_by <= frame.surface_epsilon_m) return 0.0;
   return clamp((frame.fade_end_m - nearer_by) / (frame.fade_end_m - frame.fade_start_m), 0.0, 1.0);
@@ -40,7 +41,7 @@ void main() {
   ivec2 pixel = full_pixel(texel);
   float far_p = distance_at(pixel);
   vec3 n = texelFetch(normal_image, pixel, 0).xyz;
-  access_distance_normal = vec4(1.0, far_p, pack_normal(n));
+  visibility_distance_normal = vec4(1.0, far_p, pack_normal(n));
   if (far_p == 0.0 || n == vec3(0.0)) return;
   n = normalize(n);
   float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(far_p);
@@ -54,5 +55,5 @@ void main() {
     if (dot(offset, n) < 0.0) offset = -offset;                                 // into the hemisphere about n
     sum += occlusion_of(p + frame.occlusion_radius_m * offset, p, n);
   }
-  access_distance_normal.r = pow(max(1.0 - sum / float(kSamples) * resolved, 0.0), frame.occlusion_power);
+  visibility_distance_normal.r = pow(max(1.0 - sum / float(kSamples) * resolved, 0.0), frame.occlusion_power);
 }

@@ -1,29 +1,29 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// One direction of the edge-preserving blur. The noise of the SSAO pass repeats every 4 texels, and the weights
-// 1/2 1 1 1 1/2 average every pattern of period 4 exactly.
+// One direction of the edge-preserving blur. The noise of the occlusion pass repeats every 4 texels; the weights 1/2 1
+// 1 1 1/2 average every pattern of period 4 exactly.
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
-#include "access_texel.glsl"
+#include "visibility_texel.glsl"
 #include "same_surface.glsl"
 
 layout(constant_id = 0) const bool kVertical = false;
 layout(constant_id = 1) const int kReach = 2;          // OcclusionShape::blur_reach
 layout(constant_id = 2) const bool kKeepEdges = true;  // OcclusionShape::keep_edges
 
-layout(location = 0) out vec4 access_distance_normal;
+layout(location = 0) out vec4 visibility_distance_normal;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 middle = texelFetch(ao_image, texel, 0);
-  access_distance_normal = middle;
+  visibility_distance_normal = middle;
   if (middle.g == 0.0 || !has_normal(middle)) return;
   vec3 n = normal_of(middle);
   vec3 p = view_point(full_pixel(texel), middle.g);
   ivec2 last = textureSize(ao_image, 0) - 1;
-  // Two scalar choices instead of one between vectors: Mesa 22.3 folds the latter wrongly to (0, 0).
+  // Two scalar selections instead of one vector selection, which Mesa 22.3 wrongly folds to (0, 0).
   ivec2 direction = ivec2(kVertical ? 0 : 1, kVertical ? 1 : 0);
   float metres_per_texel = float(kAoStep) / pixels_per_metre(middle.g);
   float sum = middle.r, weight_sum = 1.0;
@@ -40,6 +40,6 @@ void main() {
     if (kBent) bend += weight * bend_of(other);
     weight_sum += weight;
   }
-  if (kBent) access_distance_normal = with_bend(middle, bend / weight_sum);
-  access_distance_normal.r = sum / weight_sum;
+  if (kBent) visibility_distance_normal = with_bend(middle, bend / weight_sum);
+  visibility_distance_normal.r = sum / weight_sum;
 }

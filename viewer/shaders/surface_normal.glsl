@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The normal on the side that faces the viewer, in view space; zero if the mesh has no normals (points and lines).
+// The view-space normal on the side facing the viewer; zero if the mesh has no normals (points and lines).
 #include "projection.glsl"
 #include "quaternion_normal.glsl"
 
@@ -7,7 +7,7 @@ layout(location = 8) centroid in vec3 back_half_way;
 
 bool back_side() { return kQuaternions == 2 && !gl_FrontFacing; }
 
-// in   interpolated  as geometry.vert wrote it: with quaternions a half-way vector
+// in   interpolated  output of geometry.vert: with quaternions a half-way vector
 vec3 surface_normal(vec3 interpolated, vec3 p) {
   if (kNormals == 1) {
     vec3 face = normalize(cross(dFdx(p), dFdy(p)));

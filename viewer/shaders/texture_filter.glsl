@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Reads textures: through their samplers, or, where RIP_MAPS is defined, texel by texel from rip maps
-// (viewer/upload/rip_map.h). That is a variant of the shader: its code, at each place that reads a texture, would be most
-// of it. Derivatives need neighbours in a quad of pixels: call these in control flow that all pixels of a draw share.
+// Reads textures through their samplers or, if RIP_MAPS is defined, texel by texel from rip maps
+// (viewer/upload/rip_map.h). Rip maps are a shader variant, because their code would dominate every shader that reads
+// textures. Derivatives need neighbours in a 2 x 2 pixel quad: call these in control flow that is uniform over a draw.
 
 #ifdef RIP_MAPS
 
 layout(constant_id = 36) const uint kWraps = 0;   // MaterialFeatures::wraps
 
-// Index of a texel in a row of n; i is at most one beyond it.
+// Wraps texel index i to [0, n); i may be out of range by one.
 // in   wrap  enum Wrap: 0 repeat, 1 clamp to edge, 2 mirrored repeat
 int wrapped_texel(int i, int n, uint wrap) { return wrap == 0 ? (i + n) % n : clamp(i, 0, n - 1); }
 
-// The coordinate in [0, 1] that shows the same.
+// Wraps a texture coordinate to [0, 1].
 float wrapped_coordinate(float u, uint wrap) {
   if (wrap == 0) return fract(u);
   if (wrap == 1) return clamp(u, 0.0, 1.0);
   return 1.0 - abs(1.0 - 2.0 * fract(0.5 * u));
 }
 
-// Four texels of a level, mixed.
-// in   size  of level (0, 0);   uv  in [0, 1];   wraps  of u in the lower two bits, of v above
+// Bilinear lookup in one level.
+// in   size  of level (0, 0);   uv  in [0, 1];   wraps  wrap mode of u in the lower two bits, of v above
 vec4 rip_level_texel(sampler2D image, ivec2 size, ivec2 level, vec2 uv, uint wraps) {
   ivec2 extent = size >> level, corner = 2 * (size - extent);
   vec2 at = uv * vec2(extent) - 0.5, part = fract(at);
@@ -31,15 +31,15 @@ vec4 rip_level_texel(sampler2D image, ivec2 size, ivec2 level, vec2 uv, uint wra
   return mix(upper, lower, part.y);
 }
 
-// Level along u and along v: each side of the footprint counts by itself.
-// eq   level = log2(texels * |(du/dx, du/dy)|), clamped to what there is; the same for v
+// Levels along u and v, each from the footprint along that axis.
+// eq   level = log2(texels * |(du/dx, du/dy)|), clamped to existing levels; likewise for v
 vec2 rip_level(ivec2 size, vec2 uv) {
   vec2 dx = dFdx(uv), dy = dFdy(uv);
-  vec2 squared = vec2(size) * vec2(size) * (dx * dx + dy * dy);   // of the texels a pixel
+  vec2 squared = vec2(size) * vec2(size) * (dx * dx + dy * dy);   // squared texels per pixel
   return clamp(0.5 * log2(max(squared, vec2(1.0))), vec2(0.0), vec2(findMSB(size)));
 }
 
-// eq   linear in both levels: the mean of four levels by the fractions of the level
+// eq   linear in both levels: four levels, weighted by the fractions
 vec4 rip_map_texel(sampler2D image, vec2 uv, uint wraps) {
   ivec2 size = textureSize(image, 0) / 2;
   vec2 level = rip_level(size, uv), part = fract(level);
@@ -54,12 +54,12 @@ vec4 rip_map_texel(sampler2D image, vec2 uv, uint wraps) {
   return sum;
 }
 
-// in   place  of the texture in the material, for its wrapping
+// in   place  descriptor place of the texture, for its wrap modes
 vec4 filtered_texel(sampler2D image, int place, vec2 uv) {
   return rip_map_texel(image, uv, (kWraps >> (4 * place)) & 15);
 }
 
-// Levels that filtered_texel reads, along u and along v.
+// Levels that filtered_texel reads, along u and v.
 vec2 read_level(sampler2D image, vec2 uv) { return rip_level(textureSize(image, 0) / 2, uv); }
 
 #else

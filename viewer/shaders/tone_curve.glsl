@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Light of the scene as light of the display, both linear.
+// Tone curves: map scene light to display light, both linear.
 
 layout(constant_id = 8) const int kToneCurve = 0;   // enum ToneCurve: 0 neutral, 1 ACES, 2 none
 
-// Khronos PBR Neutral: base colours up to 0.8 stay, highlights are compressed.
+// Khronos PBR Neutral: keeps base colours up to 0.8 and compresses highlights.
 vec3 neutral(vec3 color) {
   const float start = 0.8 - 0.04, desaturation = 0.15;
   float smallest = min(color.r, min(color.g, color.b));

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Maps light of the scene to light of the display, adds unlit colours as they are, and puts the backdrop behind it. The output has straight alpha.
+// Applies exposure and tone curve, adds unlit colours unchanged, and composites over the backdrop. The output has
+// straight alpha.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
 #include "projection.glsl"
@@ -9,15 +10,15 @@
 #include "weighted_sums.glsl"
 
 layout(constant_id = 9) const int kBackdrop = 0;   // enum Backdrop: 0 plain, 1 blurred, 2 sharp
-layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
+layout(constant_id = 18) const bool kUnlitImage = false;   // the unlit image exists
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
-layout(constant_id = 39) const bool kWeightedSums = false;    // surfaces lie over the picture that blend in any order
-layout(constant_id = 19) const bool kAutoExposure = false;   // the exposure follows the picture
+layout(constant_id = 39) const bool kWeightedSums = false;    // weighted sums must be composited over the picture
+layout(constant_id = 19) const bool kAutoExposure = false;   // exposure is read from exposure_image
 
 layout(location = 0) out vec4 shown;
 
-// Light of the environment behind a pixel.
+// Environment light behind a pixel.
 vec3 environment_behind(vec2 pixel) {
   vec2 ndc = pixel / vec2(textureSize(color_image, 0)) * 2.0 - 1.0;
   vec3 direction = kParallel ? vec3(0.0, 0.0, -1.0) : vec3(vec2(ndc.x, -ndc.y) / frame.projection.xy, -1.0);
@@ -37,8 +38,9 @@ void main() {
   if (kBackdrop == 0 || kTransparentBackground) {
     light = tone_mapped(light);
   } else {
-    // Most pixels are either light or backdrop, and take the curve once. A loop takes it again at edges alone: drivers that
-    // run on the CPU take both sides of a branch. They read the environment everywhere; a loop for that costs them more.
+    // Most pixels are only light or only backdrop and evaluate the tone curve once. Edge pixels evaluate it again in a
+    // loop, because software drivers execute both sides of a branch. They read the environment everywhere; a loop
+    // around that read would cost more.
     vec3 around = vec3(0.0);
     if (coverage < 1.0) around = environment_behind(gl_FragCoord.xy) * exposure;
     behind = tone_mapped(lit > 0.0 ? light : around);

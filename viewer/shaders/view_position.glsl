@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From pixels to view space.
+// Conversions from pixels to view space.
 #include "projection.glsl"
 
 float distance_at(ivec2 pixel) {
   float depth = texelFetch(depth_image, pixel, 0).r;
-  return depth > 0.0 ? distance_of(depth) : 0.0;   // 0 = nothing drawn there
+  return depth > 0.0 ? distance_of(depth) : 0.0;   // 0 = nothing drawn
 }
 
 vec3 view_point(ivec2 pixel, float distance) {
@@ -14,9 +14,9 @@ vec3 view_point(ivec2 pixel, float distance) {
   return vec3(xy * distance, -distance);
 }
 
-layout(constant_id = 3) const int kAoStep = 2;   // OcclusionShape::step: pixels per texel and axis of ao_image
+layout(constant_id = 3) const int kAoStep = 2;   // OcclusionShape::step: pixels per texel of ao_image
 
-// The pixel that a texel of ao_image was computed for.
+// The pixel for which a texel of ao_image is computed.
 ivec2 full_pixel(ivec2 texel) {
   return min(texel * kAoStep, textureSize(depth_image, 0) - 1);
 }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Blended surfaces in any order.
-// eq   McGuire and Bavoil, "Weighted Blended Order-Independent Transparency" (JCGT 2, 2013), eqs. 6 and 7:
-//      sum(w a c) / sum(w a) * (1 - product(1 - a)) over what is behind; the weight w falls with the distance. Theirs are for
-//      scenes in metres; this one falls by 2^-kFall over the range of distances in which surfaces blend.
-const float kFall = 5.0;   // least mean error for 2 to 8 surfaces of any coverage at random distances
-const float kRoom = 4.0;   // half floats hold the sums of 2^kRoom surfaces of the greatest light
+// Weighted, order-independent blending.
+// eq   McGuire and Bavoil, "Weighted Blended Order-Independent Transparency" (JCGT 2, 2013), eqs. 6 and 7: sum(w a c) /
+//      sum(w a) * (1 - product(1 - a)) over what is behind. The weight w decreases with distance: by 2^-kFall over the
+//      distance range of the blended surfaces.
+const float kFall = 5.0;   // gives the least mean error for 2 to 8 surfaces of any coverage at random distances
+const float kRoom = 4.0;   // headroom: half floats can hold the sum of 2^kRoom surfaces of the largest radiance
 
 float blend_weight(float distance_m) {
   return exp2(-kRoom - kFall * clamp((distance_m - frame.weighted_range.x) * frame.weighted_range.y, 0.0, 1.0));
 }
 
-// Lays the surfaces of a pixel over its colours.
-// inout  stored  premultiplied light, and coverage;   unlit  the same of unlit surfaces alone
+// Composites the weighted surfaces of a pixel over its colours.
+// inout  stored  premultiplied light, and coverage; unlit  likewise, for unlit surfaces only
 void lay_over(ivec2 pixel, inout vec4 stored, inout vec4 unlit) {
   vec4 sums = texelFetch(weighted_image, pixel, 0);
   if (!(sums.a > 0.0)) return;

@@ -12,7 +12,7 @@ namespace {
 
 using Kept = std::array<std::int64_t, 256>;
 
-/// Number of points whose alpha is at least each value.
+/// For each alpha value, the number of sample points whose interpolated alpha is at least that value.
 Kept kept_by_cutoff(const MipLevel& level) {
   Kept count{};
   const std::size_t last_x = level.width - 1, last_y = level.height - 1;
@@ -27,9 +27,9 @@ Kept kept_by_cutoff(const MipLevel& level) {
   return count;
 }
 
-/// The cutoff that keeps as near as possible to the same share of the level as `cutoff` does of the image.
+/// The cutoff at which the level's coverage is closest to the image's coverage at `cutoff`.
 int cutoff_of_level(const Kept& image, int cutoff, const Kept& level) noexcept {
-  const auto off = [&](int c) {  // times the numbers of points of both
+  const auto off = [&](int c) {  // difference of the coverages, times both numbers of points
     return std::abs(level[static_cast<std::size_t>(c)] * image[0] - image[static_cast<std::size_t>(cutoff)] * level[0]);
   };
   int best = cutoff;
@@ -43,7 +43,7 @@ int cutoff_of_level(const Kept& image, int cutoff, const Kept& level) noexcept {
 void keep_coverage(const MipLevel& image, std::uint8_t cutoff, MipLevel& level) {
   const int found = cutoff_of_level(kept_by_cutoff(image), cutoff, kept_by_cutoff(level));
   if (found == cutoff) return;
-  // Half a step below, where values round apart: `found` rounds to the cutoff or more, the value below it to less.
+  // Scale so that `found` rounds to at least the cutoff and found - 1 to less: rounding changes at half steps.
   const double scale = (cutoff - 0.5) / (found - 0.5);
   for (std::size_t i = 3; i < level.rgba.size(); i += 4)
     level.rgba[i] = static_cast<std::uint8_t>(std::min(std::lround(level.rgba[i] * scale), 255L));

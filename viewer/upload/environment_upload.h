@@ -7,8 +7,8 @@
 
 namespace sinew::viewer {
 
-/// The images of the ambient light: what is reflected from an environment, and the table of the split sum and of sheen.
-/// Until they are asked for, they are black.
+/// GPU images for ambient light: the reflection cube map, and the table of split sum and sheen albedo. Both are black
+/// until uploaded.
 class EnvironmentUpload {
  public:
   explicit EnvironmentUpload(Device& device);
@@ -16,10 +16,10 @@ class EnvironmentUpload {
   EnvironmentUpload(const EnvironmentUpload&) = delete;
   EnvironmentUpload& operator=(const EnvironmentUpload&) = delete;
 
-  /// Uploads the environment, unless it is the one that is shown; waits for the device then.
+  /// Uploads the environment unless it is the current one. Waits for the device before an upload.
   void show(const std::shared_ptr<const Environment>& environment);
 
-  /// Uploads the table alone, unless it is there: lamps on sheen need it without an environment, too.
+  /// Uploads only the table, if missing. Sheen lit by lamps needs it even without an environment.
   void show_table();
 
   VkDescriptorImageInfo environment() const noexcept;
@@ -30,7 +30,7 @@ class EnvironmentUpload {
   VkSampler sampler_ = VK_NULL_HANDLE;
   GpuImage cube_, table_;
   bool has_table_ = false;
-  std::shared_ptr<const Environment> shown_;  ///< kept, so that no other environment has its address
+  std::shared_ptr<const Environment> shown_;  ///< kept alive, so that no other environment can have its address
 };
 
 }  // namespace sinew::viewer

@@ -36,7 +36,7 @@ VkDeviceSize bytes_of(const FrameResult& result) noexcept {
   return bytes;
 }
 
-/// Places the attributes of a primitive from offset `at` on, and advances `at`.
+/// Assigns buffer offsets to the deformed attributes of a primitive, starting at `at`, and advances `at`.
 DeformedBuffers place(const DeformedPrimitive& deformed, VkDeviceSize& at) noexcept {
   const auto take = [&](const auto& values) {
     const VkDeviceSize begin = values.empty() ? kAbsent : at;
@@ -55,7 +55,7 @@ bool same_places(const DeformedBuffers& a, const DeformedBuffers& b) noexcept {
   return a.positions == b.positions && a.normals == b.normals && a.tangents == b.tangents && a.colors == b.colors;
 }
 
-/// Returns the number of bytes copied.
+/// Copies the attributes to their offsets. Returns the number of bytes.
 std::uint64_t copy(const DeformedPrimitive& deformed, const DeformedBuffers& to, std::byte* memory) noexcept {
   std::uint64_t bytes = 0;
   const auto write = [&](const auto& values, VkDeviceSize at) {
@@ -105,7 +105,7 @@ FrameUpload::FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_
 
 FrameUpload::~FrameUpload() = default;
 
-/// Uploads one primitive to the slot, unless the slot has its vertices already.
+/// Uploads one primitive to the slot, unless the slot already holds its vertices.
 void FrameUpload::State::upload_primitive(FrameVertices& slot, const Primitive& primitive,
                                           const DeformedPrimitive& deformed, DeformedBuffers next,
                                           DeformedBuffers& last, bool kept) {

@@ -10,43 +10,44 @@
 
 namespace sinew::viewer {
 
-/// Offsets of the deformed attributes of a primitive in the slot's buffer; kAbsent = the primitive's own are used.
+/// Offsets of the deformed attributes of a primitive in the slot's buffer; kAbsent = not deformed, the static attribute
+/// is used.
 struct DeformedBuffers {
   VkDeviceSize positions = kAbsent, normals = kAbsent, tangents = kAbsent, colors = kAbsent;
-  std::uint64_t frame = 0;  ///< the frame that these vertices belong to
-  glm::vec3 centre{0.0f};   ///< of the box of the vertices, mesh space: blended draws are sorted by it
+  std::uint64_t frame = 0;  ///< frame number of these vertices
+  glm::vec3 centre{0.0f};   ///< center of the vertices' bounds, mesh space; blended draws are sorted by it
 };
 
-/// A mesh instance as it is drawn.
+/// State of a mesh instance in one frame.
 struct PlacedInstance {
   Affine world_from_mesh;
   bool mirrored = false, visible = true;
-  bool hidden = false;                ///< why it is not visible: true = its node is hidden, false = it is out of view
+  bool hidden = false;                ///< if not visible: true = its node is hidden, false = out of view
   Aabb bounds;                        ///< of all vertices, world space; empty = unknown
   std::uint32_t first_primitive = 0;  ///< into FrameVertices::primitives
 };
 
-/// The contents of one slot.
+/// GPU data of one frame in flight.
 struct FrameVertices {
   Buffer buffer;
   std::vector<PlacedInstance> instances;
   std::vector<DeformedBuffers> primitives;
   std::vector<Affine> world_from_light;  ///< [lights of the scene]
-  std::vector<bool> light_shines;        ///< [lights of the scene] it is on a node that is not hidden
+  std::vector<bool> light_shines;        ///< [lights of the scene] false = its node is hidden
   SceneLook look;                        ///< materials, lights and cameras of this frame
   std::uint64_t frame = 0, source = 0;
   bool filled = false;
 };
 
-/// What an update copied.
+/// Statistics of an update.
 struct UploadCounts {
-  std::uint32_t written = 0, unchanged = 0;  ///< primitives with deformed vertices: copied, and already in the slot
+  std::uint32_t written = 0, unchanged = 0;  ///< number of deformed primitives: copied, and already in the slot
   std::uint64_t bytes = 0;
   double time_us = 0.0;
 };
 
-/// The parts of a scene that change from frame to frame, on the GPU. Each frame in flight has its own slot, so that the
-/// CPU fills one while the GPU reads the other.
+/// GPU copies of the per-frame parts of a scene. Each frame in flight has its own slot, so that the CPU fills one while
+/// the GPU reads another.
 class FrameUpload {
  public:
   FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_count);
@@ -54,10 +55,9 @@ class FrameUpload {
   FrameUpload(const FrameUpload&) = delete;
   FrameUpload& operator=(const FrameUpload&) = delete;
 
-  /// Copies the deformed vertices of the frame into the slot. Skips attributes that are not deformed, so a rigid scene
-  /// copies nothing, and primitives that have not changed since the slot was filled (DeformedPrimitive::since_frame).
-  /// The result is not read after the call.
-  /// in   slot    the GPU must be done with its last use
+  /// Copies the frame's deformed vertices into the slot. Skips attributes that are not deformed, and primitives
+  /// unchanged since the slot was filled (DeformedPrimitive::since_frame). `result` is not used after the call.
+  /// in   slot    the GPU must have finished its last use
   ///      source  identifies the frame buffer: frame numbers of different sources are not compared
   void update(std::uint32_t slot, const FrameResult& result, std::uint64_t source = 0);
 
@@ -65,7 +65,7 @@ class FrameUpload {
   std::uint64_t uploaded_bytes() const noexcept;
   const UploadCounts& last_update() const noexcept;
 
-  /// Materials, lights and cameras as animated in the slot's frame.
+  /// Materials, lights and cameras with the animated values of the slot's frame.
   const SceneLook& look(std::uint32_t slot) const noexcept;
 
   const FrameVertices& vertices(std::uint32_t slot) const noexcept;

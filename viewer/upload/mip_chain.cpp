@@ -12,9 +12,9 @@ namespace sinew::viewer {
 
 namespace {
 
-using Block = std::array<std::size_t, 4>;  // texels that become one
+using Block = std::array<std::size_t, 4>;  // indices of the four texels that are averaged
 
-/// Share of each texel in the colour of a block.
+/// Weight of each texel in the block's colour.
 std::array<float, 4> shares(const MipLevel& from, const Block& block, const TexelUse& use) noexcept {
   if (!use.alpha_covers) return {0.25f, 0.25f, 0.25f, 0.25f};
   std::array<float, 4> share{};
@@ -25,7 +25,7 @@ std::array<float, 4> shares(const MipLevel& from, const Block& block, const Texe
   return share;
 }
 
-/// Writes the texel of a block.
+/// Writes the averaged texel of a block.
 void average(const MipLevel& from, const Block& block, const TexelUse& use, std::uint8_t* out) {
   const SrgbCodes& codes = srgb_codes();
   const std::array<float, 4> share = shares(from, block, use);
@@ -70,7 +70,7 @@ std::vector<MipLevel> mip_chain(std::span<const std::uint8_t> rgba, std::uint32_
   levels.reserve(mip_count(width, height));
   levels.push_back({width, height, {rgba.begin(), rgba.end()}});
   while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back(), use));
-  // Afterwards, since each level is averaged from alpha as it was.
+  // In a second pass, because each level must be averaged from unscaled alpha.
   for (std::size_t i = 1; use.cutoff > 0 && i < levels.size(); ++i) keep_coverage(levels[0], use.cutoff, levels[i]);
   return levels;
 }

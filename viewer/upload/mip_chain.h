@@ -10,16 +10,16 @@ namespace sinew::viewer {
 
 struct MipLevel {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  ///< or the bytes of another format; of a cube, its faces one after the other
+  std::vector<std::uint8_t> rgba;  ///< or bytes of another format; the faces of a cube follow each other
 };
 
 /// Number of mip levels down to 1 x 1.
 std::uint32_t mip_count(std::uint32_t width, std::uint32_t height) noexcept;
 
-/// All mip levels of an image; level 0 is the image itself. Each texel is the mean of 2 x 2 texels of the level before;
-/// the last row or column of an odd size is averaged with itself. sRGB colours are averaged in linear light, alpha as
-/// it is. Where alpha covers, colours are weighted by it, so that no edge shows what transparent texels hold; where an
-/// alpha test cuts, each level keeps the coverage of the image (alpha_coverage.h).
+/// All mip levels of an image; level 0 is the image itself. Each texel is the mean of 2 x 2 texels of the level above.
+/// sRGB colours are averaged in linear light. If alpha is coverage, it weights the colours, so that colours of
+/// transparent texels do not bleed into edges. With an alpha test, each level keeps the image's coverage
+/// (alpha_coverage.h).
 /// in   rgba[4 * width * height], width and height at least 1
 /// cost O(pixels)
 std::vector<MipLevel> mip_chain(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,

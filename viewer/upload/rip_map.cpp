@@ -10,7 +10,7 @@ namespace sinew::viewer {
 
 namespace {
 
-/// Colours in linear light, times their weight where alpha covers.
+/// Colours in linear light, premultiplied by their weight if alpha is coverage.
 struct Level {
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgba;
@@ -62,7 +62,7 @@ MipLevel encoded(const Level& level, const TexelUse& use) {
   return out;
 }
 
-/// Writes a level into the image from texel (x0, y0) on.
+/// Writes a level into the image, with its corner at texel (x0, y0).
 void store(const MipLevel& level, std::uint32_t x0, std::uint32_t y0, MipLevel& image) {
   for (std::size_t y = 0; y < level.height; ++y)
     std::copy_n(level.rgba.begin() + static_cast<std::ptrdiff_t>(4 * level.width * y), 4 * level.width,

@@ -8,19 +8,19 @@
 
 namespace sinew::viewer {
 
-/// The parts of a scene that no clip deforms, on the GPU: vertex attributes, indices, materials, textures with mipmaps.
-/// A checkerboard of magenta and black stands in for a missing image (G66). Keeps a pointer to the scene, which must
-/// outlive it. The GPU must be done with all frames that drew the scene before it is destroyed.
-/// cost copies all attributes and pixels once; waits until they have arrived
+/// GPU copies of the static parts of a scene: vertex attributes, indices, materials, mipmapped textures. A missing
+/// image becomes a magenta and black checkerboard. The scene must outlive this object. Destroy it only when the GPU has
+/// finished all frames that draw the scene.
+/// cost copies all attributes and texels once; waits for the copies
 class SceneUpload {
  public:
-  /// in   slot_count  frames in flight: each has its own copy of the materials that clips animate
-  ///      access      ambient access of the vertices, null = none; not read after the call
-  SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count = 1, const VertexAccess* access = nullptr,
-              const TextureFilter& filter = {});
+  /// in   slot_count  frames in flight: each has its own copy of animated materials
+  ///      visibility      per-vertex ambient visibility, null = none; not used after the call
+  SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count = 1,
+              const VertexVisibility* visibility = nullptr, const TextureFilter& filter = {});
 
-  /// Writes the materials of a frame into the slot.
-  /// in   slot  the GPU must be done with its last use
+  /// Writes the animated materials of a frame into the slot.
+  /// in   slot  the GPU must have finished its last use
   void update(std::uint32_t slot, const SceneLook& look) { materials_.update(slot, look.materials); }
 
   const Scene& scene() const noexcept { return scene_; }
@@ -29,8 +29,8 @@ class SceneUpload {
   const TextureFilter& filter() const noexcept { return filter_; }
 
  private:
-  SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count, const VertexAccess* access,
-              const TextureFilter& filter);
+  SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count,
+              const VertexVisibility* visibility, const TextureFilter& filter);
 
   const Scene& scene_;
   MeshSet meshes_;

@@ -6,14 +6,15 @@
 
 namespace sinew::viewer {
 
-/// Tables between 8-bit sRGB codes and linear light. A pow per channel would cost a second for a large texture.
+/// Tables that convert between 8-bit sRGB codes and linear light. Calling pow for each channel would take a second for
+/// a large texture.
 class SrgbCodes {
  public:
   SrgbCodes();
 
   float decode(std::uint8_t code) const noexcept { return linear_[code]; }
 
-  /// The code nearest to the value in sRGB.
+  /// The sRGB code nearest to a linear value, by distance in sRGB.
   /// in   value  [0, 1]
   std::uint8_t encode(float value) const noexcept {
     std::uint8_t code = guess_[static_cast<std::size_t>(value * 1024.0f)];
@@ -22,9 +23,9 @@ class SrgbCodes {
   }
 
  private:
-  std::array<float, 256> linear_{};  // of each code
-  std::array<float, 256> above_{};   // the smallest value that encodes to the next code; the last is never reached
-  std::array<std::uint8_t, 1025> guess_{};  // a code not above that of i / 1024
+  std::array<float, 256> linear_{};  // linear value of each code
+  std::array<float, 256> above_{};  // least linear value that encodes to the next code; the last entry is never reached
+  std::array<std::uint8_t, 1025> guess_{};  // lower bound of the code of i / 1024
 };
 
 const SrgbCodes& srgb_codes();

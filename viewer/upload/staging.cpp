@@ -60,7 +60,7 @@ void Staging::send() {
                              static_cast<std::uint32_t>(copy.regions.size()), copy.regions.data());
       barrier(commands, copy.image, VK_IMAGE_ASPECT_COLOR_BIT, written, read);
     }
-  });  // waiting for the queue makes the copies visible to later submits
+  });  // run_now waits for the queue, which makes the copies visible to later submits
   buffers_.clear();
   images_.clear();
   copies_.clear();

@@ -10,15 +10,15 @@
 
 namespace sinew::viewer {
 
-/// Collects copies to device memory and submits them together: once for a whole scene, or whenever 64 MiB are
-/// collected, so that the staging memory stays small.
+/// Batches copies to device memory. Submits them at send(), or whenever 64 MiB are pending, to bound the staging
+/// memory.
 class Staging {
  public:
   explicit Staging(const Device& device) : device_(device) {}
 
   void copy(const Buffer& to, std::span<const std::byte> bytes);
-  void copy(const GpuImage& to, std::span<const MipLevel> levels);  ///< fragment shaders can read it afterwards
-  void send();                                                      ///< submits, and waits until all copies are done
+  void copy(const GpuImage& to, std::span<const MipLevel> levels);  ///< the image is then readable in fragment shaders
+  void send();                                                      ///< submits all copies and waits for them
   VkDeviceSize waiting_bytes() const noexcept { return pending_; }
 
  private:

@@ -7,21 +7,22 @@
 
 namespace sinew::viewer {
 
-/// What the texels of an image stand for: smaller levels are averaged accordingly.
+/// Meaning of an image's texels; it decides how mip levels are averaged.
 struct TexelUse {
-  bool srgb = false;          ///< colours are averaged in linear light, else all is averaged as it is
-  bool alpha_covers = false;  ///< alpha is how much of a texel its colour covers: colours count by it
+  bool srgb = false;          ///< true = colours are averaged in linear light; false = stored values are averaged
+  bool alpha_covers = false;  ///< alpha is coverage: colours are weighted by it
   std::uint8_t cutoff =
-      0;  ///< least alpha that an alpha test keeps, and as many texels pass it at every level; 0 = no test
+      0;  ///< least alpha that passes the alpha test; all levels keep the same coverage. 0 = no alpha test
 
   auto operator<=>(const TexelUse&) const = default;
 };
 
-/// Weight of a colour in a mean of colours that cover. Without alpha it counts where no other does.
+/// Weight of a colour in a coverage-weighted mean. Not 0 at alpha 0, so that fully transparent blocks still have a
+/// colour.
 inline float covered_weight(float alpha) noexcept { return alpha + 1e-6f; }
 
-/// How a material reads its base colour. Opaque surfaces ignore alpha. Alpha tests see alpha times that of the
-/// material's factor; of vertex colours nothing is known here.
+/// How a material uses its base colour texture. Opaque surfaces ignore alpha. The cutoff is divided by the alpha of the
+/// base colour factor; vertex colours are ignored.
 TexelUse base_color_use(const Material& material) noexcept;
 
 }  // namespace sinew::viewer

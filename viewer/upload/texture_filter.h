@@ -8,32 +8,33 @@
 namespace sinew::viewer {
 
 enum class FilterKind : std::uint8_t {
-  file,         ///< as the samplers of the file say
-  nearest,      ///< one texel of the full image
-  bilinear,     ///< four texels of the full image
+  file,         ///< use the samplers of the file
+  nearest,      ///< one texel of level 0
+  bilinear,     ///< four texels of level 0
   trilinear,    ///< four texels in each of two mip levels
-  anisotropic,  ///< trilinear in several places along the longer side of the pixel's footprint
-  rip_map       ///< four texels in each of four levels, which are as wide and as high as the footprint (rip_map.h)
+  anisotropic,  ///< several trilinear samples along the longer side of the pixel's footprint
+  rip_map       ///< four texels in each of four levels that match the footprint's width and height (rip_map.h)
 };
 
-/// How textures are read, whatever the samplers of the file say. How textures wrap stays as the file has it.
+/// A texture filter that overrides the file's samplers. Wrap modes stay as in the file.
 struct TextureFilter {
   FilterKind kind = FilterKind::file;
-  std::uint32_t anisotropy = 1;  ///< FilterKind::anisotropic: most places, at least 1
+  std::uint32_t anisotropy = 1;  ///< for FilterKind::anisotropic: largest number of samples, at least 1
 
   friend bool operator==(const TextureFilter&, const TextureFilter&) = default;
 };
 
-/// The sampler that reads a texture of this sampler with the filter. Shaders fetch the texels of rip maps themselves.
+/// Applies the filter to a glTF sampler. Rip maps get a nearest-texel sampler, because shaders fetch and filter their
+/// texels themselves.
 Sampler filtered(const Sampler& sampler, const TextureFilter& filter) noexcept;
 
-/// Most places along a footprint: of the files' samplers 8, and 1 where a software driver reads them (it takes 9 times
-/// as long there, for any number of places), else what the filter says and the device can.
-/// in   device_most  of the device, 1 = it has no anisotropic filter
-///      software     the driver draws on the CPU
+/// Largest anisotropy to use: that of the filter, limited by the device. For FilterKind::file it is 8, but 1 on
+/// software drivers, where anisotropic sampling takes 9 times as long.
+/// in   device_most  limit of the device; 1 = no anisotropic filter
+///      software     the driver renders on the CPU
 float anisotropy_of(const TextureFilter& filter, float device_most, bool software) noexcept;
 
-/// What the device cannot do of the filter, and what is done instead, in one sentence; empty = it can.
+/// One sentence if the device cannot do the requested filter, with the replacement; empty if it can.
 std::string describe_missing_filter(const TextureFilter& filter, float device_most);
 
 }  // namespace sinew::viewer

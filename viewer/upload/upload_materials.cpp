@@ -24,14 +24,14 @@ glm::vec3 dielectric_f0(const Specular& s) noexcept {
   return root * root * s.color;
 }
 
-/// How the shader reads a texture of a layer.
-enum class Reading : std::uint8_t { data, color, alpha };  ///< alpha is the same in sRGB images and others
+/// How the shader uses a layer's texture.
+enum class Reading : std::uint8_t { data, color, alpha };  ///< alpha: not affected by sRGB decoding
 
 constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Reading::color, Reading::data,
                                                            Reading::data,  Reading::data,  Reading::color,
                                                            Reading::alpha, Reading::data};
 
-/// The layer of each texture is there.
+/// For each layer texture: true if its layer has an effect.
 std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
   const bool specular = !m.unlit && m.specular.has_effect(), coat = !m.unlit && m.clearcoat.factor > 0.0f;
   const bool sheen = !m.unlit && m.sheen.color != glm::vec3(0.0f);
@@ -39,7 +39,7 @@ std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
   return {specular, specular, coat, coat, coat, sheen, sheen, transmission};
 }
 
-/// Which place each texture of a layer has, and what the places hold.
+/// The descriptor place of each layer texture, and the content of the places.
 struct Places {
   std::array<TexturePlace, kTexturePlaces> held;
   std::array<std::size_t, kLayerTextures> of_layer{};  ///< kTexturePlaces = none
@@ -129,7 +129,7 @@ VkDescriptorSetLayout make_material_layout(const Device& device) {
 
 namespace {
 
-/// MaterialFeatures::wraps
+/// The value of MaterialFeatures::wraps.
 std::uint32_t wraps_of(const Scene& scene, const Material& material) noexcept {
   std::uint32_t wraps = 0;
   const auto places = texture_places(material);
@@ -201,7 +201,8 @@ void MaterialSet::update(std::uint32_t slot, std::span<const Material> materials
   for (const std::uint32_t m : animated_) write_uniforms(slot % slots_ * count_ + m, usable(materials[m]));
 }
 
-/// The material without its unreadable textures, but for base colour and emission; only their factors count then.
+/// The material without unreadable textures, so that only the factors count. Base colour and emission keep theirs and
+/// show the placeholder.
 Material MaterialSet::usable(const Material& given) const {
   Material material = given;
   for (TextureUse* use : texture_uses(material)) {

@@ -17,12 +17,12 @@ struct TextureTransformUniforms {
 };
 
 inline constexpr std::size_t kMaterialTextures = 5;  ///< base colour, metallic-roughness, normal, occlusion, emissive
-inline constexpr std::size_t kLayerTextures = 8;     ///< those of the layers, in the order of texture_uses()
+inline constexpr std::size_t kLayerTextures = 8;  ///< textures of the material layers, in the order of texture_uses()
 
-inline constexpr std::size_t kClearcoatNormal = 4;  ///< among those of the layers
+inline constexpr std::size_t kClearcoatNormal = 4;  ///< index of the clearcoat normal texture among the layer textures
 
-/// Vulkan promises 16 images to a shader, of which a frame takes 9. Layers take the places that the five textures of a
-/// material leave, and those of images that are there already.
+/// Descriptor places for material textures: Vulkan guarantees 16 images per shader stage, and a frame uses 9. Layer
+/// textures take the places that the five base textures leave free, and share the places of equal images.
 inline constexpr std::size_t kTexturePlaces = 7;
 
 struct MaterialUniforms {
@@ -39,7 +39,7 @@ struct MaterialUniforms {
 };
 static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLayerTextures)));
 
-/// The layers of a surface that shaders are compiled for.
+/// Material layers that a shader variant is compiled for.
 struct LayerFeatures {
   bool specular = false, clearcoat = false, sheen = false, transmission = false;
   /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
@@ -48,39 +48,42 @@ struct LayerFeatures {
   auto operator<=>(const LayerFeatures&) const = default;
 };
 
-/// What shaders are compiled for: these never change in a clip, unlike the uniforms.
+/// Material properties that select a shader variant. Unlike the uniforms, clips never change them.
 struct MaterialFeatures {
   bool unlit = false;
   std::array<std::uint8_t, kMaterialTextures> texcoord_sets{};  ///< 0 = no texture, 1 = TEXCOORD_0, 2 = TEXCOORD_1
 
   LayerFeatures layers;
 
-  bool rip_maps = false;    ///< shaders read rip maps instead of mip levels
-  std::uint32_t wraps = 0;  ///< of rip maps: Wrap of each place along u and v, 4 bits a place, u in the lower two
+  bool rip_maps = false;  ///< shaders read rip maps instead of mip levels
+
+  /// For rip maps: wrap mode of each place, 4 bits each; u in the lower two bits, v in the upper two.
+  std::uint32_t wraps = 0;
 
   auto operator<=>(const MaterialFeatures&) const = default;
 };
 
-/// What each place for a texture holds.
+/// Content of one descriptor place for a texture.
 struct TexturePlace {
   std::uint32_t texture = kNone;
   TexelUse use;
 };
 
-/// Surfaces that show what is behind them, by alpha or by transmission, are drawn from far to near.
+/// True if the surface shows what is behind it, by alpha blending or transmission. Such surfaces are drawn from far to
+/// near.
 bool shows_behind(const Material& material) noexcept;
 
 MaterialFeatures material_features(const Material& material) noexcept;
 std::array<TexturePlace, kTexturePlaces> texture_places(const Material& material) noexcept;
-/// False where the layers of the material have more images than there are places; the last are left out.
+/// False if the material's layers have more images than there are places; the last ones are dropped.
 bool shows_all_textures(const Material& material) noexcept;
 MaterialUniforms material_uniforms(const Material& material) noexcept;
 
 /// Descriptor set 1 of all geometry pipelines: the uniforms and kTexturePlaces textures. The caller destroys it.
 VkDescriptorSetLayout make_material_layout(const Device& device);
 
-/// One descriptor set per material of the scene, and a last one for primitives without a material (glTF's default). If
-/// clips animate a material, each frame in flight has its own sets.
+/// One descriptor set for each material of the scene, plus a last one for primitives without a material (glTF's
+/// default). If clips animate materials, each frame in flight has its own sets.
 class MaterialSet {
  public:
   MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count,
@@ -99,8 +102,8 @@ class MaterialSet {
 
   std::uint64_t texel_bytes() const noexcept { return textures_.texel_bytes(); }
 
-  /// Writes the materials that clips animate.
-  /// in   slot  the GPU must be done with its last use;   materials[materials of the scene]
+  /// Writes the uniforms of animated materials.
+  /// in   slot  the GPU must have finished its last use;   materials[materials of the scene]
   void update(std::uint32_t slot, std::span<const Material> materials);
 
  private:

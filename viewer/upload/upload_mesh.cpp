@@ -20,7 +20,7 @@ constexpr VkDeviceSize kZeros = 0, kOnes = 16, kUnitX = 32;
 
 }  // namespace
 
-MeshSet::MeshSet(const Device& device, const Scene& scene, const VertexAccess* access, Staging& staging) {
+MeshSet::MeshSet(const Device& device, const Scene& scene, const VertexVisibility* visibility, Staging& staging) {
   std::vector<std::byte> bytes;
   append(bytes, std::vector<glm::vec4>{glm::vec4(0.0f), glm::vec4(1.0f), {1.0f, 0.0f, 0.0f, 1.0f}});  // the defaults
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
@@ -37,9 +37,9 @@ MeshSet::MeshSet(const Device& device, const Scene& scene, const VertexAccess* a
                             texcoords(0),
                             texcoords(1),
                             append(bytes, primitive.colors),
-                            access ? append(bytes, access->values[m][p]) : kAbsent,
+                            visibility ? append(bytes, visibility->values[m][p]) : kAbsent,
                             kAbsent};
-      buffers.attributes.back() = buffers.attributes[static_cast<std::size_t>(Attribute::access)];
+      buffers.attributes.back() = buffers.attributes[static_cast<std::size_t>(Attribute::visibility)];
       buffers.indices = append(bytes, primitive.indices);
       buffers.index_count = static_cast<std::uint32_t>(primitive.indices.size());
       primitives_.push_back(buffers);
@@ -53,7 +53,7 @@ MeshSet::MeshSet(const Device& device, const Scene& scene, const VertexAccess* a
 }
 
 VkDeviceSize MeshSet::default_of(Attribute attribute) const noexcept {
-  if (attribute == Attribute::color || attribute >= Attribute::access) return kOnes;
+  if (attribute == Attribute::color || attribute >= Attribute::visibility) return kOnes;
   return attribute == Attribute::tangent ? kUnitX : kZeros;
 }
 

@@ -10,7 +10,7 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr std::uint32_t kWhite = kNone - 1, kPlaceholder = kNone - 2;  // no image of a scene has these indices
+constexpr std::uint32_t kWhite = kNone - 1, kPlaceholder = kNone - 2;  // pseudo indices that no image of a scene has
 
 VkSamplerAddressMode address_mode(Wrap wrap) noexcept {
   switch (wrap) {
@@ -33,7 +33,7 @@ bool readable(const Image& image) noexcept {
          image.rgba.size() == std::size_t{4} * image.width * image.height;
 }
 
-/// No texel is transparent, so that alpha changes no mean.
+/// True if all texels are opaque, so that alpha does not affect the averages.
 bool covers_all(const Image& image) noexcept {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4)
     if (image.rgba[i] != 255) return false;
@@ -67,7 +67,8 @@ VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) n
   info.addressModeU = address_mode(sampler.wrap_u);
   info.addressModeV = address_mode(sampler.wrap_v);
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  // Without mipmaps only level 0 is read. 0.25 instead of 0 keeps the filters of magnification and minification apart.
+  // Without mipmaps only level 0 is read. With maxLod = 0 Vulkan would always use the magnification filter; 0.25 keeps
+  // both filters.
   info.maxLod = sampler.use_mipmaps ? VK_LOD_CLAMP_NONE : 0.25f;
   if (!sampler.use_mipmaps) info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
   const bool smooth =
@@ -100,7 +101,7 @@ std::vector<MipLevel> TextureSet::levels_of(std::span<const std::uint8_t> rgba, 
   std::vector<MipLevel> levels = mip_chain(rgba, width, height, use);
   if (filter_.kind != FilterKind::rip_map) return levels;
   const std::uint32_t limit = device_.limits().maxImageDimension2D;
-  // An image that is too large for twice its size on the device loses its finest levels.
+  // If twice the image's size exceeds the device limit, the finest levels are dropped.
   const auto fits = std::find_if(levels.begin(), levels.end(), [limit](const MipLevel& level) {
     return std::max(level.width, level.height) <= limit / 2;
   });
@@ -143,7 +144,7 @@ VkDescriptorImageInfo TextureSet::bind(const Scene& scene, std::uint32_t texture
                                        Staging& staging) {
   const bool none = texture == kNone;
   std::uint32_t index = none ? kWhite : scene.textures[texture].image;
-  if (index == kNone) index = kPlaceholder;  // a texture without source
+  if (index == kNone) index = kPlaceholder;  // a texture without a source image
   const Sampler wanted = none ? Sampler{} : scene.textures[texture].sampler;
   return {sampler(wanted), image(scene, index, use, staging).view(), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
 }

@@ -12,8 +12,8 @@
 
 namespace sinew::viewer {
 
-/// The images and samplers of a scene. An image is uploaded once for each use of its texels, as colour and as data. Rip
-/// maps take the place of images with mip levels when the filter asks for them.
+/// The images and samplers of a scene. An image is uploaded once for each TexelUse, such as colour or data. The rip map
+/// filter replaces mip levels by rip maps.
 class TextureSet {
  public:
   explicit TextureSet(Device& device, const TextureFilter& filter = {});
@@ -21,11 +21,11 @@ class TextureSet {
   TextureSet(const TextureSet&) = delete;
   TextureSet& operator=(const TextureSet&) = delete;
 
-  /// The image and sampler to bind for a texture: the placeholder if its image is missing, white for kNone. The image
-  /// is uploaded at its first use.
+  /// The image and sampler to bind for a texture; uploads the image at its first use. A missing image gives the
+  /// placeholder; kNone gives white.
   VkDescriptorImageInfo bind(const Scene& scene, std::uint32_t texture, const TexelUse& use, Staging& staging);
 
-  /// Bytes of all texels of all levels.
+  /// Size of all textures in bytes, including all levels.
   std::uint64_t texel_bytes() const noexcept { return texel_bytes_; }
 
  private:
@@ -41,14 +41,14 @@ class TextureSet {
   std::map<std::uint32_t, VkSampler> samplers_;
 };
 
-/// The image of the texture can be uploaded. Missing colours become a visible placeholder; missing data (normals,
-/// roughness, occlusion) is left out, because a placeholder would look like a broken surface.
+/// True if the texture has a decoded image. Missing colour images are shown as a placeholder; missing data images
+/// (normals, roughness, occlusion) are ignored, because a placeholder would look like a broken surface.
 bool readable(const Scene& scene, const TextureUse& use) noexcept;
 
-/// Vulkan sampler of a glTF sampler. It is anisotropic if all filters are linear.
+/// The Vulkan sampler for a glTF sampler. It is anisotropic if all filters are linear.
 VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) noexcept;
 
-/// Stands in for an image that could not be read: a checkerboard of magenta and black, 8 x 8 fields.
+/// The placeholder of an unreadable image: a magenta and black checkerboard of 8 x 8 fields.
 MipLevel placeholder_image();
 
 }  // namespace sinew::viewer

@@ -31,8 +31,8 @@ namespace {
 
 struct BakeAoOptions {
   std::string file, out;
-  std::uint32_t rays = AccessOptions{}.rays;
-  std::uint64_t seed = AccessOptions{}.seed;
+  std::uint32_t rays = VisibilityOptions{}.rays;
+  std::uint64_t seed = VisibilityOptions{}.seed;
   std::optional<std::string> distance, pose, clip;
   std::uint32_t key_poses = 1;
   std::vector<std::string> drop;
@@ -40,42 +40,42 @@ struct BakeAoOptions {
 
 /// Reads "CLIP@TIME", a single pose.
 /// err   a sentence
-tl::expected<VertexAccess, std::string> one_pose(const std::string& text, const Scene& scene) {
+tl::expected<VertexVisibility, std::string> one_pose(const std::string& text, const Scene& scene) {
   const std::size_t at = text.rfind('@');
-  VertexAccess access;
+  VertexVisibility visibility;
   const char* end = text.data() + text.size();
-  double& time_s = access.times_s[0];
+  double& time_s = visibility.times_s[0];
   const auto [stop, error] = std::from_chars(at == std::string::npos ? end : text.data() + at + 1, end, time_s);
   if (error != std::errc() || stop != end || !std::isfinite(time_s) || time_s < 0.0)
     return tl::unexpected(fmt::format("--pose: \"{}\" is not CLIP@SECONDS, such as Walk@0.5", text));
   const auto clips = choose_clips(scene, text.substr(0, at));
   if (!clips) return tl::unexpected(fmt::format("--pose {}: no such clip; {}", text, list_of_clips(scene)));
-  access.clip = clips->front();
-  return access;
+  visibility.clip = clips->front();
+  return visibility;
 }
 
 /// The key poses of a clip; without a choice that is the first.
 /// err   a sentence
-tl::expected<VertexAccess, std::string> key_poses(const BakeAoOptions& options, const Scene& scene) {
+tl::expected<VertexVisibility, std::string> key_poses(const BakeAoOptions& options, const Scene& scene) {
   const auto clips = choose_clips(scene, options.clip.value_or("0"));
   if (!clips || clips->front() == kNone)
     return tl::unexpected(
         fmt::format("--key-poses: there is no clip \"{}\"; {}", options.clip.value_or("0"), list_of_clips(scene)));
-  VertexAccess access;
-  access.clip = clips->front();
-  const Animation& clip = scene.animations[access.clip];
-  access.times_s = key_pose_times(clip.duration_s, options.key_poses);
-  if (access.times_s.size() == 1)
+  VertexVisibility visibility;
+  visibility.clip = clips->front();
+  const Animation& clip = scene.animations[visibility.clip];
+  visibility.times_s = key_pose_times(clip.duration_s, options.key_poses);
+  if (visibility.times_s.size() == 1)
     return tl::unexpected(fmt::format(
         "--key-poses: clip \"{}\" lasts no time: --pose bakes its one pose, --clip names another", clip.name));
-  return access;
+  return visibility;
 }
 
 /// The poses in which the model is baked, without values yet.
 /// err   a sentence
-tl::expected<VertexAccess, std::string> poses_of(const BakeAoOptions& options, const Scene& scene) {
+tl::expected<VertexVisibility, std::string> poses_of(const BakeAoOptions& options, const Scene& scene) {
   if (options.key_poses > 1) return key_poses(options, scene);
-  return options.pose ? one_pose(*options.pose, scene) : VertexAccess();
+  return options.pose ? one_pose(*options.pose, scene) : VertexVisibility();
 }
 
 /// Metres; infinite for "none".
@@ -91,9 +91,9 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
 
 /// Casts the rays of one pose after another, all within the distance that is asked for or the first pose gives.
 /// err   a sentence
-tl::expected<VertexAccess, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
-  auto access = poses_of(options, scene);
-  if (!access) return access;
+tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
+  auto visibility = poses_of(options, scene);
+  if (!visibility) return visibility;
   std::optional<double> distance_m;
   if (options.distance) {
     const auto distance = distance_of(*options.distance, scene);
@@ -106,16 +106,16 @@ tl::expected<VertexAccess, std::string> bake(const BakeAoOptions& options, const
   FrameBuffer frame(plan);
   ProgressLine progress;
   const auto show = [&](double done) { progress.show("casting rays", done); };
-  KeyPoseBaker baker(scene, {.rays = options.rays, .seed = options.seed, .progress = show}, distance_m, *access);
-  for (const double time_s : access->times_s) {
-    const ClipLayer layer{access->clip, time_s};
+  KeyPoseBaker baker(scene, {.rays = options.rays, .seed = options.seed, .progress = show}, distance_m, *visibility);
+  for (const double time_s : visibility->times_s) {
+    const ClipLayer layer{visibility->clip, time_s};
     FrameInput input;
-    if (access->clip != kNone) input.layers = {&layer, 1};
+    if (visibility->clip != kNone) input.layers = {&layer, 1};
     if (run_plan(plan, input, frame) != ErrorCode::ok)
       return tl::unexpected(std::string("the pose cannot be evaluated"));
     baker.add(frame.result());
   }
-  return access;
+  return visibility;
 }
 
 /// Warns of meshes that a file shows several times: they have one value for a vertex.
@@ -129,7 +129,7 @@ void say_means(const BakeAoOptions& options, const Scene& scene) {
                             pointer("meshes", m), counted(places[m], "place")));
 }
 
-void print_summary(const VertexAccess& access, const std::vector<AddedAttribute>& attributes) {
+void print_summary(const VertexVisibility& visibility, const std::vector<AddedAttribute>& attributes) {
   std::size_t values = 0;
   double sum = 0.0, darkest = 1.0;
   for (const AddedAttribute& attribute : attributes)
@@ -138,8 +138,8 @@ void print_summary(const VertexAccess& access, const std::vector<AddedAttribute>
       sum += static_cast<double>(value);
       darkest = std::min(darkest, static_cast<double>(value));
     }
-  const std::size_t poses = access.times_s.size();
-  print_result("{} vertices of {}{}: mean access {:.3f}, darkest {:.3f}\n", values / poses,
+  const std::size_t poses = visibility.times_s.size();
+  print_result("{} vertices of {}{}: mean visibility {:.3f}, darkest {:.3f}\n", values / poses,
                counted(attributes.size() / poses, "primitive"), poses > 1 ? fmt::format(" in {} key poses", poses) : "",
                sum / static_cast<double>(values), darkest);
 }
@@ -153,10 +153,10 @@ ExitCode bake_ao(const BakeAoOptions& options) {
   const auto model = load_file(options.file, import);
   if (!model) return ExitCode::input_at_fault;
   for (const std::filesystem::path& output : outputs->all())
-    if (const auto why = objection_to_output(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
-  const auto access = bake(options, model->scene);
-  if (!access) return fail_with(ExitCode::wrong_usage, access.error());
-  const std::vector<AddedAttribute> attributes = ambient_attributes(model->scene, *access);
+    if (const auto why = check_output_path(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  const auto visibility = bake(options, model->scene);
+  if (!visibility) return fail_with(ExitCode::wrong_usage, visibility.error());
+  const std::vector<AddedAttribute> attributes = ambient_attributes(model->scene, *visibility);
   if (attributes.empty())
     return fail_with(ExitCode::input_at_fault, options.file + ": no node shows triangles, so nothing is baked");
   say_means(options, model->scene);
@@ -170,7 +170,7 @@ ExitCode bake_ao(const BakeAoOptions& options) {
   if (!written) return refuse_rewrite(options.file, written.error());
   for (const ImportIssue& drop : written->drops) say_issue(options.file, drop);
   if (const ExitCode code = write_files(*outputs, *written); code != ExitCode::done) return code;
-  print_summary(*access, attributes);
+  print_summary(*visibility, attributes);
   print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
   return ExitCode::done;
 }
@@ -181,8 +181,8 @@ void add_bake_ao(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<BakeAoOptions>();
   CLI::App* command = program.add_subcommand(
       "bake-ao",
-      "Bake ambient access into the vertices of a file, by casting rays\n"
-      "Ambient access is the fraction of the light from all around that arrives. Each vertex casts rays over the "
+      "Bake ambient visibility into the vertices of a file, by casting rays\n"
+      "Ambient visibility is the fraction of the light from all around that arrives. Each vertex casts rays over the "
       "hemispheres of its faces; those that meet nothing within the distance count. Every primitive that a node shows "
       "gets the attribute _AMBIENT_ACCESS, a float from 0 to 1 a vertex. A mesh at several places gets the mean of "
       "them. With --key-poses there is one attribute for each pose, _AMBIENT_ACCESS_C_I for pose I of animation C. "

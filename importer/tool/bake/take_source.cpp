@@ -53,8 +53,8 @@ TakeOrExit told(ImportResult<BakedPoints> baked, const Length& budget) {
   return std::move(baked->take);
 }
 
-std::optional<std::string> objection(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
-  return source.output.empty() ? std::nullopt : objection_to_output(source.output, inputs);
+std::optional<std::string> check_output(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
+  return source.output.empty() ? std::nullopt : check_output_path(source.output, inputs);
 }
 
 PointsOptions points_options(const TakeSource& source) {
@@ -67,12 +67,12 @@ TakeOrExit take_of_obj(const TakeSource& source) {
   if (source.clip) return wrong_usage("--clip: an .obj file has no clips");
   if (source.points) {
     const std::filesystem::path inputs[] = {source.file, *source.points};
-    if (const auto why = objection(source, inputs)) return wrong_usage(*why);
+    if (const auto why = check_output(source, inputs)) return wrong_usage(*why);
     return told(bake_points(inputs[0], points_options(source)), source.budget);
   }
   const auto files = numbered_obj_files(source.file);
   if (!files) return told(tl::unexpected(files.error()), source.budget);
-  if (const auto why = objection(source, *files)) return wrong_usage(*why);
+  if (const auto why = check_output(source, *files)) return wrong_usage(*why);
   return told(bake_numbered_obj(*files, source.fps), source.budget);
 }
 
@@ -116,7 +116,7 @@ tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source) {
   if (!file) return tl::unexpected(ExitCode::input_at_fault);
   std::vector<std::filesystem::path> inputs = file->facts.files;
   if (source.points) inputs.emplace_back(*source.points);
-  if (const auto why = objection(source, inputs)) return wrong_usage(*why);
+  if (const auto why = check_output(source, inputs)) return wrong_usage(*why);
   if (source.points) return told(bake_points(file->scene, points_options(source)), source.budget);
   return take_of_scene(file->scene, source);
 }

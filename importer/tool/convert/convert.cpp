@@ -107,7 +107,7 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   if (!model) return ExitCode::input_at_fault;
   const bool to_files = options.out != kStandardOutput;
   for (const std::filesystem::path& output : to_files ? outputs->all() : std::vector<std::filesystem::path>())
-    if (const auto why = objection_to_output(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+    if (const auto why = check_output_path(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
 
   RewriteOptions rewrite;
   rewrite.drop.insert(options.drop.begin(), options.drop.end());

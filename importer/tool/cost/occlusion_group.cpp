@@ -118,7 +118,7 @@ Group occlusion_group(const std::string& answer) {
   }
   group.about = fmt::format(
       "One picture of {} x {}, {} pixels of which show a surface, on {}; times are those of the device for the passes "
-      "that make ambient access. The error is over "
+      "that make ambient visibility. The error is over "
       "these pixels, against rays (Embree) from the same points that reach {:.3g} m, shown as the share of light that "
       "they leave open. Devices differ in the ratios of "
       "these times: a software device pays for each look-up what a graphics processor hides.",

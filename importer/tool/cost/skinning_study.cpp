@@ -26,24 +26,24 @@ class Skinner {
         centers_(centers.begin(), centers.end()),
         split_(part.skin->joints.size()),
         edges_(hemisphere_edges(*part.skeleton, *part.skin)),
-        pairs_(sharing_pairs(part.primitive->influences, split_.size())),
+        pairs_(joint_pairs_of_vertices(part.primitive->influences, split_.size())),
         out_(part.vertex_count()) {}
 
   /// Splitting the joint matrices belongs to the rigid methods; it is done once a frame.
   void run(Skinning kind, const PosedSkin& pose) {
     const VertexInfluences* influences = &part_.primitive->influences;
-    if (kind != Skinning::linear) sinew::run(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
+    if (kind != Skinning::linear) sinew::run_unchecked(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
     switch (kind) {
       case Skinning::linear:
-        sinew::run(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
+        sinew::run_unchecked(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
         break;
       case Skinning::dual_quaternion:
-        sinew::run(
+        sinew::run_unchecked(
             SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_, pose.palette});
         break;
       case Skinning::center_of_rotation:
-        sinew::run(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(),
-                                           out_.out(), pairs_});
+        sinew::run_unchecked(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_,
+                                                     part_.in(), out_.out(), pairs_});
         break;
     }
   }

@@ -62,7 +62,7 @@ std::optional<std::string> put_in_place(const fs::path& made, const fs::path& fo
 
 }  // namespace
 
-std::string objection_to(const fs::path& given, std::span<const fs::path> inputs) {
+std::string check_report_folder(const fs::path& given, std::span<const fs::path> inputs) {
   const fs::path folder = without_slash(given),
                  parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
@@ -73,7 +73,7 @@ std::string objection_to(const fs::path& given, std::span<const fs::path> inputs
     const std::string name = entry.path().filename().string();
     if (std::find(std::begin(kFiles), std::end(kFiles), name) == std::end(kFiles))
       return fmt::format("holds {}, which is no part of a report; it is left as it is", name);
-    if (const auto why = tool::objection_to_output(entry.path(), inputs)) return *why;
+    if (const auto why = tool::check_output_path(entry.path(), inputs)) return *why;
   }
   return error ? error.message() : std::string();
 }

@@ -7,7 +7,7 @@
 namespace sinew::tool {
 namespace fs = std::filesystem;
 
-std::optional<std::string> objection_to_output(const fs::path& output, std::span<const fs::path> inputs) {
+std::optional<std::string> check_output_path(const fs::path& output, std::span<const fs::path> inputs) {
   std::error_code error;
   const auto is_output = [&](const fs::path& input) { return fs::equivalent(input, output, error); };
   if (std::any_of(inputs.begin(), inputs.end(), is_output)) return output.string() + " is read; it is left as it is";

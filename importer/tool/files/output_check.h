@@ -11,7 +11,7 @@ namespace sinew::tool {
 /// read, whatever path, symbolic or hard link leads to it, and of nothing but a regular file.
 /// in    inputs   ImportedFile::Facts::files, and others that the command reads
 /// out   nothing, or a sentence for people
-std::optional<std::string> objection_to_output(const std::filesystem::path& output,
-                                               std::span<const std::filesystem::path> inputs);
+std::optional<std::string> check_output_path(const std::filesystem::path& output,
+                                             std::span<const std::filesystem::path> inputs);
 
 }  // namespace sinew::tool

@@ -22,7 +22,7 @@
 #include "importer/tool/text_table.h"
 #include "importer/vrm.h"
 #include "runtime/library/clip_channels.h"
-#include "runtime/retarget/hold_feet_animation.h"
+#include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/retarget_weights.h"
@@ -162,7 +162,7 @@ ExitCode retarget(const RetargetOptions& options) {
   inputs.insert(inputs.end(), character->facts.files.begin(), character->facts.files.end());
   if (options.map) inputs.emplace_back(*options.map);
   for (const std::filesystem::path& output : outputs->all())
-    if (const auto why = objection_to_output(output, inputs)) return fail_with(ExitCode::wrong_usage, *why);
+    if (const auto why = check_output_path(output, inputs)) return fail_with(ExitCode::wrong_usage, *why);
 
   const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
   const auto map = map_of(options, *clips, *character);

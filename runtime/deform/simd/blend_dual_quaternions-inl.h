@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dual quaternions of a tile of vertices: blended vertex by vertex, then transposed into lanes.
+// Blended dual quaternions of a tile. They are blended vertex by vertex and then transposed into lanes.
 #if defined(SINEW_BLEND_DUAL_QUATERNIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_DUAL_QUATERNIONS_INL_H_
 #undef SINEW_BLEND_DUAL_QUATERNIONS_INL_H_
@@ -16,19 +16,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Blended dual quaternion of one vertex, not yet unit (scalar_blend.h).
+/// Blended dual quaternion of one vertex, not normalised (scalar_blend.h).
 /// eq   sum(w sign(r . r_pivot) d_i)
-/// in   one_side  all signs are known to be +
+/// in   one_hemisphere  all rotations are known to be in one hemisphere, so no sign is compared
 template <int kCount>
 HWY_INLINE Float8 blend_float8(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k,
-                               bool one_side) {
+                               bool one_hemisphere) {
   const VertexJoints<kCount> vertex = tile.at(k);
   const float* first = &tile.entry(split, k, 0)->rigid.real.x;
   Float8 sum = load_float8(first);
   if constexpr (kCount == 1) return sum;
   const Float8Weights<kCount> weights(vertex.weights);
   sum = times(sum, weights.of(0));
-  if (one_side) {
+  if (one_hemisphere) {
     for (std::size_t i = 1; i < vertex.count(); ++i)
       sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
     return sum;
@@ -43,16 +43,16 @@ HWY_INLINE Float8 blend_float8(const RigidStretch* split, const TileInfluences<k
 
 /// Calls `body(vertex of the tile, Float8)` with the blended dual quaternion of each vertex.
 template <int kCount, class Body>
-HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side,
-                                         const Body& body) {
-  if (kCount == 1 || one_side)
+HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileInfluences<kCount>& tile,
+                                         bool one_hemisphere, const Body& body) {
+  if (kCount == 1 || one_hemisphere)
     for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, true)); });
   else
     for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, false)); });
 }
 
-/// Dual quaternions of a tile, one vertex a lane, not normalised: rotations divide by the squared length instead,
-/// which takes no square root.
+/// Dual quaternions of a tile, one vertex per lane, not normalised. Rotations divide by the squared length instead,
+/// which needs no square root.
 struct DualQuatLanes {
   Lanes4 real, dual;
   Wide twice_over_square;   ///< 2 / |real|^2
@@ -63,7 +63,7 @@ template <int kCount>
 HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
-  // One by one: compilers keep copies of structs of four in memory.
+  // One by one: compilers keep copies of structs of four vectors in memory.
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
   DualQuatLanes out;
@@ -96,8 +96,7 @@ HWY_INLINE Lanes3 rotate(const DualQuatLanes& m, const Lanes3& v) {
 }
 
 /// Rotates points, then translates them.
-/// eq   p' = p + 2 / |r|^2 (w a + r x a - d.w r), a = r x p + d.v: rotation and translation in one, since both turn
-///      a vector by r
+/// eq   p' = p + 2 / |r|^2 (w a + r x a - d.w r), a = r x p + d.v: rotation and translation share the products with r
 HWY_INLINE Lanes3 move_points(const DualQuatLanes& m, const Lanes3& p) {
   const Wide x = m.real.x, y = m.real.y, z = m.real.z, w = m.real.w;
   const auto cross_plus = [](Wide a, Wide b, Wide c, Wide e, Wide sum)

@@ -13,15 +13,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// One matrix in as many vectors as it takes.
+/// One matrix, in as many vectors as it needs.
 struct MatrixVectors {
   static constexpr std::size_t kCount = 16 / kTileSize;
   Wide part[kCount];
 };
 
-/// Where the palette lies. Halves of a matrix have a base each, so that every load of one is a single instruction: from
-/// one base compilers add the offset of the joint first. Functions that loop over vertices get it as an argument and
-/// are not inlined, or compilers would see the one base.
+/// Addresses of a palette. Each half of a matrix has its own base address, so that every load is one instruction. With
+/// one base, compilers add the offset of the joint first. Functions that loop over vertices get this as an argument and
+/// are not inlined, or compilers would merge the bases.
 struct PaletteBases {
   const JointMatrix* palette;
   const float* upper;
@@ -35,7 +35,7 @@ struct PaletteBases {
   }
 };
 
-/// Weight `i` of vertex `k`, in all lanes. Loads four weights at once, because blending spends its time on loads.
+/// Weight `i` of vertex `k`, in all lanes. Loads four weights at once, because loads limit the speed of blending.
 template <int kCount>
 HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std::size_t i) {
   const TileTag d;
@@ -54,8 +54,8 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
   return hn::Set(d, tile.at(k).weights[i]);
 }
 
-/// Blended matrix of vertex `k`; fused from the second influence on. A vertex with one influence takes the joint's
-/// matrix as it is.
+/// Blended matrix of vertex `k`; multiplications and additions are fused from the second influence on. A vertex with
+/// one influence takes the joint's matrix as it is.
 /// eq   M = sum(w_i * palette[joint_i])
 template <int kCount>
 HWY_INLINE MatrixVectors blend_matrix_vectors(const PaletteBases& palette, const TileInfluences<kCount>& tile,

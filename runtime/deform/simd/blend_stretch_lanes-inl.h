@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stretches of a tile of vertices: blended vertex by vertex, then transposed into lanes.
+// Blended stretches of a tile. They are blended vertex by vertex and then transposed into lanes.
 #if defined(SINEW_BLEND_STRETCH_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_STRETCH_LANES_INL_H_
 #undef SINEW_BLEND_STRETCH_LANES_INL_H_
@@ -15,12 +15,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Symmetric matrices of a tile, one vertex a lane.
+/// Symmetric matrices of a tile, one vertex per lane.
 struct StretchLanes {
   Wide xx, yy, zz, xy, xz, yz;
 };
 
-/// Blended stretch of one vertex; one with a single influence takes the joint's stretch as it is.
+/// Blended stretch of one vertex. A vertex with one influence takes the joint's stretch as it is.
 /// eq   S = sum(w S_i)
 template <int kCount>
 HWY_INLINE Float8 blend_stretch_float8(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k) {
@@ -42,7 +42,7 @@ HWY_INLINE Lanes3 apply(const StretchLanes& s, const Lanes3& v) {
   return {dot(Lanes3{s.xx, s.xy, s.xz}, v), dot(Lanes3{s.xy, s.yy, s.yz}, v), dot(Lanes3{s.xz, s.yz, s.zz}, v)};
 }
 
-/// The cofactor matrix of a symmetric matrix is symmetric too.
+/// The cofactor matrix of a symmetric matrix, which is symmetric too.
 HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
   const auto minor = [](Wide a, Wide b, Wide c, Wide e)
                          HWY_ATTR { return hn::NegMulAdd(c, e, hn::Mul(a, b)); };  // a b - c e
@@ -50,7 +50,7 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
 
-/// Normals, not yet unit. Clears the lanes of `sound` whose side is in doubt (OutwardSide).
+/// Moved normals, not normalised. Clears the lanes of `sound` whose side is in doubt (OutwardSide).
 /// eq   n' = sign(det S) cof(S) n   (conventions.h)
 HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n, hn::Mask<TileTag>& sound) {
   const StretchLanes cof = cofactor(s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eight floats per vertex (a dual quaternion, a stretch): handled vertex by vertex, then transposed into lanes.
+// Eight floats per vertex (a dual quaternion or a stretch): loaded vertex by vertex, then transposed into lanes.
 #if defined(SINEW_FLOAT8_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_FLOAT8_LANES_INL_H_
 #undef SINEW_FLOAT8_LANES_INL_H_
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Eight floats of one vertex in as many vectors as they take.
+/// Eight floats of one vertex, in as many vectors as they need.
 using Float8Tag = hn::CappedTag<float, 8>;
 struct Float8 {
   static constexpr std::size_t kLanes = hn::MaxLanes(Float8Tag()), kCount = 8 / kLanes;
@@ -40,12 +40,12 @@ HWY_INLINE Float8 times_plus(const float* from, hn::Vec<Float8Tag> w, const Floa
   return out;
 }
 
-/// Eight floats of every vertex of a tile, one vertex a lane.
+/// Eight floats of every vertex of a tile, one vertex per lane.
 struct Lanes8 {
   Lanes4 low, high;
 };
 
-/// Eight vectors, as they were stored one after the other.
+/// Loads eight vectors that were stored one after the other.
 HWY_INLINE Lanes8 load_lanes8(const float* from) {
   const auto of = [&](std::size_t i) HWY_ATTR { return hn::Load(TileTag(), from + i * kTileSize); };
   return {{of(0), of(1), of(2), of(3)}, {of(4), of(5), of(6), of(7)}};

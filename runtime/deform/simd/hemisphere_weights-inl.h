@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Weights for blending the dual quaternions of one vertex, with the signs that align them to one hemisphere (N17).
+// Weights for blending the dual quaternions of one vertex, with the signs that align them to one hemisphere. Without
+// the signs, q and -q of the same rotation would cancel.
 #if defined(SINEW_HEMISPHERE_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_HEMISPHERE_WEIGHTS_INL_H_
 #undef SINEW_HEMISPHERE_WEIGHTS_INL_H_
@@ -17,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Real part of the pivot in every block, to find the hemisphere of other rotations.
+/// Real part of the pivot, to find the hemisphere of other rotations.
 class Pivot {
  public:
 #if HWY_TARGET == HWY_SCALAR
@@ -33,12 +34,13 @@ class Pivot {
 #else
   HWY_INLINE explicit Pivot(const float* real) : real_(hn::LoadDup128(Float8Tag(), real)) {}
 
-  /// The weight, negated where the dot product (x + y) + (z + w) with the pivot is less than zero.
+  /// The weight, negated if the dot product (x + y) + (z + w) with the pivot is negative.
   HWY_INLINE hn::Vec<Float8Tag> signed_weight(const float* real, float weight) const {
     const Float8Tag d;
     const auto products = hn::Mul(real_, hn::LoadDup128(d, real));
     const auto pairs = hn::Add(products, hn::Shuffle2301(products));
-    const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)), hn::Zero(d));  // + 0: -0 is not less than zero
+    const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)),
+                             hn::Zero(d));  // adding 0 turns -0 into +0, which counts as positive
     return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
   }
 
@@ -47,10 +49,10 @@ class Pivot {
 #endif
 };
 
-/// Whether the rotations of all pairs are on one hemisphere, far enough from its border that the sign of the dot
-/// product does not depend on the order of its sum. Then signs need not be compared vertex by vertex. False for no
-/// pairs: they are not known.
-HWY_INLINE bool are_on_one_side(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
+/// True if both rotations of every pair are in one hemisphere. Signs then need not be compared per vertex. The dot
+/// products must be clearly positive, so that the result does not depend on the order of the sum. False for an empty
+/// list: then the pairs are not known.
+HWY_INLINE bool are_in_one_hemisphere(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
   constexpr float kClearlyPositive = 1e-5f;
 #if HWY_TARGET == HWY_SCALAR
   const auto is_positive = [&](const JointPair& pair) {
@@ -71,7 +73,7 @@ HWY_INLINE bool are_on_one_side(std::span<const JointPair> pairs, std::span<cons
 #endif
 }
 
-/// Weights of one vertex, each in all lanes. Four are loaded at once.
+/// Weights of one vertex, each in all lanes. Four weights are loaded at once.
 template <int kCount>
 class Float8Weights {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blended splits of the vertices of a tile, kept in memory: blends wait for loads, the rest for arithmetic, and
-// processors do not look far enough ahead to overlap the two. So the blends of some tiles come first.
+// Blended dual quaternions and stretches of a tile, kept in memory. Blending waits for loads, the rest for arithmetic,
+// and processors do not look far enough ahead to overlap the two. So several tiles are blended before the rest is done.
 #if defined(SINEW_KEPT_SPLITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_KEPT_SPLITS_INL_H_
 #undef SINEW_KEPT_SPLITS_INL_H_
@@ -15,28 +15,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Blends of one tile: dual quaternions, and stretches where joints stretch.
+/// Blends of one tile: dual quaternions, and stretches if any joint stretches.
 template <bool kStretch>
 class KeptSplits {
  public:
-  /// in   one_side  all signs are known to be +: dual quaternion and stretch are then blended as one
+  /// in   one_hemisphere  all rotations are in one hemisphere: dual quaternion and stretch are then blended as one
   template <int kCount>
-  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
     share_joints_ = false;
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (kMayShareJoints<kCount>)
-      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_side);
+      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_hemisphere);
 #endif
     if constexpr (kStretch) {
-      if (kCount != 1 && one_side) return keep_whole(split, tile);
+      if (kCount != 1 && one_hemisphere) return keep_whole(split, tile);
       for_each_of_tile([&](std::size_t k)
                            HWY_ATTR { store_float8(blend_stretch_float8(split, tile, k), floats_[k] + 8); });
     }
-    for_each_dual_quaternion(split, tile, one_side,
+    for_each_dual_quaternion(split, tile, one_hemisphere,
                              [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
   }
 
-  /// The vertices of the tile share their joints.
+  /// True if all vertices of the tile have the same joints.
   HWY_INLINE bool share_joints() const { return share_joints_; }
 
   template <int kCount>
@@ -50,10 +50,11 @@ class KeptSplits {
 
  private:
   static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
-  bool share_joints_ = false;  ///< floats_ are kFloats vectors of one vertex a lane, else kFloats of each vertex
+  /// If true floats_ holds kFloats vectors with one vertex per lane, else kFloats per vertex
+  bool share_joints_ = false;
   HWY_ALIGN float floats_[kTileSize][kFloats];
 
-  /// Both halves of an entry at once: one address and one weight for both.
+  /// Blends dual quaternion and stretch together: they share address and weight.
   template <int kCount>
   HWY_INLINE void keep_whole(const RigidStretch* split, const TileInfluences<kCount>& tile) {
     const TileTag d;
@@ -74,9 +75,9 @@ class KeptSplits {
   }
 #if HWY_TARGET != HWY_SCALAR
   template <int kCount>
-  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
     share_joints_ = true;
-    const SharedSplits<kCount> shared(split, tile.first.joints, one_side);
+    const SharedSplits<kCount> shared(split, tile.first.joints, one_hemisphere);
     WeightLanes<kCount> weights = weight_lanes(tile);
     if constexpr (kStretch) shared.blend_stretches(weights, &floats_[0][0] + 8 * kTileSize);
     shared.blend_dual_quaternions(weights, &floats_[0][0]);
@@ -90,7 +91,7 @@ class KeptSplits {
   }
 };
 
-/// How many tiles are blended before the rest of their work.
+/// Number of tiles that are blended ahead.
 constexpr std::size_t kTilesAhead = 8;
 
 }  // namespace sinew::HWY_NAMESPACE

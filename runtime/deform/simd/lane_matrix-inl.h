@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A matrix that all lanes of a tile share: the operations of blend_columns-inl.h in the same order, so that results
-// have the same bits. On the scalar target, whose tile is one vertex, all matrices are of this kind.
+// A matrix that all lanes of a tile share. It uses the operations of blend_columns-inl.h in the same order, so results
+// have the same bits. On the scalar target a tile is one vertex, so all matrices are of this kind.
 #if defined(SINEW_LANE_MATRIX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANE_MATRIX_INL_H_
 #undef SINEW_LANE_MATRIX_INL_H_
@@ -50,7 +50,7 @@ HWY_INLINE Lanes3 transform_vectors(const LaneMatrix& m, const Lanes3& v) {
   return plus_product(plus_product(times(m.c0, v.x), m.c1, v.y), m.c2, v.z);
 }
 
-/// Normals, not yet unit; zero where the scalar path has to find their side (OutwardSide).
+/// Moved normals, not normalised; zero where the scalar path must decide their side (OutwardSide).
 /// eq   M n, or sign(det M) cof(M) n
 HWY_INLINE Lanes3 moved_normals(const LaneMatrix& m, const Lanes3& n, bool cofactor_rule) {
   if (!cofactor_rule) return transform_vectors(m, n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes of a tile from memory to lanes and back: lane i is vertex `vertex_of_lane(i)` of the tile.
+// Moves attributes of a tile from memory to lanes and back. Lane i holds vertex `vertex_of_lane(i)` of the tile.
 #if defined(SINEW_LANE_MEMORY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANE_MEMORY_INL_H_
 #undef SINEW_LANE_MEMORY_INL_H_
@@ -15,6 +15,7 @@ namespace sinew::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
+/// With 512 bits, lanes stay in the order of transposed quarters: moving blocks would cost more than it saves.
 constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane; }
 constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane; }
 
@@ -33,7 +34,7 @@ HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
 
 #else
 
-/// Transposes four vertices a block, or back.
+/// Transposes four vertices in each 128-bit block, or back.
 HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) { return transpose_blocks(TileTag(), a, b, c, e); }
 
 #if HWY_MAX_BYTES >= 64
@@ -90,8 +91,8 @@ HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
   return out;
 }
 
-/// The twelve floats of the vertices of a block are x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3. Highway's StoreInterleaved3
-/// takes two steps more.
+/// The twelve floats of a block's vertices are x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3. This takes two instructions fewer
+/// than Highway's StoreInterleaved3.
 HWY_INLINE void store3(const Lanes3& v, glm::vec3* tile) {
   const TileTag d;
   const hn::RepartitionToWide<TileTag> pairs;

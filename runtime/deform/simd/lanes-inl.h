@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes of a tile as structure of arrays, one vertex a lane.
+// Attributes of a tile as structure of arrays, one vertex per lane.
 #if defined(SINEW_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_INL_H_
 #undef SINEW_LANES_INL_H_
@@ -44,8 +44,8 @@ HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) {
   return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)};
 }
 
-/// Makes vectors unit, by an exact square root and division. Returns the lanes whose squared length is in the range
-/// in which float keeps its digits; the others are for the scalar path.
+/// Normalises vectors, with an exact square root and division. Returns the lanes whose squared length is in the range
+/// in which float keeps its digits; the others need the scalar path.
 HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
   const TileTag d;
   const Wide squared = dot(v, v);

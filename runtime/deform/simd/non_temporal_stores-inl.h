@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decides which stores are non-temporal: output that exceeds the caches, or that nobody reads soon, would be read into
-// them for nothing.
+// Decides which stores are non-temporal. Normal stores first read the line into the caches, which is wasted for output
+// that exceeds the caches or is not read soon.
 #if defined(SINEW_NON_TEMPORAL_STORES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_NON_TEMPORAL_STORES_INL_H_
 #undef SINEW_NON_TEMPORAL_STORES_INL_H_
@@ -22,13 +22,13 @@ namespace sinew::HWY_NAMESPACE {
 
 constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< more than one core's share of the last-level cache
 
-/// At which vertices a tile may be written with non-temporal stores, which takes whole aligned vectors.
+/// Finds the vertices at which a tile may be written by non-temporal stores: they write whole aligned vectors.
 class NonTemporalStores {
  public:
   NonTemporalStores() = default;
   NonTemporalStores(const VertexOutput& out, AttributesPresent wanted, bool asked) {
     const std::size_t bytes = sizeof(glm::vec3) * (1 + wanted.normals) + sizeof(glm::vec4) * wanted.tangents;
-    // With four lanes arithmetic takes longer than memory, and each group of vertices has one more tile.
+    // With four lanes arithmetic, not memory, limits the speed, and alignment costs each group one more tile.
     const bool pays = (asked && kTileSize >= 8) || out.positions.size() * bytes >= kStreamedBytes;
     if (kTileSize == 1 || !pays) return;
     for (std::size_t first = 0; first < kTileSize && !first_; ++first)
@@ -37,14 +37,14 @@ class NonTemporalStores {
         first_ = first;
   }
   ~NonTemporalStores() {
-    if (first_) hwy::FlushStream();  // other threads see the output once this one has signalled them
+    if (first_) hwy::FlushStream();  // makes the output visible to threads that this one signals afterwards
   }
   NonTemporalStores(const NonTemporalStores&) = delete;
   NonTemporalStores& operator=(const NonTemporalStores&) = delete;
 
   bool begins_at(std::size_t vertex) const { return first_ && vertex % kTileSize == *first_; }
 
-  /// Vertices from there to the next such vertex; 0 where there is none.
+  /// Number of vertices from `vertex` to the next aligned one; 0 if there is none.
   std::size_t until(std::size_t vertex) const {
     return first_ ? (*first_ + kTileSize - vertex % kTileSize) % kTileSize : 0;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tile of vertices as four quarter tiles, each with one vertex in every 128-bit block, (x y z -).
+// A tile of vertices as four quarter tiles. Each 128-bit block of a quarter holds one vertex, (x y z -).
 #if defined(SINEW_QUARTER_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_QUARTER_LANES_INL_H_
 #undef SINEW_QUARTER_LANES_INL_H_
@@ -16,14 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices of a quarter
+constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices per quarter
 
 /// Components of the vertices of a quarter, each broadcast over the block of its vertex.
 struct Spread3 {
   Wide x, y, z;
 };
 
-/// Calls `body(std::integral_constant)` for the four quarters, unrolled, so that their results stay in registers.
+/// Calls `body(std::integral_constant)` for the four quarters. Unrolled, so that results stay in registers.
 template <class Body>
 HWY_INLINE void for_each_quarter(const Body& body) {
   body(std::integral_constant<std::size_t, 0>{});
@@ -32,7 +32,7 @@ HWY_INLINE void for_each_quarter(const Body& body) {
   body(std::integral_constant<std::size_t, 3>{});
 }
 
-/// Lane indices for TableLookupLanes, made by `lane(i)`.
+/// Lane indices for TableLookupLanes; `lane(i)` gives each.
 struct LaneTable {
   HWY_ALIGN std::int32_t lanes[kTileSize];
   template <class Lane>
@@ -45,7 +45,7 @@ HWY_INLINE Spread3 spread(Wide quarter) {
   return {broadcast<0>(quarter), broadcast<1>(quarter), broadcast<2>(quarter)};
 }
 
-/// Loads one quarter of a tile of packed vec3; the last quarter is read up to the end of the tile.
+/// Loads one quarter of a tile of packed vec3. The last quarter reads exactly to the end of the tile.
 template <std::size_t kQuarter>
 HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   constexpr std::size_t kBefore = kQuarter == 3 ? kBlocks : 0;
@@ -54,7 +54,7 @@ HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
 
-/// The same, broadcast: one step across blocks and three within them, which processors do faster.
+/// Loads and broadcasts a quarter: one shuffle across blocks and three within, which are faster.
 template <std::size_t kQuarter>
 HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   if constexpr (kTileSize > 4) return spread(load_quarter<kQuarter>(tile));
@@ -63,8 +63,8 @@ HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   return {broadcast<kBefore>(packed), broadcast<kBefore + 1>(packed), broadcast<kBefore + 2>(packed)};
 }
 
-/// Brings the lanes of a quarter to their places in one third of the packed tile. Lanes of other quarters come out as
-/// some of this one: the places repeat from quarter to quarter, so that both quarters of a third take one table.
+/// Moves the lanes of a quarter to their places in one third of the packed tile. Lanes that belong to another quarter
+/// get arbitrary values. Places repeat from quarter to quarter, so both quarters of a third use one table.
 template <std::size_t kThird>
 HWY_INLINE Wide packed_third(Wide quarter) {
   static constexpr LaneTable kTable([](std::size_t i) {
@@ -85,7 +85,7 @@ HWY_INLINE PackedTile packed(const Wide (&quarter)[4]) {
           hn::ConcatUpperLower(d, packed_third<1>(quarter[2]), packed_third<1>(quarter[1])),
           hn::IfThenElse(hn::FirstN(d, kBlocks), packed_third<2>(quarter[2]), packed_third<2>(quarter[3]))};
 #else
-  // (x y z -) to (- x y z), which the next vertex follows: fewer steps than tables and masks of four lanes.
+  // (x y z -) becomes (- x y z), followed by the next vertex: fewer steps than tables and masks of four lanes.
   const Wide first = hn::Shuffle2103(quarter[0]), second = hn::Shuffle2103(quarter[1]);
   const Wide third = hn::Shuffle2103(quarter[2]);
   return {hn::CombineShiftRightLanes<1>(d, quarter[1], first), hn::CombineShiftRightLanes<2>(d, quarter[2], second),
@@ -93,7 +93,7 @@ HWY_INLINE PackedTile packed(const Wide (&quarter)[4]) {
 #endif
 }
 
-/// Stores a tile of packed vec3; with non-temporal stores only where `out` is aligned to vectors.
+/// Stores a tile of packed vec3. Non-temporal only if `out` is aligned to vectors.
 HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
@@ -109,12 +109,12 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past
   }
 }
 
-/// Vertex of a lane after the transposition of quarters: four by four within each block, so that nothing crosses
+/// Vertex of a lane after transposing quarters. Transposition is four by four within each block, so nothing crosses
 /// blocks.
 constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
-/// Makes the vectors of a tile unit, by an exact square root and division. Returns the lanes (vertex_of_quarter_lane)
-/// whose squared length is in the range in which float keeps its digits; the others come out wrong.
+/// Normalises the vectors of a tile, with an exact square root and division. Returns the lanes (vertex_of_quarter_lane)
+/// whose squared length is in the range in which float keeps its digits; the others are wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
   const FourVectors<Wide> v = transpose_blocks(d, quarter[0], quarter[1], quarter[2], quarter[3]);
@@ -127,7 +127,7 @@ HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   return keeps_digits(squared);
 }
 
-/// The quarters of a tile, kept in memory for later.
+/// The quarters of a tile, kept in memory until they are stored.
 struct KeptQuarters {
   HWY_ALIGN float lanes[4][kTileSize];
 

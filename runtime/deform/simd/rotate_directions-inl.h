@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals and tangents of a tile, stretched and then rotated: shared by skinning with dual quaternions and around
-// centers of rotation.
+// Stretches and rotates normals and tangents of a tile. Shared by dual-quaternion and center-of-rotation skinning.
 #if defined(SINEW_ROTATE_DIRECTIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_ROTATE_DIRECTIONS_INL_H_
 #undef SINEW_ROTATE_DIRECTIONS_INL_H_
@@ -14,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Writes the attributes that `out` has room for. Returns the lanes whose directions keep their digits; the others are
-/// for the scalar path (scalar_blend.h). Directions are made unit before they are rotated, so that the square root does
+/// Writes the attributes that `out` has room for. Returns the lanes whose directions keep their digits; the others need
+/// the scalar path (scalar_blend.h). Directions are normalised before they are rotated, so that the square root does
 /// not wait for the blend.
 template <bool kStretch>
 HWY_INLINE hn::Mask<TileTag> rotate_directions(const DualQuatLanes& motion, const StretchLanes& stretch,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles whose vertices follow the same joints by weights of their own. Importers put such vertices in a row.
+// Tiles whose vertices have the same joints but different weights. The importer orders such vertices one after another.
 #if defined(SINEW_SHARED_JOINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SHARED_JOINTS_INL_H_
 #undef SINEW_SHARED_JOINTS_INL_H_
@@ -17,12 +17,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Numbers of influences with kernels for such tiles. One influence needs no blend; of five and more few vertices share
-/// all.
+/// Influence counts with kernels for such tiles. One influence needs no blend; with five and more, vertices rarely
+/// share all joints.
 template <int kCount>
 constexpr bool kMayShareJoints = kCount >= 2 && kCount <= 4;
 
-/// Whether vertices follow the same joints in the same order: each number equals the one `kCount` before.
+/// True if all vertices have the same joints in the same order: each index equals the one `kCount` before it.
 template <int kCount, std::size_t kVertices = kTileSize>
 HWY_INLINE bool share_joints(const std::uint16_t* joints) {
   constexpr std::size_t kCompared = (kVertices - 1) * kCount;
@@ -36,7 +36,7 @@ HWY_INLINE bool share_joints(const std::uint16_t* joints) {
   return hn::AllTrue(d, all);
 }
 
-/// Weights of a tile, one vertex a lane.
+/// Weights of a tile, one vertex per lane.
 template <int kCount>
 struct WeightLanes {
   Wide of[kCount];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Matrices that all vertices of a tile share (shared_joints-inl.h), blended with one vertex a lane, so that none is
-// loaded, spread or transposed vertex by vertex. The operations of a vertex are those of blend_columns-inl.h in the
-// same order, so that results have the same bits.
+// Matrices that all vertices of a tile share (shared_joints-inl.h), blended with one vertex per lane. No matrix is
+// loaded or transposed per vertex. The operations are those of blend_columns-inl.h in the same order, so results have
+// the same bits.
 #if defined(SINEW_SHARED_MATRICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SHARED_MATRICES_INL_H_
 #undef SINEW_SHARED_MATRICES_INL_H_
@@ -17,8 +17,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Packed vec3 of such a tile come in the order of triples-inl.h, which takes fewer steps that cross lanes; four lanes
-/// come in that of lane_memory-inl.h, where processors without three operands would copy more than they save.
+/// Packed vec3 of such a tile are loaded in the order of triples-inl.h, which crosses lanes less often. With four lanes
+/// they are loaded in the order of lane_memory-inl.h: SSE instructions overwrite an operand, so triples would copy more
+/// than they save.
 constexpr bool kInTriples = kTileSize > 4;
 
 constexpr std::size_t vertex_of_shared_lane(std::size_t lane) {
@@ -46,19 +47,19 @@ constexpr std::size_t lane_of_vertex(std::size_t vertex) {
   return lane;
 }
 
-/// From the order of vertices in memory.
+/// Permutes from the order of vertices in memory.
 HWY_INLINE Wide shared_from_memory(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) { return vertex_of_shared_lane(lane); });
   return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
-/// From the order of lane_memory-inl.h.
+/// Permutes from the order of lane_memory-inl.h.
 HWY_INLINE Wide shared_from_lanes(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) { return lane_of_vertex(vertex_of_shared_lane(lane)); });
   return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
-/// And back.
+/// Permutes to the order of lane_memory-inl.h.
 HWY_INLINE Wide lanes_from_shared(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) {
@@ -84,13 +85,13 @@ HWY_INLINE WeightLanes<4> shared_weight_lanes(const TileInfluences<4>& tile) {
       {shared_from_lanes(w.of[0]), shared_from_lanes(w.of[1]), shared_from_lanes(w.of[2]), shared_from_lanes(w.of[3])}};
 }
 
-/// The matrices that some tiles share. Without AVX a broadcast from memory takes two instructions and a product one
-/// operand from memory, so there they are spread once.
+/// The matrices that some tiles share. Without AVX a broadcast from memory takes two instructions, while products can
+/// read one operand from memory. There the entries are broadcast to memory once.
 template <int kCount>
 class SharedMatrices {
  public:
   static constexpr bool kSpread = kTileSize == 4 && HWY_ARCH_X86;
-  static constexpr std::size_t kFewestTiles = kSpread ? 2 : 1;  ///< that are worth it
+  static constexpr std::size_t kMinTiles = kSpread ? 2 : 1;  ///< fewest tiles that pay for the preparation
 
   HWY_INLINE SharedMatrices(const JointMatrix* palette, const std::uint16_t* joints) {
     for (std::size_t i = 0; i < kCount; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Dual quaternions and stretches that all vertices of a tile share (shared_joints-inl.h), blended with one vertex a
-// lane. The operations of a vertex are those of blend_dual_quaternions-inl.h in the same order, so that results have
-// the same bits. Signs are found once for all vertices.
+// Dual quaternions and stretches that all vertices of a tile share (shared_joints-inl.h), blended with one vertex per
+// lane. The operations are those of blend_dual_quaternions-inl.h in the same order, so results have the same bits.
+// Signs are found once for all vertices.
 #if defined(SINEW_SHARED_SPLITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SHARED_SPLITS_INL_H_
 #undef SINEW_SHARED_SPLITS_INL_H_
@@ -19,11 +19,11 @@ namespace sinew::HWY_NAMESPACE {
 template <int kCount>
 class SharedSplits {
  public:
-  /// in   one_side  all signs are known to be +
-  HWY_INLINE SharedSplits(const RigidStretch* split, const std::uint16_t* joints, bool one_side) {
+  /// in   one_hemisphere  all rotations are known to be in one hemisphere, so no sign is compared
+  HWY_INLINE SharedSplits(const RigidStretch* split, const std::uint16_t* joints, bool one_hemisphere) {
     for (std::size_t i = 0; i < kCount; ++i) {
       entry_[i] = &split[joints[i]].rigid.real.x;
-      sign_[i] = i == 0 || one_side ? 0.0f : sign_of(entry_[0], entry_[i]);
+      sign_[i] = i == 0 || one_hemisphere ? 0.0f : sign_of(entry_[0], entry_[i]);
     }
   }
 
@@ -34,7 +34,7 @@ class SharedSplits {
     for (std::size_t i = 1; i < kCount; ++i) w.of[i] = hn::Xor(w.of[i], hn::Set(TileTag(), sign_[i]));
     blend<0, 8>(w, to);
   }
-  /// Writes six vectors, and two that nobody reads.
+  /// Writes eight vectors: six entries of the stretch and two unused ones.
   /// eq   sum(w S_i)
   HWY_INLINE void blend_stretches(const WeightLanes<kCount>& weights, float* to) const { blend<8, 6>(weights, to); }
 
@@ -54,7 +54,7 @@ class SharedSplits {
   }
 
   const float* entry_[kCount];
-  float sign_[kCount];  ///< zeros of either sign
+  float sign_[kCount];  ///< +0 or -0: the sign bit is applied to the weight
 };
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tile: as many vertices as a vector of up to 512 bits has lanes. Included once per SIMD target (Highway's
-// foreach_target), hence the guard's form.
+// foreach_target), hence the unusual include guard.
 #if defined(SINEW_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TILE_INL_H_
 #undef SINEW_TILE_INL_H_
@@ -26,7 +26,7 @@ constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Lane `kLane` of each block in all lanes of the block. Of integers on SSE4: there only that needs no copy first.
+/// Lane `kLane` of each block in all lanes of the block. As integers on SSE4, where only that shuffle needs no copy.
 template <int kLane>
 HWY_INLINE Wide broadcast(Wide v) {
 #if HWY_TARGET == HWY_SSE4
@@ -39,20 +39,19 @@ HWY_INLINE Wide broadcast(Wide v) {
 
 #endif  // HWY_TARGET
 
-/// Lanes in which dividing by the length loses no digits, by the squared length.
+/// Lanes whose squared length is in the range in which dividing by the length loses no digits.
 HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
   const TileTag d;
   return hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
 }
 
-/// Turns normals that were moved by cofactors to the outside of a solid, by the sign of the determinant.
-/// eq   |det| > 8 u F^3 + 1e-36, u = 2^-24, F the Frobenius norm of the matrix M: where this holds, float has the
-///      right sign, and the normal the right side. Rounding changes the determinant by at most 5 u times the
-///      permanent of |M|, which is at most 0.223 F^3. It changes the normal by at most 3.1 u F^2, and the normal is
-///      at least 8 u F^2 long, since F is not less than the largest singular value. The constant covers products that
-///      underflow.
-/// Where it does not hold, the scalar path does the lane with the exact sign (determinant_sign.h). Callers keep the
-/// mask, or make the lane zero, which keeps_digits refuses.
+/// Turns normals that were moved by cofactors to the outside, by the sign of the determinant.
+/// eq   |det| > 8 u F^3 + 1e-36, u = 2^-24, F the Frobenius norm of the matrix M: where this holds, float has the right
+///      sign, and the normal the right side. Rounding changes the determinant by at most 5 u times the permanent of
+///      |M|, which is at most 0.223 F^3. It changes the normal by at most 3.1 u F^2, and the normal is at least 8 u F^2
+///      long, since F is not less than the largest singular value. The constant covers products that underflow.
+/// Otherwise the scalar path computes the lane with the exact sign (determinant_sign.h). Callers keep the mask, or set
+/// the normal to zero, which keeps_digits rejects.
 class OutwardSide {
  public:
   HWY_INLINE OutwardSide(Wide determinant, Wide squared_norm) {
@@ -62,6 +61,7 @@ class OutwardSide {
     sign_ = hn::And(determinant, hn::SignBit(d));
   }
   HWY_INLINE hn::Mask<TileTag> certain() const { return certain_; }
+  /// Zero where the side is in doubt.
   HWY_INLINE Wide turned(Wide normal) const { return hn::Xor(normal, sign_); }
   /// Zero where the side is in doubt.
   HWY_INLINE Wide turn(Wide normal) const { return hn::IfThenElseZero(certain_, turned(normal)); }
@@ -71,7 +71,7 @@ class OutwardSide {
   Wide sign_;
 };
 
-/// Calls `body(vertex of the tile)` for all, four per step: the loop itself takes a tenth of what a blend takes.
+/// Calls `body(vertex of the tile)` for all vertices, four per step: the loop itself costs a tenth of a blend.
 template <class Body>
 HWY_INLINE void for_each_of_tile(const Body& body) {
   constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
@@ -79,7 +79,7 @@ HWY_INLINE void for_each_of_tile(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
-/// The same with steps that compilers do not unroll, for bodies whose results for a whole tile exceed the registers.
+/// Same, in steps that compilers do not unroll, for bodies whose results for a whole tile exceed the registers.
 template <class Body>
 HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
   constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
@@ -90,7 +90,7 @@ HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
-/// Calls `body(lane)` for the lanes that are not in the mask; these are rare.
+/// Calls `body(lane)` for the lanes that are not in the mask, which are rare.
 template <class Body>
 HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
   const TileTag d;

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Influences of a tile, `stride` apart. Only a count known at run time alone has a stride other than itself.
+/// Influences of a tile, `stride` apart. The stride equals kCount unless the count is known only at run time.
 template <int kCount>
 struct TileInfluences {
   VertexJoints<kCount> first;
@@ -27,9 +27,9 @@ struct TileInfluences {
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
 
-  /// Byte offset of joint `i` of vertex `k` in a palette. Wide tiles read four indices at once, since blending spends
-  /// its time on loads and instructions, and rotate them into byte offsets: shifting would need a copy of all four each
-  /// time, as rotating does on machines of narrow tiles.
+  /// Byte offset of joint `i` of vertex `k` in a palette. Wide tiles read four indices at once, because loads limit the
+  /// speed of blending, and rotate them into byte offsets. Shifting would need a copy of all four each time. Narrow
+  /// tiles load each index, since rotating would need that copy there.
   template <std::size_t kEntrySize>
   HWY_INLINE std::size_t offset(std::size_t k, std::size_t i) const {
     if constexpr (!kFourAtOnce) return at(k).joints[i] * kEntrySize;
@@ -64,7 +64,7 @@ struct TileAttributes {
 using TileInput = TileAttributes<const glm::vec3, const glm::vec4>;
 using TileOutput = TileAttributes<glm::vec3, glm::vec4>;
 
-/// A tile that is not full goes through copies, so that nothing is read or written past the arrays.
+/// Copies for an incomplete tile, so that nothing is read or written past the arrays.
 template <int kCount>
 struct TileCopies {
   glm::vec3 positions[kTileSize], normals[kTileSize], out_positions[kTileSize], out_normals[kTileSize];
@@ -78,7 +78,7 @@ struct TileCopies {
     if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
-  /// A count known at run time alone is not bounded: all vertices of the tile are then the first one.
+  /// A count known only at run time is not bounded, so there all vertices of the tile are the first one.
   TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
     if constexpr (kCount == 0) return {in, 0};
     for (std::size_t k = 0; k < kTileSize; ++k) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Packed vec3 of a tile from memory to lanes and back in eight steps each way, where the order of lanes does not
-// matter.
+// Moves packed vec3 of a tile to lanes and back in eight steps each way, if the order of the lanes does not matter.
 //
-// A tile of N packed vec3 is three vectors of N floats. N is no multiple of 3, so that each lane of the three holds one
-// x, one y and one z: two blends collect all x, two all y, two all z. The y and z of a vertex come out one and two
-// lanes after its x, which takes two rotations.
+// A tile of N packed vec3 is three vectors of N floats. N is no multiple of 3, so each lane position has one x, one y
+// and one z in the three vectors. Two blends collect all x, two all y, two all z. The y and z of a vertex are then one
+// and two lanes after its x; two rotations correct that.
 #if defined(SINEW_TRIPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRIPLES_INL_H_
 #undef SINEW_TRIPLES_INL_H_
@@ -26,7 +25,7 @@ struct Triples {
   Wide thirds[3];
 };
 
-/// The vertex of a lane: float `lane` of the third whose x is there.
+/// The vertex of a lane: the one whose x is float `lane` of its third.
 constexpr std::size_t vertex_of_triple_lane(std::size_t lane) {
   std::size_t at = lane;
   while (at % 3 != 0) at += kTileSize;
@@ -40,8 +39,8 @@ HWY_INLINE Triples triples_of(const Lanes3& v) { return {{v.x, v.y, v.z}}; }
 
 #else
 
-// Lane i of the vector number i % 3. A blend by a constant is one step, by a mask up to three (Intel). Highway's own
-// vectors of loops (EMU128) are no vectors for compilers.
+// Blends that take lane i from the vector number i % 3. A blend by a constant is one instruction, by a mask up to three
+// (Intel). Highway's emulated vectors (EMU128) are arrays, which __builtin_shufflevector does not take.
 #undef SINEW_BLENDS_BY_CONSTANTS
 #if defined(__has_builtin) && HWY_TARGET != HWY_EMU128
 #if __has_builtin(__builtin_shufflevector)
@@ -64,7 +63,7 @@ HWY_INLINE Wide blend3(Wide a, Wide b, Wide c) { return blend3(a, b, c, std::mak
 
 #else
 
-/// All bits in the lanes whose number has the rest kClass, divided by 3.
+/// All bits set in the lanes i with i % 3 == kClass.
 template <std::size_t kClass>
 struct LanesOfClass {
   HWY_ALIGN std::uint32_t all[kTileSize];
@@ -85,7 +84,7 @@ HWY_INLINE Wide blend3(Wide a, Wide b, Wide c) { return blend_class<0>(a, blend_
 
 #endif  // SINEW_BLENDS_BY_CONSTANTS
 
-/// Lane i takes lane i + kBy, around the end.
+/// Lane i takes lane i + kBy, wrapping around.
 template <std::size_t kBy>
 HWY_INLINE Wide rotated(Wide v) {
   if constexpr (kTileSize == 4) {
@@ -104,7 +103,7 @@ HWY_INLINE Wide rotated(Wide v) {
   }
 }
 
-/// Which third holds x in the lanes of class 0, 1 and 2.
+/// The third that holds x in lanes i with i % 3 == 0, 1 and 2.
 constexpr std::size_t kThirdOfX[3] = {0, kTileSize % 3 == 2 ? 1u : 2u, kTileSize % 3 == 2 ? 2u : 1u};
 
 HWY_INLINE Lanes3 lanes_of(const Triples& t) {
@@ -133,7 +132,7 @@ HWY_INLINE Triples minus(const Triples& a, const Triples& b) {
   return {{hn::Sub(a.thirds[0], b.thirds[0]), hn::Sub(a.thirds[1], b.thirds[1]), hn::Sub(a.thirds[2], b.thirds[2])}};
 }
 
-/// With non-temporal stores only where `tile` is aligned to vectors.
+/// Non-temporal only if `tile` is aligned to vectors.
 HWY_INLINE void store_triples(const Triples& t, glm::vec3* tile, bool past_caches = false) {
   const TileTag d;
   float* to = &tile->x;

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Vertices of a tile; a tile that is not whole is filled up with copies of its last vertex.
+/// Vertices of a tile; an incomplete tile is padded with copies of its last vertex.
 struct TilePlace {
   std::size_t first_vertex, count;
   bool whole;
@@ -40,16 +40,16 @@ struct TileRow {
   HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 
-  // The same of one attribute that is known to be there.
+  // Same, for an attribute that is known to exist.
   HWY_INLINE const glm::vec3* normals_in(std::size_t tile) const { return all_in.normals + tile * kTileSize; }
   HWY_INLINE const glm::vec4* tangents_in(std::size_t tile) const { return all_in.tangents + tile * kTileSize; }
   HWY_INLINE glm::vec3* normals_out(std::size_t tile) const { return all_out.normals + tile * kTileSize; }
   HWY_INLINE glm::vec4* tangents_out(std::size_t tile) const { return all_out.tangents + tile * kTileSize; }
 };
 
-/// Calls `skin(TileRow)` for all vertices of a group. The vertices after the last whole tile are done as a tile that
-/// ends with the group: it repeats some vertices, with the same result. So are the vertices before the first aligned
-/// one where stores are non-temporal. A group of fewer vertices than a tile goes through copies.
+/// Calls `skin(TileRow)` for all vertices of a group. Vertices after the last whole tile form a tile that ends with the
+/// group; it skins some vertices again, with the same result. With non-temporal stores, vertices before the first
+/// aligned one are handled the same way. A group smaller than a tile goes through copies.
 template <int kCount, class Row>
 HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                                const VertexOutput& out, Row skin, const NonTemporalStores& streamed = {}) {
@@ -91,8 +91,8 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
   }
 }
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, tile by tile. Inlining
-/// is left to the compiler: forced, long tiles as those of centers of rotation are slower.
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. Inlining is left to the
+/// compiler: forced inlining makes the long kernels of center-of-rotation skinning slower.
 template <int kCount, class Tile>
 void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                    const VertexOutput& out, const Tile& tile) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint indices and weights of a row of tiles, converted from small integers to the types of the kernels.
+// Converts joint indices and weights of a row of tiles from small integers to the types of the kernels.
 #if defined(SINEW_WIDENED_INFLUENCES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_WIDENED_INFLUENCES_INL_H_
 #undef SINEW_WIDENED_INFLUENCES_INL_H_
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// How many bits of a weight are behind the point in steps of 1 / 2^bits, and what is left of 1 / (2^bits - 1).
+/// 1 / (2^bits - 1), split into 1 / 2^bits and the remainder.
 template <class Number>
 struct WeightStep {
   static constexpr double kMost = std::numeric_limits<Number>::max();
@@ -26,8 +26,8 @@ struct WeightStep {
   static constexpr float kRest = static_cast<float>(1.0 / kMost - 1.0 / (kMost + 1.0));
 };
 
-/// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2) as c 2^-bits + c r. The first product is exact, so that for every
-///      8-bit and 16-bit c the sum has the bits of the quotient; division would take longer than blending
+/// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2) as c 2^-bits + c r. The first product is exact, so for every 8-bit
+///      and 16-bit c the sum has the bits of the quotient. A division would take longer than blending
 template <class Number>
 HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) {
   using Step = WeightStep<Number>;
@@ -45,12 +45,12 @@ HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) 
   }
 }
 
-/// Influences of consecutive vertices, converted where they are small integers and in place where they are not.
+/// Influences of consecutive vertices: converted if they are small integers, otherwise used in place.
 template <int kCount>
 class WidenedInfluences {
  public:
-  /// How many tiles are converted at once: as many as kernels work on before they go on. One where the number of
-  /// influences is known at run time alone, and room is made for the most.
+  /// Number of tiles that are converted at once: as many as kernels process in one go. Only one if the number of
+  /// influences is known only at run time, because the buffer must hold the maximum.
   static constexpr std::size_t kTiles = kCount > 0 ? 8 : 1;
 
   VertexJoints<kCount> of(const InfluenceStreams& all, std::size_t first, std::size_t vertex_count,
@@ -75,7 +75,7 @@ class WidenedInfluences {
 
  private:
   static constexpr std::size_t kRoom =
-      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMostWidened});
+      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMaxConverted});
   HWY_ALIGN std::uint16_t joints_[kRoom];
   HWY_ALIGN float weights_[kRoom];
 };

@@ -55,7 +55,7 @@ struct Deformation {
                                .scratch = memory.of(plan.layout.morph_scratch.part(0, count)),
                                .normalise = !in_between};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.vertices_morphed += count;
     replace(out);
     work.spent_on(Stage::morph);
@@ -81,9 +81,9 @@ struct Deformation {
   bool any_stretch() const noexcept { return memory.of(plan.layout.stretch)[skin_index()]; }
 
   template <class Job>
-  void run_checked(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
+  void run_counted(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     counter += primitive.vertex_count();
     work.spent_on(stage);
   }
@@ -98,7 +98,7 @@ struct Deformation {
         .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear,
         .past_caches = past_caches};
     if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
-    run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
+    run_counted(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
 
   void skin_dual_quaternion(const VertexOutput& out) noexcept {
@@ -109,7 +109,7 @@ struct Deformation {
                                     .out = out,
                                     .pairs = skinning.pairs,
                                     .palette = palette()};
-    run_checked(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
+    run_counted(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
   void skin_center_of_rotation(const VertexOutput& out) noexcept {
@@ -121,7 +121,7 @@ struct Deformation {
                                       .vertices = now,
                                       .out = out,
                                       .pairs = skinning.pairs};
-    run_checked(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
+    run_counted(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
   }
 
   void replace(const VertexOutput& written) noexcept {
@@ -146,11 +146,11 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
   const Primitive& primitive = primitive_of(plan, plan.primitives[p]);
   const FlatFaces& faces = *plan.flat_faces[p];
   const std::span<glm::vec3> normals = memory.of(plan.layout.primitives[p].normals);
-  run(FlatNormalsJob{.faces = &faces,
-                     .positions = positions,
-                     .rest_normals = primitive.normals,
-                     .turned = turned,
-                     .normals = normals});
+  run_unchecked(FlatNormalsJob{.faces = &faces,
+                               .positions = positions,
+                               .rest_normals = primitive.normals,
+                               .turned = turned,
+                               .normals = normals});
   work.flat_triangles += faces.count;
   work.spent_on(Stage::flat_normals);
   return normals;

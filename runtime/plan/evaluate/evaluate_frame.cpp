@@ -29,7 +29,7 @@ std::span<const float> correct_weights(const CompiledPlan& plan, const PoseSpan&
                              .scratch = memory.of(plan.layout.corrective_scratch),
                              .weights = weights};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.poses_compared += corrective.samples.sample_count();
   }
   work.spent_on(Stage::correctives);
@@ -69,7 +69,7 @@ std::span<const Affine> compose(const CompiledPlan& plan, const PoseSpan& local,
   else if (mixes_poses(plan, input))
     job.local = with_unmoved_at_rest(plan, local, step.memory);
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.joints_composed += job.only.empty() ? model.size() : job.only.size();
   work.spent_on(Stage::local_to_model);
   return model;

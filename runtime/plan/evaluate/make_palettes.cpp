@@ -17,7 +17,7 @@ void split(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatr
                             .any_stretch = &memory.of(plan.layout.stretch)[skin],
                             .follow = plan.hemisphere_edges[skin]};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.palette_entries_split += palette.size();
   work.spent_on(Stage::split_palette);
 }
@@ -31,7 +31,7 @@ void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMa
         memory.of(plan.layout.palettes[skin].part(combined.first_matrix, combined.combination_count));
     const BlendCombinationsJob job{.combinations = &combined.combinations, .palette = palette, .blended = blended};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.combinations_blended += combined.combination_count;
     work.spent_on(Stage::combinations);
   }
@@ -47,7 +47,7 @@ bool compute(const CompiledPlan& plan, std::size_t s, std::span<const Affine> mo
                             .before = step.reuse.palette_before(s),
                             .unchanged = &unchanged};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.palette_entries += palette.size();
   work.spent_on(Stage::palette);
   return unchanged;

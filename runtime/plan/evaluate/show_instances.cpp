@@ -5,7 +5,7 @@
 
 #include "runtime/deform/grow_bounds.h"
 #include "runtime/math/determinant_sign.h"
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/evaluate/play_geometry.h"
 
 namespace sinew {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Products of affine matrices, a row of four floats a block; included once per SIMD target, so without `#pragma once`.
-// Single multiplications and additions only, never fused, each row summed in the order x, y, z, translation as affine.h
-// does: all targets give the same bits.
+// Products of affine matrices, with one row of four floats per 128-bit block. Included once per SIMD target, so without
+// `#pragma once`. Multiplications and additions are never fused, and each row is summed in the order x, y, z,
+// translation as in affine.h. All targets therefore give the same bits.
 #if defined(SINEW_AFFINE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_AFFINE_LANES_INL_H
 #undef SINEW_AFFINE_LANES_INL_H
@@ -38,11 +38,11 @@ HWY_INLINE void store_rows(const Rows& m, Affine& to) { to = m; }
 
 #else
 
-/// Component i of every row, in all four places of the row.
+/// Component i of every row, copied to all four places of the row.
 template <int i, class D, class V = hn::Vec<D> >
 HWY_INLINE V spread(D d, V rows) {
 #if HWY_TARGET == HWY_SSE4
-  // The shuffle of integers is one instruction, that of floats overwrites its argument and needs a copy.
+  // The integer shuffle is one instruction; the float shuffle overwrites its argument and needs a copy.
   const hn::RebindToSigned<D> whole;
   return hn::BitCast(d, hn::Broadcast<i>(hn::BitCast(whole, rows)));
 #else
@@ -51,13 +51,13 @@ HWY_INLINE V spread(D d, V rows) {
 #endif
 }
 
-/// The three rows of a right factor, of one or another matrix in each block.
+/// The three rows of a right factor. Each block may have its own matrix.
 template <class V>
 struct RightRows {
   V x, y, z;
 };
 
-/// Rows of products from rows of left factors, one row a block.
+/// Rows of products, given the rows of the left factors; one row per block.
 template <class D, class V = hn::Vec<D> >
 HWY_INLINE V product_rows(D d, V a, const RightRows<V>& b) {
   alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -68,7 +68,7 @@ HWY_INLINE V product_rows(D d, V a, const RightRows<V>& b) {
   return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, a), linear);
 }
 
-/// Rows of a product from the same rows of the left factor, one row a block.
+/// Rows of a product, given the same rows of the left factor; one row per block.
 template <class D, class V = hn::Vec<D> >
 HWY_INLINE V product_rows(D d, V a, const RowsAt& b) {
   return product_rows(d, a, RightRows<V>{hn::LoadDup128(d, b.x), hn::LoadDup128(d, b.y), hn::LoadDup128(d, b.z)});
@@ -76,11 +76,11 @@ HWY_INLINE V product_rows(D d, V a, const RowsAt& b) {
 
 #if HWY_MAX_BYTES >= 64
 
-/// A matrix in one vector: row r is block r; the fourth block is unused.
+/// A matrix in one vector: block r is row r, and the fourth block is unused.
 using RowsTag = hn::CappedTag<float, 16>;
 using Rows = hn::Vec<RowsTag>;
 
-/// Mask of the three blocks that hold rows. It is loaded: compilers rebuild a constant mask at each use.
+/// Mask of the three blocks that hold rows. Loaded from memory, because compilers rebuild a constant mask at each use.
 HWY_INLINE hn::Mask<RowsTag> within_rows() {
   const RowsTag d;
   alignas(64) static constexpr float kRows[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// 3x3 matrices and their quaternions in double precision, one matrix per lane; included once per SIMD target, so
-// without `#pragma once`. Single multiplications and additions only, never fused: all targets give the same bits.
+// 3x3 matrices and their quaternions in double precision, one matrix per lane. Included once per SIMD target, so
+// without
+// `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
 #if defined(SINEW_MATRIX_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_MATRIX_LANES_INL_H
 #undef SINEW_MATRIX_LANES_INL_H
@@ -18,7 +19,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using DoubleLanes = hn::Vec<Doubles>;
 using DoubleMask = hn::Mask<Doubles>;
 
-/// A column of a matrix in each lane.
+/// One column of a matrix in each lane.
 struct ColumnLanes {
   DoubleLanes x, y, z;
 };
@@ -49,13 +50,13 @@ HWY_INLINE ColumnLanes cross(const ColumnLanes& a, const ColumnLanes& b) {
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// eq   A^T B, of which only one triangle is computed
+/// eq   A^T B, which must be symmetric: only one triangle is computed
 HWY_INLINE SymmetricLanes symmetric_product(const MatrixLanes& a, const MatrixLanes& b) {
   return {dot(a.column[0], b.column[0]), dot(a.column[1], b.column[1]), dot(a.column[2], b.column[2]),
           dot(a.column[0], b.column[1]), dot(a.column[0], b.column[2]), dot(a.column[1], b.column[2])};
 }
 
-/// Lanes in which no entry of a matrix is farther than `limit` from that of the identity; NaN is.
+/// Lanes in which every entry is within `limit` of the identity; false for NaN.
 HWY_INLINE DoubleMask is_near_identity(const SymmetricLanes& s, double limit) {
   const Doubles d;
   const DoubleLanes one = hn::Set(d, 1.0), most = hn::Set(d, limit);
@@ -70,7 +71,7 @@ HWY_INLINE DoubleLanes square_of(const QuatLanes& q) {
   return hn::Add(hn::Add(hn::Mul(q.x, q.x), hn::Mul(q.y, q.y)), hn::Add(hn::Mul(q.z, q.z), hn::Mul(q.w, q.w)));
 }
 
-/// The symmetric matrix whose columns are the four forms of the quaternion of a rotation matrix.
+/// The symmetric matrix whose columns are four multiples of the quaternion of a rotation matrix.
 /// eq   B = 4 q q^T   (Real-Time Rendering, eqs. 4.47-4.51). For R S, R a rotation, the q of R is the eigenvector of B
 ///      with the largest eigenvalue, 1 + trace S; where S is near the identity the others are near 0
 class QuatForms {
@@ -91,7 +92,7 @@ class QuatForms {
     yz_ = hn::Add(b.z, c.y);
   }
 
-  /// The column with the largest divisor, which is at least 1 (N12).
+  /// The column with the largest diagonal entry. It is at least 1, so dividing by its length is safe.
   HWY_INLINE QuatLanes longest() const {
     const auto w_form = hn::And(hn::Ge(ww_, xx_), hn::And(hn::Ge(ww_, yy_), hn::Ge(ww_, zz_)));
     const auto x_form = hn::And(hn::Ge(xx_, yy_), hn::Ge(xx_, zz_)), y_form = hn::Ge(yy_, zz_);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so
-// without `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never
-// fused: all targets give the same bits.
+// Interpolation of blocks of packed tracks, one track per lane. Included once per SIMD target, so without
+// `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
 #if defined(SINEW_PACKED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_LANES_INL_H
 #undef SINEW_PACKED_LANES_INL_H
@@ -17,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// eq   (1 - s) v0 + s v1, of numbers, whose ranges are the same
+/// eq   (1 - s) v0 + s v1, on the packed integers: both keys share one range, which is applied to the result
 template <std::size_t kComponents>
 HWY_INLINE void lerp_components(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   for_each_lane<kComponents>(block, out, [&](auto d, std::size_t lane, float* to, std::size_t stride) HWY_ATTR {
@@ -39,7 +38,7 @@ HWY_NOINLINE void lerp_packed(const TrackBlock& block, const PackedKeys& keys, c
     lerp_components<1>(block, keys, out);
 }
 
-/// The series of both ends, each coefficient as often as a vector has lanes.
+/// The slerp series of both keys. Each coefficient is repeated in a whole vector.
 class SlerpSeries {
  public:
   HWY_INLINE explicit SlerpSeries(const PackedKeys& keys) : power_(keys.power) {
@@ -72,8 +71,8 @@ class SlerpSeries {
   std::size_t power_;
 };
 
-/// Slerp along the shorter arc of packed keys, whatever their signs. Keys are unit but for the rounding of tracks
-/// that leave out no component, so that only these are normalised.
+/// Slerp of packed keys along the shorter arc, whatever their signs. Only tracks that store all four components are
+/// normalised: rounding makes their keys not quite unit.
 /// eq   q0 sin(r a) / sin(a) + q1 sin(s a) / sin(a), by slerp_series.h: nearly equal keys keep their relative accuracy
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const SlerpSeries series(keys);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the numbers of packed keys (PackedRows); included once per SIMD target, so without `#pragma once`. Rows are
+// Reads the numbers of packed keys (PackedRows). Included once per SIMD target, so without `#pragma once`. Rows are
 // little-endian.
 #if defined(SINEW_PACKED_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_NUMBERS_INL_H
@@ -25,10 +25,12 @@ using RowBytes = const std::uint8_t*;
 template <class D>
 using Shuffle = std::uint8_t;
 
+/// Loads sixteen bytes of a row for every four lanes.
 template <class D>
 HWY_INLINE RowBytes<D> load_fours(D, const std::uint8_t* row, const std::uint16_t* first_byte) {
   return row + *first_byte;
 }
+/// A shuffle that moves the four bytes from `byte` on into each lane.
 template <class D>
 HWY_INLINE Shuffle<D> shuffle_of(D, const std::uint8_t* byte) {
   return *byte;
@@ -83,7 +85,7 @@ HWY_INLINE Masks<D> shuffled(D, RowBytes<D> bytes, Shuffle<D> shuffle) {
 
 #endif
 
-/// The bytes of both keys that have the numbers of a slot.
+/// The bytes of both keys that contain the numbers of a slot.
 template <class D>
 struct KeyBytes {
   RowBytes<D> begin, end;
@@ -97,7 +99,7 @@ HWY_INLINE KeyBytes<D> key_bytes(D d, const TrackBlock& block, const PackedKeys&
   return {load_fours(d, keys.begin, first_byte), load_fours(d, keys.end, first_byte)};
 }
 
-/// Where the lanes of one slot find their numbers in these bytes, and what the numbers stand for.
+/// Where the lanes of one slot find their numbers in these bytes, and the range that the numbers map to.
 template <class D>
 class Slot {
  public:
@@ -112,7 +114,7 @@ class Slot {
     low_ = hn::LoadU(d, rows.low.data() + at);
   }
 
-  /// Numbers of a key, where they stand in their bytes: below 2^31.
+  /// The number of a key, not shifted down to its lowest bit: below 2^31.
   HWY_INLINE hn::Vec<D> number(RowBytes<D> bytes) const {
     const D d;
     const hn::RebindToSigned<D> whole;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stores the lanes of blocks of packed tracks; included once per SIMD target, so without `#pragma once`.
+// Stores the lanes of blocks of packed tracks. Included once per SIMD target, so without `#pragma once`.
 #if defined(SINEW_PACKED_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_PLACES_INL_H
 #undef SINEW_PACKED_PLACES_INL_H
@@ -12,12 +12,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Vectors of few lanes: what is left of a block after full ones, and all of small blocks.
+/// Vectors of few lanes, for small blocks and for the remainder of large ones.
 using FewFloats = hn::CappedTag<float, 4>;
 
-/// Calls `body(d, lane, to, stride)` for every vector of lanes, which writes component c to `to + c * stride`. Where
-/// the targets of the block are neighbours this is the output itself, else memory from which vectors of joints are put
-/// together. Lanes without gaps are fewer vectors than joints with gaps.
+/// Calls `body(d, lane, to, stride)` for every vector of lanes; it writes component c to `to + c * stride`. If the
+/// targets of the block are consecutive, `to` is the output itself. Otherwise it is a buffer from which vectors of
+/// joints are put together: tracks without gaps need fewer vectors than joints with gaps.
 template <std::size_t kComponents, class Body>
 HWY_INLINE void for_each_lane(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   const Floats d;
@@ -30,7 +30,8 @@ HWY_INLINE void for_each_lane(const TrackBlock& block, const TrackOutput& out, c
   HWY_ALIGN float buffer[kComponents * kMostPackedLanes + kLanePadding];
   float* const first = neighbours ? out.first_plane + targets[0] : buffer;
   const std::size_t first_stride = neighbours ? out.plane_stride : stride;
-  // The last vector of neighbours may reach past the last target, so that its lanes are stored one by one.
+  // If targets are consecutive, a full last vector would reach past the last target, so its lanes are stored one by
+  // one.
   const std::size_t end = neighbours ? count : count + kLanePadding;
   std::size_t lane = 0, aside = neighbours ? count : 0;
   float* to = first;

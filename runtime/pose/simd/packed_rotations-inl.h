@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads packed rotations, of which one component is left out; included once per SIMD target, so without
-// `#pragma once`.
+// Reads packed rotations, which leave out one component. Included once per SIMD target, so without `#pragma once`.
 #if defined(SINEW_PACKED_ROTATIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_ROTATIONS_INL_H
 #undef SINEW_PACKED_ROTATIONS_INL_H
@@ -13,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Four components of a vector of rotations, in the order of slots.
+/// Four components of a vector of rotations, in slot order.
 template <class V>
 struct QuatLanes {
   V a, b, c, derived;
@@ -25,14 +24,14 @@ HWY_INLINE V dot4(const QuatLanes<V>& p, const QuatLanes<V>& q) {
                  hn::Add(hn::Mul(p.c, q.c), hn::Mul(p.derived, q.derived)));
 }
 
-/// eq   sqrt(1 - sum of the squares of the others)
+/// eq   sqrt(1 - a^2 - b^2 - c^2): the left-out component
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V derived_from(D d, V a, V b, V c) {
   const V sum = hn::Add(hn::Add(hn::Mul(a, a), hn::Mul(b, b)), hn::Mul(c, c));
   return hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, 1.0f), sum), hn::Zero(d)));
 }
 
-/// Both packed keys of a vector of rotations.
+/// A vector of rotations at both packed keys.
 template <class D>
 struct RotationPair {
   using V = hn::Vec<D>;
@@ -64,7 +63,7 @@ HWY_INLINE auto leaves_out(D d, const PackedRows& rows, std::size_t lane, std::i
   return hn::RebindMask(d, hn::Eq(derived, hn::Set(whole, component)));
 }
 
-/// Tracks that leave out no component have it in slot 3.
+/// Reads the fourth component of tracks that leave none out; it is in slot 3.
 template <class D>
 HWY_INLINE void read_all(D d, const TrackBlock& block, const PackedKeys& keys, std::size_t lane,
                          RotationPair<D>& pair) {
@@ -75,7 +74,7 @@ HWY_INLINE void read_all(D d, const TrackBlock& block, const PackedKeys& keys, s
   pair.end.derived = hn::IfThenElse(all, slot.value(slot.number(bytes.end)), pair.end.derived);
 }
 
-/// Only tracks that leave out no component are not unit but for rounding.
+/// Normalises the tracks that leave out no component. The others are unit already, because the fourth is derived.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void normalise_all(D d, const PackedRows& rows, std::size_t lane, QuatLanes<V>& q) {
   const V one = hn::Set(d, 1.0f);
@@ -84,7 +83,7 @@ HWY_INLINE void normalise_all(D d, const PackedRows& rows, std::size_t lane, Qua
   q = {hn::Mul(q.a, scale), hn::Mul(q.b, scale), hn::Mul(q.c, scale), hn::Mul(q.derived, scale)};
 }
 
-/// From the order of slots to x y z w.
+/// Reorders the components from slot order to x y z w.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void swap_back(D d, const PackedRows& rows, std::size_t lane, QuatLanes<V>& q) {
   const auto x = leaves_out(d, rows, lane, 0), y = leaves_out(d, rows, lane, 1), z = leaves_out(d, rows, lane, 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polar decompositions of 3x3 matrices in double precision, one matrix per lane; included once per SIMD target, so
-// without `#pragma once`. No lane depends on another: a matrix has the same bits whatever is beside it.
+// Polar decompositions of 3x3 matrices in double precision, one matrix per lane. Included once per SIMD target, so
+// without `#pragma once`. Lanes do not influence each other's bits.
 #if defined(SINEW_POLAR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_POLAR_LANES_INL_H
 #undef SINEW_POLAR_LANES_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Unit rotation and stretch of each lane. Lanes that are not found are wrong.
+/// Unit rotation and stretch of each lane. Only lanes in `found` are valid.
 struct PolarLanes {
   QuatLanes quat;
   SymmetricLanes stretch;
@@ -25,8 +25,8 @@ HWY_INLINE QuatLanes divided(const QuatLanes& q, DoubleLanes length) {
   return {hn::Mul(q.x, scale), hn::Mul(q.y, scale), hn::Mul(q.z, scale), hn::Mul(q.w, scale)};
 }
 
-/// Matrices A whose G = A^T A is within 2^-18 of the identity, and which do not mirror. What is left out is of the
-/// order of the square of that.
+/// For matrices A whose G = A^T A is within 2^-18 of the identity and that do not mirror. The error is of second order
+/// in that distance.
 /// eq   q = B b / |B b|, b the longest column of B;  S = (I + G) / 2.
 ///      |B b|^2 is 64 or more for rotations, and 16 for rotations that are mirrored.
 HWY_INLINE PolarLanes polar_of_rigid(const MatrixLanes& a, const SymmetricLanes& g) {
@@ -47,13 +47,13 @@ struct TraceLanes {
   DoubleMask found;
 };
 
-/// eq   The largest root of (x^2 - tr G)^2 - 4 g - 8 x det A, where g is the second invariant of G: x = s1 + s2 + s3
-///      of the singular values. Newton from x = sqrt(3 tr G), which is never less: x falls to the root. A lane keeps
-///      its x once a step was small, so that it does not depend on others.
+/// eq   The largest root of (x^2 - tr G)^2 - 4 g - 8 x det A, where g is the second invariant of G: x = s1 + s2 + s3,
+///      the sum of the singular values. Newton's method starts at x = sqrt(3 tr G), which is never less, and x falls to
+///      the root. A lane keeps its x after a small step, so it does not depend on the other lanes.
 HWY_INLINE TraceLanes trace_of_stretch(DoubleLanes trace_of_g, DoubleLanes second_of_g, DoubleLanes determinant) {
   const Doubles d;
   constexpr int kMostSteps = 12;
-  constexpr double kSmallStep = 1e-9;  // the step after it would be about its square
+  constexpr double kSmallStep = 1e-9;  // convergence is quadratic: the next step would be about the square of this
   const DoubleLanes linear = hn::Mul(determinant, hn::Set(d, 8.0)), four = hn::Set(d, 4.0);
   const DoubleLanes constant = hn::Mul(second_of_g, four);
   DoubleLanes x = hn::Sqrt(hn::Mul(trace_of_g, hn::Set(d, 3.0)));
@@ -69,10 +69,10 @@ HWY_INLINE TraceLanes trace_of_stretch(DoubleLanes trace_of_g, DoubleLanes secon
   return {x, found};
 }
 
-/// Any matrices, of which those are found whose smallest singular value is not below some hundredth of the largest.
+/// For any matrices. A lane is found if its smallest singular value is at least about a hundredth of the largest.
 /// eq   R = (x cof(A) + A ((x^2 - k) I - G)) / (x k - det A), x = tr S, k = (x^2 - tr G) / 2 the second invariant of S;
-///      S = R^T A   (from the Cayley-Hamilton equation of S, by Hoger and Carlson 1984). For mirroring A: of -A, and S
-///      is negative.
+///      S = R^T A   (from the Cayley-Hamilton equation of S, by Hoger and Carlson 1984). For mirroring A the equations
+///      are applied to -A, and S is negative.
 HWY_NOINLINE PolarLanes polar_of_stretched(const MatrixLanes& a, const SymmetricLanes& g) {
   const Doubles d;
   const ColumnLanes first = cross(a.column[1], a.column[2]);

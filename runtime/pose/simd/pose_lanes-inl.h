@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Poses over Highway's lanes, one joint per lane; included once per SIMD target, so without `#pragma once`. Single
-// multiplications and additions only, never fused: all targets give the same bits.
+// Poses with one joint per lane. Included once per SIMD target, so without `#pragma once`. Multiplications and
+// additions are never fused, so all targets give the same bits.
 #if defined(SINEW_POSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_POSE_LANES_INL_H
 #undef SINEW_POSE_LANES_INL_H
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The stride of a pose is a multiple of 16 joints, so that no vector reaches past its planes.
+/// The stride of a pose is a multiple of 16 joints, so vectors of up to 16 lanes stay within its planes.
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
@@ -65,8 +65,7 @@ HWY_INLINE TransformLanes choose(Mask m, const TransformLanes& a, const Transfor
           hn::IfThenElse(m, a.sz, b.sz)};
 }
 
-/// The rotations of a pose from joint `j` on, whose planes have `stride` floats. Jobs pass one stride for all their
-/// poses.
+/// Loads the rotations of the joints from `j` on. All poses of a job have the same stride, so it is passed once.
 HWY_INLINE Rotations load_rotations(const float* planes, std::size_t stride, std::size_t j) {
   const Floats d;
   const float* x = planes + PoseSpan::rx * stride + j;
@@ -87,7 +86,7 @@ HWY_INLINE Rotations choose(Mask m, const Rotations& a, const Rotations& b) {
           hn::IfThenElse(m, a.w, b.w)};
 }
 
-/// Weight of a layer for the joints from `j` on. Joint weights have no padding, so the last ones are copied.
+/// Weight of a layer for the joints from `j` on. Joint weights have no padding, so the last ones are copied first.
 HWY_INLINE Lanes weight_of(const BlendLayer& layer, std::size_t j) {
   const Floats d;
   Lanes w = hn::Set(d, layer.weight);
@@ -115,7 +114,7 @@ HWY_INLINE Rotations normalised(const Rotations& q) {
   return scaled(q, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot4(q, q))));
 }
 
-/// eq   a * b, in single multiplications and additions, never fused
+/// eq   a * b, never fused
 HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
   const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
   const auto m = [](Lanes p, Lanes q) HWY_ATTR { return hn::Mul(p, q); };

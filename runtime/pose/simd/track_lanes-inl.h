@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interpolation of blocks of tracks, written once over Highway's lanes; included once per SIMD target, so without
-// `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never fused: all
-// targets give the same bits.
+// Interpolation of blocks of tracks, one track per lane. Included once per SIMD target, so without `#pragma once`.
+// Multiplications and additions are never fused, so all targets give the same bits.
 #if defined(SINEW_TRACK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_LANES_INL_H
 #undef SINEW_TRACK_LANES_INL_H
@@ -15,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Copies the values of a key, bit for bit (G06).
+/// Copies the values of a key bit for bit: exactly at a key nothing is interpolated.
 HWY_NOINLINE void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) {
   const KeyRow row(block, key);
   const std::size_t value_plane = block.value_plane, components = component_count(block.property);
@@ -45,7 +44,7 @@ struct HermiteRows {
   HWY_INLINE HermiteRows(const TrackBlock& block, const BetweenKeys& at)
       : begin(block, at.key), end(block, at.key + 1), weights(at), value_plane(block.value_plane) {}
 
-  /// eq   (value0 v0 + out0 b0) + (value1 v1 + in1 a1), the weights being those of the Hermite form
+  /// eq   (value0 v0 + out0 b0) + (value1 v1 + in1 a1), with the HermiteWeights value0, out0, value1, in1
   HWY_INLINE Lanes component(std::size_t c, std::size_t lane) const {
     const Floats d;
     const std::size_t n = value_plane;
@@ -64,7 +63,7 @@ HWY_NOINLINE void hermite_block(const TrackBlock& block, const BetweenKeys& at, 
   });
 }
 
-/// eq   sin x for 0 <= |x| <= pi / 2: odd polynomial of degree 9, least largest relative error 5.4e-9 (Remez)
+/// eq   sin x for 0 <= |x| <= pi / 2: odd minimax polynomial of degree 9 (Remez), relative error 5.4e-9
 HWY_INLINE Lanes sine(Lanes x) {
   const Floats d;
   const Lanes z = hn::Mul(x, x);
@@ -84,7 +83,7 @@ HWY_INLINE Lanes flushed(Lanes v) {
   return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v);
 }
 
-/// Slerp along the stored arc a, whose sign selects the shorter way (G01).
+/// Slerp along the stored arc a. The sign of a selects the shorter way.
 /// eq   normalise(q0 sin(r a) + q1 sin(s a))
 HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
@@ -92,7 +91,7 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   const KeyRow begin(block, at.key), end(block, at.key + 1);
   for_each_joint_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    // Zero past the last track, where arbitrary bits could make denormal products (N26).
+    // Zero past the last track: arbitrary bits there could make slow denormal products.
     const Lanes arc = place.tracks(begin.load(4, lane));
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
     const auto mix = [&](std::size_t c) HWY_ATTR {
@@ -107,9 +106,9 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   });
 }
 
-/// Cubic spline of rotations: the Hermite form of four components, then normalised without sign flip (G04, G05).
-/// A sum without direction gives the nearer key. The sum is first divided by its largest component, so that any
-/// finite length works.
+/// Cubic spline of rotations: the Hermite form of four components, normalised without sign flips, as glTF defines it. A
+/// sum of length zero gives the nearer key. The sum is first divided by its largest component, so that its square
+/// cannot overflow or underflow.
 HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const HermiteRows rows(block, at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads and stores of the lanes of a block of tracks; included once per SIMD target, so without `#pragma once`.
+// Loads and stores of the lanes of a block of tracks. Included once per SIMD target, so without `#pragma once`.
 #if defined(SINEW_TRACK_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_PLACES_INL_H
 #undef SINEW_TRACK_PLACES_INL_H
@@ -18,8 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kLanePadding>;
 using Lanes = hn::Vec<Floats>;
 
-/// The planes of one key. Copies what it needs of the block: after a store, compilers would reload that from the
-/// block.
+/// The planes of one key. Members are copies, because compilers reload fields of the block after every store.
 class KeyRow {
  public:
   HWY_INLINE KeyRow(const TrackBlock& block, std::size_t key)
@@ -34,7 +33,7 @@ class KeyRow {
   std::size_t lane_count_;
 };
 
-/// A vector of weights or numbers from `lane` on, whose targets are consecutive.
+/// A vector of weights or numbers, starting at `lane`. Their targets are consecutive.
 class NumberPlace {
  public:
   static constexpr std::size_t kComponents = 1;
@@ -56,7 +55,7 @@ class NumberPlace {
   std::size_t lane_, count_;
 };
 
-/// A vector of tracks from `lane` on, one for each joint from `joint` on.
+/// A vector of tracks from `lane` on, for consecutive joints from `joint` on.
 class FullPlace {
  public:
   static constexpr std::size_t kComponents = 3;  // of translations and scales
@@ -75,8 +74,8 @@ class FullPlace {
   std::size_t plane_stride_, lane_;
 };
 
-/// A vector of tracks from `lane` on, and their joints: the vector from `joint` on, permuted by `lane_of`. Some of the
-/// joints have no track.
+/// A vector of tracks from `lane` on, for joints with gaps. `lane_of` permutes them into the vector of joints from
+/// `joint` on; some of these joints have no track.
 class JointPlace {
  public:
   static constexpr std::size_t kComponents = 3;  // of translations and scales
@@ -90,7 +89,7 @@ class JointPlace {
         lanes_(hn::LoadU(Whole(), lane_of)) {}
 
   HWY_INLINE std::size_t lane() const { return lane_; }
-  /// Zero in the lanes past the last track.
+  /// Sets lanes past the last track to zero.
   HWY_INLINE Lanes tracks(Lanes v) const { return hn::IfThenElseZero(hn::FirstN(Floats(), count_), v); }
   HWY_INLINE void store(std::size_t component, Lanes values) const {
     const Floats d;
@@ -109,7 +108,7 @@ class JointPlace {
   hn::Vec<Whole> lanes_;
 };
 
-/// Calls `body(place)` for every vector of joints that a block has tracks of.
+/// Calls `body(place)` for every vector of joints for which the block has tracks.
 template <class Body>
 HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   constexpr std::size_t kLanes = hn::MaxLanes(Floats()), kPart = JointPlaces::kPart;
@@ -131,7 +130,7 @@ HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput&
   }
 }
 
-/// The same for blocks of any property.
+/// Same, for blocks of any property.
 template <class Body>
 HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   if (moves_joints(block.property)) return for_each_joint_place(block, out, body);

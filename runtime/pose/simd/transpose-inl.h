@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Four by four transposition; included once per SIMD target, so without `#pragma once`.
+// Four by four transposition. Included once per SIMD target, so without `#pragma once`.
 #if defined(SINEW_TRANSPOSE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRANSPOSE_INL_H
 #undef SINEW_TRANSPOSE_INL_H
@@ -20,7 +20,7 @@ struct FourVectors {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Transposes four by four within every 128-bit block: lane i of the results comes from argument i. Its own inverse.
+/// Transposes four by four within every 128-bit block: lane i of the results comes from argument i. Self-inverse.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FourVectors<V> transpose_blocks(D d, V a, V b, V c, V e) {
   const V ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);

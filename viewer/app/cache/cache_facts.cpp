@@ -15,7 +15,7 @@ std::string size_text(double bytes) {
 }  // namespace
 
 std::string describe_window(const CacheFacts& facts) {
-  return size_text(facts.bytes_per_s) + " a second read, window " + std::to_string(facts.frames_there) + " of " +
+  return size_text(facts.bytes_per_s) + " a second read, window " + std::to_string(facts.frames_loaded) + " of " +
          std::to_string(facts.window_frames) + " frames in " + size_text(static_cast<double>(facts.window_bytes));
 }
 

@@ -13,7 +13,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// The first bytes of a file, fewer where it is shorter; nothing when it cannot be read.
+/// Reads up to `bytes` bytes from the start of a file; empty if it cannot be read.
 std::optional<std::vector<std::byte>> start_of(const std::string& path, std::uint64_t bytes) {
   std::ifstream stream(path, std::ios::binary);
   std::vector<std::byte> start(bytes);

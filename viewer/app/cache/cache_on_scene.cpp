@@ -32,24 +32,24 @@ std::vector<Aabb> CacheOnScene::reach(const Scene& scene) const {
 }
 
 std::string describe_fault(const CacheFile& file, GeometryStatus status) {
-  if (status == GeometryStatus::not_there)
+  if (status == GeometryStatus::not_loaded)
     return file.name + ": cache-size: a frame cannot be read: the file has changed";
   return file.name + ": cache-checksum: a frame is not as it was written; bake the cache again";
 }
 
 tl::expected<std::shared_ptr<const CacheOnScene>, std::string> bind_cache(
-    CacheFile file, const Scene& scene, const std::function<void(const std::string&)>& say) {
+    CacheFile file, const Scene& scene, const std::function<void(const std::string&)>& log_line) {
   GeometryBindings found = bind_by_name(file.cache, scene);
   for (const std::string& unbound : found.unbound)
-    if (say) say(file.name + ": warning: " + unbound);
+    if (log_line) log_line(file.name + ": warning: " + unbound);
   if (found.bound.empty()) return tl::unexpected(file.name + ": no mesh of the scene fits one of the cache");
-  // With clips the clock of the scene is that of the cache, since `sinew bake` samples at clip times.
+  // If the scene has clips, clip time and cache time are the same, because `sinew bake` samples at clip times.
   const double start_s = scene.animations.empty() ? file.cache.start_s() : 0.0;
   return std::make_shared<const CacheOnScene>(CacheOnScene{std::move(file), std::move(found.bound), start_s});
 }
 
 tl::expected<CacheAlone, std::string> show_cache_alone(CacheFile file) {
-  CacheReader reader(file, CacheReader::Reads::at_once, 1);
+  CacheReader reader(file, CacheReader::Reads::blocking, 1);
   FrameWindow window(file.cache, reader.reader(), 1);
   auto made = scene_of(file.cache, window);
   if (!made) return tl::unexpected(describe_fault(file, made.error()));

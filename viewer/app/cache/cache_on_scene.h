@@ -14,34 +14,35 @@
 
 namespace sinew::viewer {
 
-/// A geometry cache and the mesh instances of a scene that it plays in.
+/// A geometry cache bound to mesh instances of a scene.
 struct CacheOnScene {
   CacheFile file;
-  std::vector<GeometryBinding> bindings;  ///< have passed check()
-  double start_s = 0.0;                   ///< on the clock of the cache, when the scene's clock is 0
+  std::vector<GeometryBinding> bindings;  ///< validated by check()
+  double start_s = 0.0;                   ///< cache time at scene time 0
 
-  double duration_s() const noexcept;                 ///< on the scene's clock
-  std::vector<std::uint32_t> instances() const;       ///< as Needs::cached_instances
-  std::vector<Aabb> reach(const Scene& scene) const;  ///< [instances] box of all frames; empty where none plays
+  double duration_s() const noexcept;            ///< scene time at which the cache ends
+  std::vector<std::uint32_t> instances() const;  ///< for Needs::cached_instances: sorted, no duplicates
+  /// [instances] bounds over all frames; empty for instances without a cache.
+  std::vector<Aabb> reach(const Scene& scene) const;
 };
 
-/// Why a frame cannot be shown, in one sentence.
-/// in   status  damaged or not_there
+/// One sentence: why a frame cannot be shown.
+/// in   status  damaged or not_loaded
 std::string describe_fault(const CacheFile& file, GeometryStatus status);
 
-/// Binds a cache to the meshes of the same names.
-/// in   say  receives what does not bind, a line each; may be empty
-/// err  one sentence, when nothing binds
+/// Binds each mesh of a cache to the scene's mesh of the same name.
+/// in   log_line  receives one line for each mesh that does not bind; may be empty
+/// err  one sentence if no mesh binds
 tl::expected<std::shared_ptr<const CacheOnScene>, std::string> bind_cache(
-    CacheFile file, const Scene& scene, const std::function<void(const std::string&)>& say);
+    CacheFile file, const Scene& scene, const std::function<void(const std::string&)>& log_line);
 
-/// A cache alone: a scene with its meshes as in the first frame, and the cache on it.
+/// A cache shown without a glTF file: a scene made of the meshes of its first frame, and the cache bound to it.
 struct CacheAlone {
   Scene scene;
   std::shared_ptr<const CacheOnScene> cache;
 };
 
-/// err  one sentence, when the first frame cannot be read
+/// err  one sentence if the first frame cannot be read
 tl::expected<CacheAlone, std::string> show_cache_alone(CacheFile file);
 
 }  // namespace sinew::viewer

@@ -9,10 +9,10 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr double kCount_s = 0.5;    // bytes a second are those of so long
-constexpr double kSmoothing = 0.1;  // weight of the newest frame in the mean
+constexpr double kCount_s = 0.5;    // period over which the read rate is measured
+constexpr double kSmoothing = 0.1;  // weight of the newest frame in the moving average
 constexpr std::uint32_t kReadAhead =
-    8;  // frames after a whole segment, which playing backwards decodes again and again
+    8;  // window frames beyond a whole segment; backward playback decodes the segment repeatedly
 
 std::uint32_t window_of(const GeometryCache& cache) { return cache.segment_frames() + kReadAhead; }
 
@@ -25,8 +25,8 @@ CachePlayback::CachePlayback(const CacheOnScene& cache, const Scene& scene, Cach
       window_(cache.file.cache, reader_.reader(), window_of(cache.file.cache)),
       player_(cache.file.cache, window_, scene, cache.bindings),
       inputs_(cache.instances().size()) {
-  if (reads == CacheReader::Reads::at_once) return;
-  window_.prefetch(0);  // so that the first picture is not late
+  if (reads == CacheReader::Reads::blocking) return;
+  window_.prefetch(0);  // so that the first picture shows the right frame
   while (window_.pending_reads() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
@@ -37,13 +37,13 @@ std::span<const GeometryInput> CachePlayback::at(double time_s, float weight) no
 
 std::string CachePlayback::fault() const {
   const GeometryStatus status = player_.status();
-  const bool unread = status == GeometryStatus::not_there && reads_ == CacheReader::Reads::at_once;
+  const bool unread = status == GeometryStatus::not_loaded && reads_ == CacheReader::Reads::blocking;
   return status == GeometryStatus::damaged || unread ? describe_fault(cache_.file, status) : std::string();
 }
 
 void CachePlayback::watch(const FrameResult& frame, Clock::time_point now) {
-  if (frame.frame == watched_frame_) return;
-  watched_frame_ = frame.frame;
+  if (frame.frame == recorded_frame_) return;
+  recorded_frame_ = frame.frame;
   late_ += is_late(frame);
   const auto stage = static_cast<std::size_t>(Stage::geometry_cache);
   if (frame.work.cache_frames_decoded * frame.work.vertices_from_cache > 0 && stage < frame.stage_ns.size()) {
@@ -67,7 +67,7 @@ CacheFacts CachePlayback::facts() const {
   facts.frame_s = cache.frame_s();
   for (const GeometryMesh& mesh : cache.meshes()) facts.vertex_count += mesh.vertex_count;
   facts.bytes_per_s = bytes_per_s_;
-  facts.frames_there = window_.frames_there();
+  facts.frames_loaded = window_.frames_loaded();
   facts.window_frames = std::min(window_of(cache), cache.frame_count());
   facts.window_bytes = window_.memory_bytes();
   facts.ns_per_vertex = ns_per_vertex_;

@@ -15,8 +15,8 @@
 
 namespace sinew::viewer {
 
-/// Plays a cache for one character, through a window of frames over its file. Only `at` and what it says otherwise may
-/// be called while a frame runs.
+/// Plays a cache for one character, through a window of loaded frames. While a frame is evaluated, only at() and
+/// facts() may be called.
 class CachePlayback {
  public:
   using Clock = std::chrono::steady_clock;
@@ -27,18 +27,18 @@ class CachePlayback {
   CachePlayback(const CachePlayback&) = delete;
   CachePlayback& operator=(const CachePlayback&) = delete;
 
-  /// The value of FrameInput::geometry at a time of the scene's clock. Valid until the next call.
+  /// The value of FrameInput::geometry at a scene time. Valid until the next call.
   std::span<const GeometryInput> at(double time_s, float weight) noexcept;
 
-  /// Why the last frame could not be shown, in one sentence; empty when it could, or when it only is late.
+  /// One sentence if the last frame cannot be shown; empty if it can, or if it is only late.
   std::string fault() const;
 
-  /// Records a frame, for facts(). A frame that was recorded last is left out.
+  /// Updates the statistics of facts() with an evaluated frame. Recording the same frame again has no effect.
   void watch(const FrameResult& frame, Clock::time_point now = Clock::now());
 
   std::uint64_t bytes_read() const noexcept { return reader_.bytes_read(); }
 
-  /// For the panel. May be called while a frame runs.
+  /// Statistics for the panel. May be called while a frame is evaluated.
   CacheFacts facts() const;
 
  private:
@@ -48,14 +48,14 @@ class CachePlayback {
   FrameWindow window_;
   GeometryPlayer player_;
   std::vector<GeometryInput> inputs_;
-  std::uint64_t watched_frame_ = 0, late_ = 0;
+  std::uint64_t recorded_frame_ = 0, late_ = 0;
   std::optional<double> ns_per_vertex_;
   Clock::time_point counted_at_ = Clock::now();
   std::uint64_t counted_bytes_ = 0;
   double bytes_per_s_ = 0.0;
 };
 
-/// The cache had not all that was asked for: an instance shows an older frame, or its pose.
+/// True if some instance shows an older cache frame, or its pose, because the requested frame was not loaded yet.
 bool is_late(const FrameResult& frame) noexcept;
 
 }  // namespace sinew::viewer

@@ -8,9 +8,10 @@
 
 namespace sinew::viewer {
 
-CacheReader::CacheReader(const CacheFile& file, Reads reads, std::size_t most_reads) : file_(file), asked_(most_reads) {
+CacheReader::CacheReader(const CacheFile& file, Reads reads, std::size_t most_reads)
+    : file_(file), requests_(most_reads) {
   if (!file.path.empty()) descriptor_ = ::open(file.path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (reads == Reads::beside) thread_ = std::thread([this] { work(); });
+  if (reads == Reads::on_thread) thread_ = std::thread([this] { work(); });
 }
 
 CacheReader::~CacheReader() {
@@ -20,33 +21,33 @@ CacheReader::~CacheReader() {
 
 FrameReader CacheReader::reader() noexcept {
   const auto read = [](void* context, std::uint64_t offset, std::span<std::byte> into, FrameRead& frame) noexcept {
-    return static_cast<CacheReader*>(context)->ask({offset, into, &frame});
+    return static_cast<CacheReader*>(context)->submit({offset, into, &frame});
   };
   return {read, this};
 }
 
-ReadOutcome CacheReader::ask(const Asked& asked) noexcept {
-  if (!thread_.joinable()) return !ends_ && read(asked) ? ReadOutcome::done : ReadOutcome::failed;
+ReadOutcome CacheReader::submit(const Request& request) noexcept {
+  if (!thread_.joinable()) return !stopping_ && read(request) ? ReadOutcome::done : ReadOutcome::failed;
   {
     const std::scoped_lock lock(mutex_);
-    if (count_ == asked_.size()) return ReadOutcome::failed;
-    asked_[(first_ + count_++) % asked_.size()] = asked;
+    if (count_ == requests_.size()) return ReadOutcome::failed;
+    requests_[(first_ + count_++) % requests_.size()] = request;
   }
-  came_.notify_one();
+  arrived_.notify_one();
   return ReadOutcome::pending;
 }
 
-bool CacheReader::read(const Asked& asked) noexcept {
+bool CacheReader::read(const Request& request) noexcept {
   if (file_.path.empty()) {
-    if (asked.offset > file_.bytes.size() || asked.into.size() > file_.bytes.size() - asked.offset) return false;
-    std::memcpy(asked.into.data(), file_.bytes.data() + asked.offset, asked.into.size());
-    bytes_read_.fetch_add(asked.into.size(), std::memory_order_relaxed);
+    if (request.offset > file_.bytes.size() || request.into.size() > file_.bytes.size() - request.offset) return false;
+    std::memcpy(request.into.data(), file_.bytes.data() + request.offset, request.into.size());
+    bytes_read_.fetch_add(request.into.size(), std::memory_order_relaxed);
     return true;
   }
-  for (std::size_t done = 0; done < asked.into.size();) {
-    const auto rest = asked.into.subspan(done);
-    const auto bytes = ::pread(descriptor_, rest.data(), rest.size(), static_cast<off_t>(asked.offset + done));
-    if (bytes <= 0) return false;  // also where the file has become shorter
+  for (std::size_t done = 0; done < request.into.size();) {
+    const auto rest = request.into.subspan(done);
+    const auto bytes = ::pread(descriptor_, rest.data(), rest.size(), static_cast<off_t>(request.offset + done));
+    if (bytes <= 0) return false;  // 0 = end of file: the file has become shorter
     done += static_cast<std::size_t>(bytes);
     bytes_read_.fetch_add(static_cast<std::uint64_t>(bytes), std::memory_order_relaxed);
   }
@@ -56,10 +57,10 @@ bool CacheReader::read(const Asked& asked) noexcept {
 void CacheReader::work() noexcept {
   std::unique_lock lock(mutex_);
   for (;;) {
-    came_.wait(lock, [this] { return count_ > 0 || ends_; });
+    arrived_.wait(lock, [this] { return count_ > 0 || stopping_; });
     if (count_ == 0) return;
-    const Asked next = asked_[first_];
-    first_ = (first_ + 1) % asked_.size();
+    const Request next = requests_[first_];
+    first_ = (first_ + 1) % requests_.size();
     --count_;
     lock.unlock();
     next.read->finish(read(next));
@@ -70,9 +71,9 @@ void CacheReader::work() noexcept {
 void CacheReader::stop() noexcept {
   {
     const std::scoped_lock lock(mutex_);
-    ends_ = true;
+    stopping_ = true;
   }
-  came_.notify_one();
+  arrived_.notify_one();
   if (thread_.joinable()) thread_.join();
 }
 

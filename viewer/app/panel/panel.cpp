@@ -19,11 +19,11 @@ const ImVec4 kFaultColor(1.0f, 0.5f, 0.4f, 1.0f);
 
 void text(std::string_view line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
-void exhibit_choice(const PanelFacts& facts, PanelWishes& wishes) {
-  if (facts.exhibits.size() >= 2) {
-    if (ImGui::BeginCombo("scene", facts.exhibits[facts.exhibit].c_str())) {
-      for (std::uint32_t i = 0; i < facts.exhibits.size(); ++i)
-        if (ImGui::Selectable(facts.exhibits[i].c_str(), i == facts.exhibit)) wishes.exhibit = i;
+void scene_combo(const PanelFacts& facts, PanelRequests& requests) {
+  if (facts.scene_names.size() >= 2) {
+    if (ImGui::BeginCombo("scene", facts.scene_names[facts.scene_index].c_str())) {
+      for (std::uint32_t i = 0; i < facts.scene_names.size(); ++i)
+        if (ImGui::Selectable(facts.scene_names[i].c_str(), i == facts.scene_index)) requests.scene = i;
       ImGui::EndCombo();
     }
   } else {
@@ -129,7 +129,8 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
   ImGui::PopTextWrapPos();
 }
 
-/// A list of the names of an enumeration, in its order.
+/// A combo box of an enumeration.
+/// in   names  of its values, in order from 0
 template <class Choice>
 void choice(const char* label, std::initializer_list<const char*> names, Choice& chosen) {
   const auto at = static_cast<std::size_t>(chosen);
@@ -193,13 +194,14 @@ void transparency_choice(const Scene& scene, Settings& settings) {
   if (blends) choice("blended", {"sorted", "weighted"}, settings.transparency);
 }
 
-void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wishes) {
+void look_controls(const PanelFacts& facts, Settings& settings, PanelRequests& requests) {
   camera_choice(*facts.scene, settings);
   variant_choice(*facts.scene, settings);
   skinning_choice(facts, settings);
   updates_choice(facts, settings);
   int occlusion = settings.ambient_occlusion ? 1 + static_cast<int>(settings.occlusion_method) : 0;
-  if (facts.has_access || settings.occlusion_method == OcclusionMethod::rays)  // asked for, though none could be cast
+  if (facts.has_visibility ||
+      settings.occlusion_method == OcclusionMethod::rays)  // was requested with --ao rays, even if baking failed
     choice("occlusion", {"none", "ssao: points", "gtao: horizons", "rays: at vertices"}, occlusion);
   else
     choice("occlusion", {"none", "ssao: points", "gtao: horizons"}, occlusion);
@@ -225,8 +227,8 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   transparency_choice(*facts.scene, settings);
   const Framing before = settings.framing;
   choice("frame", {"clip", "pose", "follow"}, settings.framing);
-  wishes.frame_all |= settings.framing != before;
-  if (ImGui::Button("frame all")) wishes.frame_all = true;
+  requests.frame_all |= settings.framing != before;
+  if (ImGui::Button("frame all")) requests.frame_all = true;
 }
 
 void key_help() {
@@ -242,31 +244,32 @@ void key_help() {
   ImGui::EndTable();
 }
 
-/// The wider part of the window beside the ImGui window that is laid out.
+/// The wider part of the main window to the left or right of the current ImGui window.
 FreeWidth free_beside_panel(float room) {
   const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
   const auto place = [room](float x) { return glm::clamp(2.0 * static_cast<double>(x / room) - 1.0, -1.0, 1.0); };
   const FreeWidth free = left > room - right ? FreeWidth{-1.0, place(left)} : FreeWidth{place(right), 1.0};
-  constexpr double kTooNarrow = 0.5;  // a quarter of the window: then the scene lies behind the panel
+  // A quarter of the window: if less is free, the scene uses the whole width, behind the panel.
+  constexpr double kTooNarrow = 0.5;
   return free.right - free.left < kTooNarrow ? FreeWidth{} : free;
 }
 
 }  // namespace
 
-PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback) {
-  PanelWishes wishes;
-  if (!settings.panel) return wishes;
+PanelRequests lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback) {
+  PanelRequests requests;
+  if (!settings.panel) return requests;
   const float unit = ImGui::GetFontSize();
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({unit, unit}, ImGuiCond_FirstUseEver);
   const float width = std::min(unit * 26.0f, std::max(room.x - 2.0f * unit, unit));
-  // As high as its contents, at most as high as the window; then it scrolls.
+  // Height follows the content, up to the height of the window; beyond that it scrolls.
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {
-    wishes.free = free_beside_panel(room.x);
+    requests.free = free_beside_panel(room.x);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("backdrop  ").x);
-    exhibit_choice(facts, wishes);
+    scene_combo(facts, requests);
     ImGui::Separator();
     time_controls(*facts.scene, playback);
     ImGui::Separator();
@@ -274,7 +277,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
       cache_controls(*facts.cache, settings);
       ImGui::Separator();
     }
-    look_controls(facts, settings, wishes);
+    look_controls(facts, settings, requests);
     ImGui::Checkbox("live plan", &settings.plan);
     ImGui::SameLine();
     bool quaternions = settings.normals == NormalInterpolation::quaternion;
@@ -285,7 +288,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
   }
   ImGui::End();
   if (settings.plan) lay_out_plan(facts, settings.plan);
-  return wishes;
+  return requests;
 }
 
 }  // namespace sinew::viewer

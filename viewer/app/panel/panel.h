@@ -16,31 +16,31 @@
 
 namespace sinew::viewer {
 
-/// What the panel shows.
+/// Data that the panel shows.
 struct PanelFacts {
   std::string_view name, note, device;
-  std::string_view reload_fault;  ///< why the file as it is now is not shown; empty = it is
+  std::string_view reload_fault;  ///< why the changed file is not shown; empty = it is shown
   const Scene* scene = nullptr;
   const Needs* needs = nullptr;
-  std::string updates;                    ///< how often poses are evaluated, and why
-  std::optional<CacheFacts> cache;        ///< none = no geometry cache plays
-  std::span<const PlanRow> rows;          ///< the live plan
-  bool resting = false;                   ///< nothing moves, so no pose is evaluated
-  bool has_access = false;                ///< the exhibit has ambient access at its vertices
-  double frame_ms = 0.0;                  ///< time from one picture to the next, smoothed
-  std::span<const std::string> exhibits;  ///< names of the scenes; a choice is offered from two on
-  std::uint32_t exhibit = 0;
+  std::string updates;                       ///< update rate of the poses, and the reason for it
+  std::optional<CacheFacts> cache;           ///< unset = no geometry cache plays
+  std::span<const PlanRow> rows;             ///< rows of the live plan
+  bool resting = false;                      ///< nothing moves, so no pose is evaluated
+  bool has_visibility = false;               ///< the scene has per-vertex ambient visibility
+  double frame_ms = 0.0;                     ///< smoothed time between pictures
+  std::span<const std::string> scene_names;  ///< the menu appears if there are at least two
+  std::uint32_t scene_index = 0;
 };
 
-/// What the user asked for, apart from changed settings and playback.
-struct PanelWishes {
+/// User requests that are not applied to settings or playback directly.
+struct PanelRequests {
   bool frame_all = false;
-  std::optional<std::uint32_t> exhibit;
-  FreeWidth free;  ///< the wider part of the window beside the panel; all of it where that is closed or collapsed
+  std::optional<std::uint32_t> scene;
+  FreeWidth free;  ///< the wider part of the window beside the panel; everything if the panel is closed or collapsed
 };
 
 /// Lays out the panel with ImGui calls, and applies what the user changes to settings and playback. An ImGui frame must
 /// have begun; no device is needed.
-PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback);
+PanelRequests lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback);
 
 }  // namespace sinew::viewer

@@ -20,7 +20,7 @@ void set_style(GLFWwindow* window) {
   style.WindowBorderSize = 0.0f;
   style.Colors[ImGuiCol_WindowBg].w = 0.85f;
   style.Colors[ImGuiCol_TitleBgActive] =
-      style.Colors[ImGuiCol_TitleBg];  // one window: active or not must look the same
+      style.Colors[ImGuiCol_TitleBg];  // the panel looks the same with and without focus
   float scale = 1.0f, vertical = 1.0f;
   glfwGetWindowContentScale(window, &scale, &vertical);
   style.ScaleAllSizes(scale);
@@ -35,7 +35,8 @@ PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindo
   make_render_pass(swapchain.format());
   const VkDescriptorPoolSize one{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // for the font
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;  // newer releases of Dear ImGui free their sets
+  // Newer releases of Dear ImGui free their descriptor sets.
+  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
   pool.maxSets = 1;
   pool.poolSizeCount = 1;
   pool.pPoolSizes = &one;

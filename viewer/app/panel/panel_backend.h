@@ -12,8 +12,8 @@ namespace sinew::viewer {
 class Device;
 class Swapchain;
 
-/// Dear ImGui with its GLFW and Vulkan backends: receives the input of the window, draws over a finished picture.
-/// thread: the one of the window;   only one object may exist at a time
+/// Dear ImGui with its GLFW and Vulkan backends. Receives the window's input and draws over a finished picture.
+/// thread: the window's thread;   only one object may exist at a time
 class PanelBackend {
  public:
   PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindow* window);
@@ -21,7 +21,7 @@ class PanelBackend {
   PanelBackend(const PanelBackend&) = delete;
   PanelBackend& operator=(const PanelBackend&) = delete;
 
-  /// Adapts to the new images after Swapchain::remake.
+  /// Recreates the framebuffers for the new images after Swapchain::remake.
   void follow(const Swapchain& swapchain);
 
   /// Begins an ImGui frame. Lay out the panel with ImGui calls between begin() and record().
@@ -31,8 +31,8 @@ class PanelBackend {
   /// in   image  in layout COLOR_ATTACHMENT_OPTIMAL; left in PRESENT_SRC
   void record(VkCommandBuffer commands, std::uint32_t image);
 
-  bool wants_mouse() const;  ///< the mouse is over the panel, or a drag began there
-  bool wants_keys() const;   ///< text is being typed
+  bool wants_mouse() const;  ///< true if the mouse is over the panel or a drag began there
+  bool wants_keys() const;   ///< true while text is typed into the panel
 
  private:
   void make_render_pass(VkFormat format);

@@ -63,7 +63,7 @@ void lay_out_table(std::span<const PlanRow> rows) {
 void lay_out_plan(const PanelFacts& facts, bool& open) {
   const float unit = ImGui::GetFontSize();
   const ImVec2 room = ImGui::GetIO().DisplaySize;
-  const float beside = 28.0f * unit;  // right of the main panel if there is room, else over it
+  const float beside = 28.0f * unit;  // to the right of the main panel if there is room, else over it
   const float width = std::clamp(room.x - beside - unit, std::min(44.0f * unit, room.x - 2.0f * unit), 64.0f * unit);
   ImGui::SetNextWindowPos({room.x - width - unit, unit}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});

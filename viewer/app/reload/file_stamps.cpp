@@ -7,7 +7,7 @@ namespace sinew::viewer {
 namespace fs = std::filesystem;
 namespace {
 
-// A file may go at any time, so nothing here throws.
+// Ignores errors: a file may disappear at any time.
 void add_stamp(const fs::path& file, FileStamps& stamps) {
   std::error_code fault;
   if (!fs::is_regular_file(file, fault)) return;

@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// Tells a file that was written again from one that was not: time and size differ.
+/// Identifies a state of a file by modification time and size.
 struct FileStamp {
   std::filesystem::file_time_type written;
   std::uintmax_t bytes = 0;
@@ -15,17 +15,18 @@ struct FileStamp {
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// Files that exist, by absolute path.
+/// Stamps of existing files, by absolute path.
 using FileStamps = std::map<std::filesystem::path, FileStamp>;
 
-/// The path by which FileStamps has a file: absolute, its folder without links. A link at its end stays.
+/// The key of a file in FileStamps: an absolute path whose folder has its links resolved. A link in the last component
+/// is kept.
 std::filesystem::path stamp_key(const std::filesystem::path& file);
 
-/// Stamps of these files. One that does not exist is left out, so it differs from itself as soon as it does.
-/// in   files  as stamp_key has them
+/// Stamps of these files. Missing files have no entry, so the map changes when they appear.
+/// in   files  paths from stamp_key
 FileStamps stamps_of(std::span<const std::filesystem::path> files);
 
-/// Adds the regular files of a folder, without those of the folders in it.
+/// Adds the regular files of a folder, not recursively.
 void add_stamps_in(const std::filesystem::path& folder, FileStamps& stamps);
 
 }  // namespace sinew::viewer

@@ -4,24 +4,24 @@
 
 namespace sinew::viewer {
 
-/// Decides when changed files are read again. It has neither a clock nor a disk: both are given.
+/// Decides when changed files are reloaded. It uses no clock and no disk: times and stamps are passed in.
 ///
-/// Files count as changed when they differ from what was read. They are read when two looks in a row see the same, so
-/// a file that is being written waits until its writer pauses. A read that came too early is repaired by the next
-/// change, and a change back to what was read needs no read at all.
+/// Files count as changed when their stamps differ from those of the last load. They are reloaded once two checks in a
+/// row see equal stamps, so a file is not read while it is being written. A reload that came too early is followed by
+/// another one after the next change.
 class FileWatch {
  public:
-  static constexpr double kPeriod_s = 0.25;  ///< between two looks
+  static constexpr double kPeriod_s = 0.25;  ///< time between two checks
 
-  /// It is time to look.
-  /// in   now_s  of any clock that never goes back
+  /// True if it is time for the next check.
+  /// in   now_s  time of any monotonic clock
   bool due(double now_s) const noexcept { return now_s >= next_look_s_; }
 
-  /// in   seen  the files as they are now
-  /// out  true: read them now
+  /// in   seen  current stamps of the files
+  /// out  true = reload them now
   bool look(double now_s, FileStamps seen);
 
-  /// in   files  as they were before the read began, so that a change during the read is a change
+  /// in   files  stamps taken before the load began, so that a change during loading is noticed
   void was_read(FileStamps files);
 
  private:

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/loaded_scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "importer/add_centers_of_rotation.h"
+#include "importer/import_gltf.h"
+#include "runtime/base/contract.h"
+#include "runtime/model/scene.h"
+#include "samples/showcase/showcase.h"
+#include "viewer/app/bake_visibility.h"
+#include "viewer/app/load_environment.h"
+#include "viewer/passes/frame_uniforms.h"
+#include "viewer/upload/upload_materials.h"
+
+namespace sinew::viewer {
+namespace {
+
+using LogLine = std::function<void(const std::string&)>;
+
+std::vector<LoadedScene> built_in(const LogLine& log_line) {
+  std::vector<LoadedScene> loaded_scenes;
+  for (auto& shown : showcase::showcase(showcase::flag_cache())) {
+    auto& loaded = loaded_scenes.emplace_back();
+    loaded.name = std::move(shown.name);
+    loaded.note = std::move(shown.what_to_look_at);
+    loaded.scene = std::move(shown.scene);
+    loaded.instance_skinning = std::move(shown.needs.instance_skinning);
+    loaded.camera = PlacedCamera{shown.eye, shown.target};
+    loaded.fov_y_rad = static_cast<double>(shown.fov_y_rad);
+    if (shown.geometry_cache.empty()) continue;
+    auto file = open_cache_bytes("geometry cache, within the program", shown.geometry_cache);
+    CONTRACT(file.has_value());
+    loaded.cache = *bind_cache(std::move(*file), loaded.scene, log_line);
+  }
+  return loaded_scenes;
+}
+
+/// Warns about material and texture extensions that would change the picture but are not supported.
+void warn_about_unshown_extensions(const std::string& file, const std::vector<std::string>& extensions,
+                                   const LogLine& log_line) {
+  std::string names;
+  for (const std::string& name : extensions) {
+    const bool changes_pictures =
+        name.find("_materials_") != std::string::npos || name.find("_texture_") != std::string::npos;
+    if (changes_pictures && extension_support(name) != ExtensionSupport::read)
+      names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) log_line(file + ": warning: not shown: " + names);
+}
+
+/// Warns about scene content that exceeds the viewer's limits: lights, images of a material, texture coordinate sets.
+void warn_about_unshown_content(const std::string& file, const Scene& scene, const LogLine& log_line) {
+  if (scene.lights.size() > kMaxLights)
+    log_line(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " +
+             std::to_string(kMaxLights));
+  for (const Material& material : scene.materials) {
+    if (!shows_all_textures(material))
+      log_line(file + ": warning: material \"" + material.name + "\" has more images than the viewer shows");
+    for (const TextureUse* use : texture_uses(material))
+      if (use->used() && use->texcoord > 1)
+        log_line(file + ": warning: material \"" + material.name + "\" uses TEXCOORD_" + std::to_string(use->texcoord) +
+                 "; the viewer takes TEXCOORD_0 instead");
+  }
+}
+
+tl::unexpected<LoadError> fails(std::string why) { return tl::unexpected(LoadError{1, std::move(why)}); }
+
+/// Selects one scene of a glTF file: the requested one, else the file's default scene, else all nodes.
+tl::expected<void, LoadError> choose_scene(const std::string& file, std::optional<std::uint32_t> asked, Scene& scene,
+                                           const LogLine& log_line) {
+  const std::size_t count = scene.scenes.size();
+  if (asked && *asked >= count)
+    return tl::unexpected(LoadError{2, "--scene " + std::to_string(*asked) + ": " + file + " has " +
+                                           (count == 0 ? "no scenes" : "scenes 0 to " + std::to_string(count - 1))});
+  const std::uint32_t shown = asked.value_or(scene.default_scene);
+  if (!asked && count > 1)
+    log_line(file + ": " + std::to_string(count) + " scenes; scene " + std::to_string(shown) + " is shown (--scene)");
+  show_scene(scene, shown);
+  return {};
+}
+
+tl::expected<LoadedScene, LoadError> from_cache(const std::string& path) {
+  auto file = open_cache_file(path);
+  if (!file) return fails(std::move(file.error()));
+  auto alone = show_cache_alone(std::move(*file));
+  if (!alone) return fails(std::move(alone.error()));
+  LoadedScene loaded;
+  loaded.name = alone->cache->file.name;
+  loaded.scene = std::move(alone->scene);
+  loaded.cache = std::move(alone->cache);
+  loaded.files = {path};
+  return loaded;
+}
+
+tl::expected<LoadedScene, LoadError> from_file(const Options& options, const LogLine& log_line,
+                                               const std::function<void(double)>& progress) {
+  const std::string &file = options.file, &cache = options.cache;
+  ImportOptions how;
+  const bool reads_visibility = options.occlusion_method == OcclusionMethod::rays && options.key_poses == 1;
+  how.carry_document = reads_visibility;
+  if (progress) how.progress = [&](const char*, double done) { progress(done); };
+  auto imported = import_gltf(std::filesystem::path(file), how);
+  const auto& warnings = imported ? imported->warnings : imported.error().warnings;
+  for (const auto& warning : warnings) log_line(describe(file, warning));
+  if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
+  warn_about_unshown_content(file, imported->scene, log_line);
+  warn_about_unshown_extensions(file, imported->facts.extensions_used, log_line);
+  if (auto chosen = choose_scene(file, options.scene, imported->scene, log_line); !chosen)
+    return tl::unexpected(std::move(chosen.error()));
+  LoadedScene loaded;
+  if (reads_visibility) loaded.visibility = file_visibility(*imported, log_line);
+  loaded.name = std::filesystem::path(file).filename().string();
+  loaded.scene = std::move(imported->scene);
+  loaded.files = std::move(imported->facts.files);
+  if (cache.empty()) return loaded;
+  auto opened = open_cache_file(cache);
+  if (!opened) return fails(std::move(opened.error()));
+  auto bound = bind_cache(std::move(*opened), loaded.scene, log_line);
+  if (!bound) return fails(std::move(bound.error()));
+  loaded.cache = std::move(*bound);
+  loaded.files.emplace_back(cache);
+  return loaded;
+}
+
+tl::expected<LoadedScene, LoadError> named_file(const Options& options, const LogLine& log_line,
+                                                const std::function<void(double)>& progress) {
+  const bool alone = is_cache_file(options.file);
+  if (alone && !options.cache.empty())
+    return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
+  if (alone && options.scene)
+    return tl::unexpected(LoadError{2, "--scene: " + options.file + " is a geometry cache, which has no scenes"});
+  return alone ? from_cache(options.file) : from_file(options, log_line, progress);
+}
+
+}  // namespace
+
+Needs needs_of(const LoadedScene& loaded, const Evaluation& evaluation) {
+  Needs needs;
+  needs.bounds = true;
+  needs.max_layers = 1;
+  needs.skinning = evaluation.skinning;
+  needs.instance_skinning = loaded.instance_skinning;
+  needs.stage_times = evaluation.stage_times || loaded.cache;
+  if (loaded.cache) needs.cached_instances = loaded.cache->instances();
+  needs.between_updates = evaluation.updates == Updates::interpolated;
+  return needs;
+}
+
+double cache_duration_s(const LoadedScene& loaded) noexcept { return loaded.cache ? loaded.cache->duration_s() : 0.0; }
+
+tl::expected<std::vector<LoadedScene>, LoadError> load_scenes(const Options& options, const LogLine& log_line,
+                                                              const std::function<void(double)>& progress) {
+  std::vector<LoadedScene> loaded_scenes;
+  if (options.file.empty()) {
+    loaded_scenes = built_in(log_line);
+    if (options.first_scene() >= loaded_scenes.size())
+      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.first_scene()) +
+                                             ": the built-in scenes are 0 to " +
+                                             std::to_string(loaded_scenes.size() - 1)});
+  } else {
+    auto loaded = named_file(options, log_line, progress);
+    if (!loaded) return tl::unexpected(std::move(loaded.error()));
+    loaded_scenes.push_back(std::move(*loaded));
+  }
+  const auto environment = load_environment(options.environment, options.disk_cache);
+  if (!environment) return fails(environment.error());
+  for (LoadedScene& loaded : loaded_scenes) loaded.environment = *environment;
+  return loaded_scenes;
+}
+
+tl::expected<LoadedScene, LoadError> reload_scene(const Options& options,
+                                                  std::shared_ptr<const Environment> environment,
+                                                  const LogLine& log_line) {
+  auto loaded = named_file(options, log_line, nullptr);
+  if (loaded) loaded->environment = std::move(environment);
+  return loaded;
+}
+
+void add_missing_centers(LoadedScene& loaded, Skinning skinning, const std::function<void(double)>& progress) {
+  const auto& own = loaded.instance_skinning;
+  const bool asked_for = own.empty() ? skinning == Skinning::center_of_rotation
+                                     : std::find(own.begin(), own.end(), Skinning::center_of_rotation) != own.end();
+  if (!asked_for) return;
+  CentersOptions how;
+  how.progress = progress;
+  add_centers_of_rotation(loaded.scene, how);
+}
+
+}  // namespace sinew::viewer
