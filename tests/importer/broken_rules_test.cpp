@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For every rule of importer/rules.inc a small file breaks it; the import reports its code, severity and JSON pointer.
-// Files in broken/ are named after the rule; asset.extras gives the place and what is said of it. Rules about
+// One small file breaks each rule of importer/rules.inc. The import must report the rule's code, severity and JSON
+// pointer. Files in broken/ have the name of their rule; asset.extras holds the expected place and message. Rules about
 // containers and limits, which no .gltf can break, are broken in code.
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::string list(const std::vector<ImportIssue>& issues) {
   return text;
 }
 
-/// What is said of a rule that is broken at a place, " | " between several; nothing where it is not named.
+/// Details of all issues of this rule at this place, separated by " | "; empty if there is none.
 std::string said(const std::vector<ImportIssue>& issues, const RuleText& rule, const std::string& place) {
   std::string text;
   for (const ImportIssue& issue : issues)
@@ -66,7 +66,7 @@ std::string container(const std::vector<std::pair<std::string, std::string>>& ch
 const std::string kEmpty = R"({"asset":{"version":"2.0"}} )";
 const std::string kBin("BIN\0", 4);
 
-/// A rule that no .gltf file can break, what is said of it, and what an import says.
+/// A rule that no .gltf file can break, with the expected detail and the issues of an import that breaks it.
 struct CaseInCode {
   std::string_view rule;
   std::string says;
@@ -158,7 +158,6 @@ TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
   }
 }
 
-/// A rule that says "error" does not let the file load, another one does.
 TEST(broken_rules, severity_decides_whether_the_file_loads) {
   for (const auto& entry : fs::directory_iterator(broken_folder())) {
     const RuleText* rule = find_rule(entry.path().stem().string());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which clip `sinew cost` looks at, what it refuses, and what becomes of reports that cannot be written.
+// The options of `sinew cost`: which clip it measures, which files it refuses, and errors while writing reports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -91,7 +91,7 @@ TEST(cost_command, refuses_a_cache_with_a_damaged_frame) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-/// A folder with a file where an older report is moved aside to, so that nothing can be put into its place.
+/// A folder in which a file blocks the name that the older report is moved to. So no new report can be written.
 fs::path blocked_report(const ToolModelFile& model) {
   const fs::path out = model.beside("costs");
   EXPECT_FALSE(cost::write_report(cost::Report{}, out));

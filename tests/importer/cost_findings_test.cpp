@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the studies of `sinew cost` say: which ways they compare, which is sinew's own, and the sentences that they make
-// of errors and times. Errors, times and sizes are made up here; cost_report_test.cpp holds the errors to the truth.
+// The findings of `sinew cost`: which methods it compares, which is sinew's own, and the sentences made from errors and
+// times. The numbers here are invented; cost_report_test.cpp checks real errors.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -18,12 +18,12 @@ namespace sinew::test {
 namespace {
 using testing::StartsWith;
 
-/// What a point costs, in the units of its group.
+/// Invented result of a method, in the units of its group.
 struct Cost {
   double error = 0.0, time_ns = 0.0, size = 0.0;
 };
 
-/// What the study says when its points cost so much; those without a name here cost more than anything else.
+/// The findings of a study whose methods have these costs. A method that is not listed costs more than all listed ones.
 std::vector<std::string> said(const Study& study, const std::map<std::string, Cost>& costs) {
   Group group = study.group;
   for (Point& point : group.points) {
@@ -42,7 +42,7 @@ std::vector<std::string> names(const Group& group) {
   return out;
 }
 
-/// An arm that keeps its numbers in three keys, so that every way to store them applies.
+/// An arm with three keys, so that every storage method applies.
 Scene arm() {
   Scene scene = arm_scene();
   scene.animations[0].name = "wave";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts that `sinew cost` measures with: its own kernels, the probe at the skin, the limb, medians and Pareto
-// fronts.
+// The building blocks of `sinew cost`: its kernels, the skin probe, the limb, medians and Pareto fronts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,9 +29,10 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr std::uint32_t kJoints = 37;  // no multiple of any vector's length
+constexpr std::uint32_t kJoints = 37;  // not a multiple of any vector length
 
-/// Every joint turns through four keys, neighbours up to 170 degrees apart in either hemisphere.
+/// Every joint turns through four keys. Neighbouring keys are up to 170 degrees apart, and either sign of a quaternion
+/// occurs.
 Animation turning(std::uint64_t seed) {
   FixedRandom random(seed);
   Animation out;

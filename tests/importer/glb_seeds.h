@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// A .glb from its JSON text and its binary chunk, padded as the container needs it.
+/// A .glb of this JSON text and binary chunk, padded as the container demands.
 std::vector<std::byte> make_glb(std::string json, std::vector<std::byte> bin);
 
 /// Small valid files that together touch every part of the importer: skin, morph targets, sparse accessors, animations

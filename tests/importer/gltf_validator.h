@@ -13,11 +13,11 @@ namespace sinew::test {
 inline constexpr const char* kNoValidator =
     "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
 
-/// What the npm package gltf-validator finds in each file: {file: [[code, pointer and message], ...]}. Buffers and
-/// images beside a file are read, too.
-/// in    folder         keeps what is written for the validator
+/// Runs the npm package gltf-validator on files: returns {file: [[code, pointer and message], ...]}. It also reads the
+/// buffers and images beside a file.
+/// in    folder         for the validator's script and output
 ///       most_severity  0 = errors alone, 3 = also warnings, infos and hints
-/// out   nothing where the validator is not installed
+/// out   std::nullopt if the validator is not installed
 std::optional<nlohmann::json> issues_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files,
                                                   int most_severity);
 

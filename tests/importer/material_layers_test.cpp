@@ -10,7 +10,7 @@ namespace {
 using gltf::Json;
 using testing::IsEmpty;
 
-/// What is read of the extensions of a material; its warnings as "rule at place".
+/// A material read from its extensions, and the warnings as "rule at place".
 struct LayerReading {
   Material material;
   std::vector<std::string> warnings;

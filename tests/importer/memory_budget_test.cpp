@@ -10,8 +10,8 @@
 namespace sinew::test {
 namespace {
 
-/// A clip that moves the default weights of a mesh that `nodes` nodes show; `end` of its sampler has 16 MiB of floats
-/// and no bytes in the file.
+/// Imports a clip that moves the default weights of a mesh shown by `nodes` nodes. Accessor `end` of its sampler claims
+/// 16 MiB of floats without any bytes in the file.
 std::string outcome_of(std::size_t nodes, const char* end) {
   TinyGltf file;
   Json& primitive = file.add_triangle();

@@ -10,19 +10,19 @@
 
 namespace sinew::test {
 
-/// The values of one attribute: as many floats a vertex as the attribute has components.
+/// Vertex values by the name of their attribute: for each vertex as many floats as the attribute has components.
 using TriangleValues = std::map<std::string, std::vector<float>>;
 
-/// Triangles as a Draco stream that is not quantised, in an order of vertices that the encoder chooses.
-/// in   corners  [3 * triangles] vertices of `values`, each used by some corner and unlike all others
-/// out  ids      the number of each attribute
+/// Encodes triangles as a Draco stream without quantisation. The encoder chooses the order of vertices.
+/// in   corners  [3 * triangles] vertices of `values`; each is used by some corner, and no two are equal
+/// out  ids      the Draco id of each attribute
 std::vector<std::byte> draco_stream(const TriangleValues& values, const std::vector<std::uint32_t>& corners,
                                     std::map<std::string, int>& ids);
 
-/// One triangle.
+/// Same, for one triangle.
 std::vector<std::byte> draco_triangle(const TriangleValues& values, std::map<std::string, int>& ids);
 
-/// A document with one primitive: the triangles under KHR_draco_mesh_compression. JOINTS_0 is of bytes.
+/// A document of one primitive with KHR_draco_mesh_compression. JOINTS_0 is stored as bytes.
 TinyGltf draco_document(const TriangleValues& values, const std::vector<std::uint32_t>& corners = {0, 1, 2});
 
 }  // namespace sinew::test
