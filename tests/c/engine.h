@@ -2,7 +2,8 @@
 #pragma once
 #include "runtime/sinew.h"
 
-// A small engine in C. engine.c is compiled as C11; the C++ tests compare its results with those of the C++ interface.
+// A small engine in C. The file engine.c is compiled as C (C11). The C++ tests compare its results with those of the
+// C++ interface.
 
 #ifdef __cplusplus
 extern "C" {

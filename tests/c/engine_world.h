@@ -12,8 +12,8 @@ extern "C" {
 sinew_error engine_walk(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
                         uint32_t mode, double dt_s, int steps, sinew_dual_quat* world, sinew_affine* root);
 
-/// Runs one frame with the joints of a skeleton LOD and reads the world matrices of all joints of the scene, each with
-/// the offset; then the LOD's own numbers (left_out, worst_joint, measured_m as float, flags of kept joints).
+/// Runs one frame of a skeleton LOD. Reads the world matrices of all joints of the scene, each with
+/// the offset. Then it reads the LOD's own numbers (left_out, worst_joint, measured_m as float, flags of kept joints).
 sinew_error engine_play_lod(const sinew_scene* scene, double tolerance_m, const sinew_frame_input* input,
                             const sinew_affine* offset, engine_numbers* out);
 

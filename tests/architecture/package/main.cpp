@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An engine with a folder `runtime` of its own, first among its include folders. Exit status 0 when both scenes are
-// what they are.
+// An engine with its own folder `runtime`, which comes first among its include folders. Exit status 0 if each Scene is
+// the right one.
 #include <sinew/runtime/plan/run_plan.h>
 
 #include "runtime/model/scene.h"
