@@ -127,7 +127,7 @@ std::array<double, 4> spline_weights(double t) {
           t * t * t / 6.0};
 }
 
-/// One row of points, each interval cut into `pieces`; past an end the line goes on straight.
+/// Smooths a row of points and divides each interval into `pieces`. Beyond its ends the row continues straight.
 std::vector<Vec> refine(const std::vector<Vec>& points, std::uint32_t pieces) {
   const auto point = [&](std::ptrdiff_t i) {
     const auto last = static_cast<std::ptrdiff_t>(points.size()) - 1;

@@ -119,8 +119,7 @@ void add_surroundings(SceneBuilder& builder) {
 }  // namespace
 
 ClothFrames flag_flight() {
-  const double once =
-      2.0 * std::numbers::pi * 30.0 / kLoopFrames;  // angular frequency of one cycle per loop, in radians a second
+  const double once = 2.0 * std::numbers::pi * 30.0 / kLoopFrames;  // radians a second of one cycle per loop
   FlagOptions options{.columns = kColumns, .rows = kRows, .spacing_m = kSpacing_m, .pieces = 1};
   options.frame_count = kWarmUpFrames + kLoopFrames + 1;
   options.wind = {.speed = 11.0, .gust = once, .lift = once, .swing = 2.0 * once, .wave = 3.0 * once};

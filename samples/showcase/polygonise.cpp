@@ -56,7 +56,7 @@ class Samples {
   std::vector<float> values_;
 };
 
-/// Gradient by central differences over the four corners of a tetrahedron.
+/// Gradient from the values at the four corners of a tetrahedron around p.
 glm::vec3 gradient(const Field& field, const glm::vec3& p, float step) {
   constexpr glm::vec3 kCorners[] = {
       {1.0f, 1.0f, 1.0f}, {1.0f, -1.0f, -1.0f}, {-1.0f, 1.0f, -1.0f}, {-1.0f, -1.0f, 1.0f}};

@@ -64,7 +64,7 @@ bool stands_in(const std::string& text, const std::string& name) {
   return false;
 }
 
-/// True if the text calls one of these functions, or the head names one of these classes as its base class or as
+/// True if the text calls one of these functions. Also true if the head names one of these classes, as a base or as
 /// the suite of a test.
 bool uses_one_of(const Definition& d, const std::set<std::string>& names) {
   const std::string head = head_of(d);

@@ -14,7 +14,7 @@ struct Target {
   void (*run)(Bytes input);
 };
 
-void import_glb(Bytes input);           ///< a whole file, then one frame of what it holds
+void import_glb(Bytes input);           ///< a whole file, then one frame of its scene
 void import_json(Bytes input);          ///< .gltf text with its buffers in data URIs
 void read_accessors(Bytes input);       ///< valid JSON around arbitrary accessors and bytes: see accessors_target.cpp
 void decode_compressed(Bytes input);    ///< meshopt and Draco streams: see compressed_target.cpp

@@ -142,7 +142,7 @@ TEST(cost_skin_probe, finds_the_distance_of_the_farthest_vertex) {
 TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
   Scene arm = arm_scene();
   arm.meshes[0].primitives[0].positions[1] = {
-      0, 1, 0};  // on the joint that turns: the half and half ones at 0.25 m move most
+      0, 1, 0};  // on the turning joint: the half-weighted vertices, 0.25 m away, move most
   const cost::SkinProbe probe(arm, 1000);
   const auto pose = [&](double time_s) {
     return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));

@@ -166,7 +166,7 @@ TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_
   }
 }
 
-/// Each property animates in the complete file. If its own object is removed, it does not, whatever else remains.
+/// A property cannot be animated without its own object. Other missing objects do not matter.
 TEST(property_pointer, G58_a_property_needs_its_own_object_and_no_other) {
   const std::string material = "/materials/0/";
   for (const auto& [text, owner] : {std::pair(material + "normalTexture/scale", "normalTexture"),

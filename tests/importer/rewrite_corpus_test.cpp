@@ -63,7 +63,7 @@ TEST(rewrite_corpus, every_model_keeps_its_document_its_scene_and_its_second_cop
   for (const fs::path& path : all_models()) {
     SCOPED_TRACE(path.string());
     const auto file = import_gltf(path, carrying());
-    if (!file) continue;  // import_corpus says which may be refused
+    if (!file) continue;  // import_corpus_test checks refusals
     const auto once = rewrite_gltf(*file, options);
     ASSERT_TRUE(once) << once.error().issue.detail;
     const auto again = import_gltf(once->file, "once.glb", carrying());

@@ -274,7 +274,7 @@ TEST(tinygltf_view, of_what_both_writers_write_is_that_of_the_importer) {
   for (const fs::path& path : files_for_tests("models", {".gltf", ".glb"})) {
     SCOPED_TRACE(path.string());
     const auto file = import_gltf(path, carrying());
-    if (!file) continue;  // import_corpus says which may be refused
+    if (!file) continue;  // import_corpus_test checks refusals
     if (const auto glb = export_glb(file->scene))
       if (const auto alone = read_alone(*glb, "")) {
         expect_same(*alone, read_checked(*glb));
@@ -309,7 +309,7 @@ TEST(tinygltf_view, each_part_of_a_sparse_accessor_has_its_own_view_and_offset) 
   EXPECT_EQ(accessor.sparse.values_offset, 7u);
 }
 
-/// Files that tinygltf alone misreads; the importer keeps what the file says.
+/// Files that tinygltf alone misreads; the importer reads them as written.
 TEST(tinygltf_view, differs_where_tinygltf_loses_what_the_file_says) {
   const std::string text = R"({"asset": {"version": "2.0"},
     "nodes": [{"name": "first", "name": "last", "mesh": 0.0, "children": [1.0]},

@@ -40,7 +40,7 @@ void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
   finish_scene(scene);
 }
 
-/// A random scene of which only every third joint, and not the root, has tracks.
+/// A random scene in which only every third joint has tracks; the root has none.
 Scene sparsely_moved_scene(std::uint32_t seed) {
   Scene scene = random_scene(seed);
   for (Animation& animation : scene.animations)

@@ -43,7 +43,7 @@ TEST(joint_scales, P07_kinds_come_from_rest_constants_and_keys_and_reach_what_is
   const Scene even = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}});
   expect_scale(scale_of(even, 0), ScaleKind::even, 1, false);
   expect_scale(scale_of(even, 2), ScaleKind::even, 1, false);
-  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);  // beside it
+  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);  // not below it
   const Scene below = arm_scaled_by(2, {Interpolation::step, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, 1.5f)}});
   expect_scale(scale_of(below, 2), ScaleKind::uneven, 1, false);
   expect_scale(scale_of(below, 0), ScaleKind::none, 1, false);

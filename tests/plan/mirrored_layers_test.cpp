@@ -27,7 +27,7 @@ struct TwoClips {
     FixedRandom random(4);
     scene.skeleton = body.skeleton;
     Animation animation{"move", 1.0, {}, {}};
-    for (const std::uint32_t j : {0u, 2u, 5u, 9u, 11u}) {  // the left side alone
+    for (const std::uint32_t j : {0u, 2u, 5u, 9u, 11u}) {  // only the left side
       BoneAnimation& bone = animation.bones.emplace_back();
       bone.joint = j;
       const Transform& rest = scene.skeleton.rest[j];

@@ -133,7 +133,7 @@ class Character {
     std::byte bytes[FrameBuffer::kAlignment];
   };
 
-  /// Plans with an even index have all joints, the others leave some out.
+  /// Plans with an even index have all joints, other plans leave some out.
   Needs needs(std::uint64_t seed, std::size_t plan) const {
     Needs needs = busy_needs(seed, scene_);
     if (plan % 2 == 0) return needs;

@@ -33,8 +33,8 @@ struct AmbientGradient {
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, const Openness& open = {});
 
 /// Share of the light behind a thin surface that passes through.
-/// eq   KHR_materials_transmission: transmission of what the dielectric's layer leaves, 1 - max(once + again), in the
-///      base colour
+/// eq   KHR_materials_transmission: base colour * (1 - max(once + again)) * (1 - metallic) * transmission, with the
+///      dielectric's once and again of ambient()
 glm::dvec3 passed_through(const ShadedPoint& point);
 
 /// Light around a direction, averaged over the cone that a surface of this roughness reflects.
@@ -44,7 +44,8 @@ glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& directio
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);
 
 /// Radiance towards the viewer from a clear coat in ambient light, before its weight is applied.
-/// eq   a layer of f0 = f90 = 1; `once` and `again` are both times mirrored_visibility()
+/// eq   (light of the mirror direction * once + that of the half sphere * (1 - once)) * mirrored_visibility()
+///      + light of the half sphere * mirrored_surroundings() of `below`, with once = x + y of reflected_once()
 /// in   below  base colour of the surface under the coat
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& below, const glm::dvec3& to_viewer, const AmbientGradient& light,
                    const Openness& open = {});

@@ -31,7 +31,7 @@ glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point);
 ///      KHR_materials_sheen (sheen.h) between it and the coat.
 ///      KHR_materials_clearcoat: share * coat + (1 - share) * all of this.
 ///      KHR_materials_unlit: the base colour alone. Where there is no normal: base colour + emission.
-///      KHR_materials_transmission: what passes through is taken from the diffuse term.
+///      KHR_materials_transmission: the light that passes through is subtracted from the diffuse term.
 glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around);
 
 /// True if light passes through the surface of this material (KHR_materials_transmission).

@@ -171,7 +171,7 @@ inline Row shares_at(const PoseSamples& samples, const std::vector<Pose>& poses,
   return x;
 }
 
-/// The corrective's weights at a pose of its drivers.
+/// The amounts that the corrective adds to its weights at a pose of its drivers.
 inline Row correct_pose(const PoseSamples& samples, const Pose& pose) {
   const std::size_t drivers = samples.drivers.size(), count = samples.rotations.size() / drivers;
   std::vector<Pose> poses(count);

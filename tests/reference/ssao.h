@@ -44,7 +44,7 @@ struct PixelVisibility {
 
 /// Ambient visibility by random samples in a sphere (SSAO).
 /// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power
-///      r = surface seen in the direction of p + radius * offset;
+///      r = surface seen in the direction of p + radius * offset; nearer by = metres that r lies before that point
 ///      offsets are mirrored at the noise vector and flipped into the hemisphere of n
 HalfVisibility ssao(const DepthAndNormals& image, const SsaoSettings& settings);
 
