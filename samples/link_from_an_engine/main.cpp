@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     return 1;
   }
 
-  // One plan for all characters that show this scene: bounds are asked for, tangents are not.
+  // One plan serves all characters of this scene. It computes bounds but no tangents.
   sinew::Needs needs;
   needs.bounds = true;
   needs.tangents = false;

@@ -11,7 +11,7 @@
 namespace sinew::showcase {
 namespace {
 
-constexpr std::uint32_t kLinearArm = 1, kDualQuaternionArm = 2;  // instances of twisted_arms()
+constexpr std::uint32_t kLinearArm = 1, kDualQuaternionArm = 2;  // indices of instances in twisted_arms()
 constexpr double kSculpted_deg[] = {30.0, 60.0, 90.0, 120.0,
                                     150.0};  // at 180 linear blending collapses the wrist to a point
 constexpr double kSecondsPerDegree = 3.0 / 180.0;

@@ -9,10 +9,10 @@
 
 namespace sinew::showcase {
 
-// Signed distances to solids: negative inside, and at most about as steep as the distance itself. Solids are joined
-// with rounded seams by Quilez' polynomial minimum.
+// Signed distances to solids: negative inside. No distance grows much faster than the true one. Solids are joined with
+// rounded seams by Quilez' polynomial minimum.
 
-/// Near the surface; exact for a sphere.
+/// Accurate near the surface; exact for a sphere.
 inline float ellipsoid(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& radii) {
   const glm::vec3 q = (p - centre) / radii;
   const float gradient = glm::length(q / radii);
@@ -36,7 +36,7 @@ inline float arch(const glm::vec3& p, const glm::vec2& radii, float height, floa
   return glm::length(glm::vec2(across, above)) - radius;
 }
 
-/// Both solids; the seam is rounded over `blend`.
+/// Union of both solids; the seam is rounded over `blend`.
 inline float joined(float a, float b, float blend) {
   const float h = std::max(blend - std::abs(a - b), 0.0f) / blend;
   return std::min(a, b) - 0.25f * h * h * blend;

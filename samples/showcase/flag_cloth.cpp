@@ -26,7 +26,7 @@ double sine(double angle_rad) {
 
 struct Spring {
   std::uint32_t a, b;
-  double length_m, stiffness;  // part of its stretch that one sweep takes away
+  double length_m, stiffness;  // share of the stretch that one sweep removes
 };
 
 class Flag {
@@ -63,7 +63,7 @@ class Flag {
     int columns, rows;
     double stiffness;
   };
-  static constexpr double kFriction = 0.1;  // of one step
+  static constexpr double kFriction = 0.1;  // per step
   static constexpr Neighbour kNeighbours[] = {{1, 0, 1.0},  {0, 1, 1.0}, {1, 1, 0.4},
                                               {1, -1, 0.4}, {2, 0, 0.2}, {0, 2, 0.2}};
 
@@ -104,8 +104,8 @@ class Flag {
     v_[s.b] -= change;
   }
 
-  /// No vertex is farther from the pole than its row is long (long range attachments: Kim et al. 2012): springs alone
-  /// would need as many sweeps as there are columns to hold that.
+  /// Keeps each vertex no farther from the pole than its row is long (long range attachments: Kim et al. 2012). Springs
+  /// alone would need as many sweeps as there are columns for that.
   void hold_to_pole() {
     for (std::uint32_t r = 0; r < o_.rows; ++r)
       for (std::uint32_t c = 1; c < o_.columns; ++c) {
@@ -120,14 +120,14 @@ class Flag {
   std::vector<Spring> springs_;
 };
 
-/// Weights of four points of a uniform cubic B-spline, at a part of the way from the second to the third.
+/// Weights of four points of a uniform cubic B-spline; t = position between the second and the third.
 std::array<double, 4> spline_weights(double t) {
   const double u = 1.0 - t;
   return {u * u * u / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0, (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0,
           t * t * t / 6.0};
 }
 
-/// One row of points, each interval cut into `pieces`; past an end the line goes on straight.
+/// Smooths a row of points and divides each interval into `pieces`. Beyond its ends the row continues straight.
 std::vector<Vec> refine(const std::vector<Vec>& points, std::uint32_t pieces) {
   const auto point = [&](std::ptrdiff_t i) {
     const auto last = static_cast<std::ptrdiff_t>(points.size()) - 1;

@@ -24,9 +24,9 @@ struct FlagWind {
 };
 
 struct FlagOptions {
-  std::uint32_t columns = 51, rows = 38;  ///< of the grid that is simulated
+  std::uint32_t columns = 51, rows = 38;  ///< size of the simulated grid
   double spacing_m = 0.04;
-  std::uint32_t pieces = 4;  ///< the mesh has each interval of the grid cut into so many: 201 x 149 vertices
+  std::uint32_t pieces = 4;  ///< mesh cells per grid cell, along each side: 201 x 149 vertices
   std::uint32_t frame_count = 90;
   double fps = 30.0;
   std::uint32_t substeps = 12;

@@ -33,7 +33,7 @@ float distance_to_line(const glm::vec2& p, const glm::vec2& a, const glm::vec2& 
 glm::vec3 picture(const glm::vec2& p) {
   constexpr glm::vec3 kField{188.0f, 42.0f, 34.0f}, kLight{242.0f, 232.0f, 208.0f}, kShade{206.0f, 190.0f, 160.0f};
   constexpr glm::vec2 kHead{0.62f, 1.16f}, kTail{1.78f, 0.44f};
-  constexpr float kWidest = 0.2f, kHalfWidth_m = 0.19f;  // the octahedron is widest at that part of its length
+  constexpr float kWidest = 0.2f, kHalfWidth_m = 0.19f;  // where along its length the octahedron is widest
   const float hem = std::min(std::min(p.y, kHeight_m - p.y), kWidth_m - p.x);
   if (hem < 0.05f || (hem > 0.09f && hem < 0.11f)) return kLight;
   for (const auto& [joint, radius] : {std::pair(kHead, 0.15f), std::pair(kTail, 0.11f)})
@@ -119,7 +119,7 @@ void add_surroundings(SceneBuilder& builder) {
 }  // namespace
 
 ClothFrames flag_flight() {
-  const double once = 2.0 * std::numbers::pi * 30.0 / kLoopFrames;  // radians a second of what repeats with the loop
+  const double once = 2.0 * std::numbers::pi * 30.0 / kLoopFrames;  // radians a second of one cycle per loop
   FlagOptions options{.columns = kColumns, .rows = kRows, .spacing_m = kSpacing_m, .pieces = 1};
   options.frame_count = kWarmUpFrames + kLoopFrames + 1;
   options.wind = {.speed = 11.0, .gust = once, .lift = once, .swing = 2.0 * once, .wave = 3.0 * once};

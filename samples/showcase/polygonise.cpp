@@ -33,7 +33,8 @@ class Samples {
   float at(const glm::ivec3& c) const { return values_[index(c)]; }
 
  private:
-  /// Where the middle of a block is far from the surface, its value stands for all of it. Else eighths of it are asked.
+  /// Samples a block. If its middle is far from the surface, that value serves for the whole block; else each eighth is
+  /// sampled.
   void sample_block(const Field& field, const glm::ivec3& first, int block) {
     if (glm::any(glm::greaterThanEqual(first, size_))) return;
     const float middle = field(place(glm::vec3(first) + 0.5f * static_cast<float>(block - 1)));
@@ -55,7 +56,7 @@ class Samples {
   std::vector<float> values_;
 };
 
-/// From the four corners of a tetrahedron.
+/// Gradient from the values at the four corners of a tetrahedron around p.
 glm::vec3 gradient(const Field& field, const glm::vec3& p, float step) {
   constexpr glm::vec3 kCorners[] = {
       {1.0f, 1.0f, 1.0f}, {1.0f, -1.0f, -1.0f}, {-1.0f, 1.0f, -1.0f}, {-1.0f, -1.0f, 1.0f}};
@@ -64,7 +65,7 @@ glm::vec3 gradient(const Field& field, const glm::vec3& p, float step) {
   return sum / (4.0f * step);
 }
 
-/// The mean of where the surface crosses the edges of a cell, in corners; false where it crosses none.
+/// Mean of the points where the surface crosses the edges of a cell, in corners; false if it crosses none.
 bool crossing(const Samples& samples, const glm::ivec3& cell, glm::vec3& mean) {
   glm::vec3 sum(0.0f);
   int count = 0;
@@ -109,7 +110,7 @@ Primitive polygonise(const Field& field, const Aabb& bounds, float cell) {
     out.positions.push_back(p);
     out.bounds.add(p);
   });
-  // Four cells share an edge: where the surface crosses it, their vertices are a face.
+  // Four cells share an edge. Where the surface crosses the edge, the vertices of these cells make a face.
   for_each(1, [&](const glm::ivec3& c) {
     for (int axis = 0; axis < 3; ++axis) {
       glm::ivec3 next = c, u(0), v(0);

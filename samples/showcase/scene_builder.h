@@ -16,7 +16,7 @@ class SceneBuilder {
   std::uint32_t add_skin(Skin skin);
   std::uint32_t add_mesh(Mesh mesh);
   void add_instance(std::uint32_t joint, std::uint32_t mesh, std::uint32_t skin = kNone);
-  /// Adds a light on its own root joint. It shines along -z of that.
+  /// Adds a light on its own root joint. It shines along the joint's -z axis.
   void add_light(Light light, const Transform& rest);
   void add_animation(Animation animation);
 

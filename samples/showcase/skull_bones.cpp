@@ -10,7 +10,7 @@ namespace {
 
 using V = glm::vec3;
 
-/// Mirrors to x > 0, where all bones are described.
+/// Mirrors a point to x > 0, the half in which the bones are modelled.
 V left_half(const V& p) { return {std::abs(p.x), p.y, p.z}; }
 
 float braincase(const V& p) {
@@ -41,7 +41,7 @@ float face(const V& p) {
   return joined(d, rod(p, {0.0f, -2.8f, 8.3f}, {0.0f, -2.8f, 9.2f}, 0.35f, 0.15f), 0.6f);  // spine below the nose
 }
 
-/// The opening of the nose is a pear, halved by the septum farther inside.
+/// The opening of the nose: half of a pear shape; the septum divides it farther inside.
 float nose(const V& p) {
   const float pear = joined(rod(p, {0.0f, 0.1f, 10.0f}, {0.0f, -0.4f, 6.0f}, 0.55f, 0.4f),
                             rod(p, {0.45f, -1.75f, 10.0f}, {0.4f, -1.6f, 5.5f}, 0.85f, 0.7f), 1.2f);
@@ -50,7 +50,7 @@ float nose(const V& p) {
 }
 
 float eye_socket(const V& p) {
-  // Its axis goes back and inwards; the opening is nearly a square with round corners, and droops outwards.
+  // The axis points back and inwards. The opening is nearly a square with round corners, whose outer side hangs down.
   const V axis = glm::normalize(V(0.40f, -0.06f, 1.0f));
   const V side = glm::normalize(V(1.0f, -0.16f, -0.40f));
   const V up = glm::cross(axis, side);
@@ -74,7 +74,7 @@ float cranium(const V& point) {
 
 float mandible(const V& point) {
   const V p = left_half(point + V(0.0f, kJawDrop, 0.0f));
-  const float rise = 0.3f * std::max(8.4f - p.z, 0.0f);  // the lower edge goes up to the angle of the jaw
+  const float rise = 0.3f * std::max(8.4f - p.z, 0.0f);  // the lower edge rises towards the angle of the jaw
   const float body = arch(p - V(0.0f, -7.9f + 0.65f * rise, 2.0f), {4.2f, 6.1f}, 2.2f - 0.25f * rise, 0.55f);
   const float ridge = arch(p - V(0.0f, -7.0f, kLowerRow.z), kLowerRow.radii, 1.2f, 0.5f);
   float d = carved(joined(body, ridge, 1.0f), p.z - 1.6f, 1.2f);

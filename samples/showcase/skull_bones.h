@@ -7,13 +7,13 @@ namespace sinew::showcase {
 // A human skull that looks along +Z, in centimetres, as signed distances. The origin lies between the ear canals, at
 // the height of the lower rims of the eye sockets. Sizes are those of a grown man.
 
-/// All but the lower jaw, without teeth.
+/// The skull without the lower jaw and without teeth.
 float cranium(const glm::vec3& p);
 
 /// The lower jaw, a little open, without teeth.
 float mandible(const glm::vec3& p);
 
-/// A row of teeth stands on half an ellipse of `radii` around (0, y, z). The lower one hangs down with the jaw.
+/// Teeth stand on half an ellipse of `radii` around (0, y, z). The lower row moves with the jaw.
 struct ToothRow {
   glm::vec2 radii;
   float y, z;
@@ -21,7 +21,7 @@ struct ToothRow {
 inline constexpr float kJawDrop = 0.7f;
 inline constexpr ToothRow kUpperRow{{2.9f, 4.9f}, -4.55f, 3.8f}, kLowerRow{{2.75f, 4.7f}, -6.4f - kJawDrop, 3.7f};
 
-/// The bones around the teeth.
+/// Bounds of the two bones.
 inline constexpr Aabb kCranium{{-7.5f, -5.4f, -10.2f}, {7.5f, 12.3f, 10.8f}};
 inline constexpr Aabb kMandible{{-6.6f, -11.0f, -0.3f}, {6.6f, 0.0f, 10.2f}};
 

@@ -21,7 +21,7 @@ using Bone = float (*)(const glm::vec3&);
 
 constexpr float kFloorY = -3.0f;
 
-/// Bones in centimetres become a mesh around the middle of the head, 8 units high.
+/// Scales bones from centimetres to a mesh around the middle of the head, 8 units high.
 Primitive to_scene(Primitive part, std::uint32_t material) {
   part.bounds = {};
   for (glm::vec3& p : part.positions) {
@@ -32,7 +32,7 @@ Primitive to_scene(Primitive part, std::uint32_t material) {
   return part;
 }
 
-/// Bone is darker where it is hollow, and a little stained everywhere.
+/// Colour of the bone: darker in hollows, and slightly stained everywhere.
 glm::vec4 patina(Bone bone, const glm::vec3& p, const glm::vec3& normal) {
   float open = 1.0f;
   for (const float ahead : {0.7f, 2.4f}) open *= glm::smoothstep(-0.15f, 1.0f, bone(p + ahead * normal) / ahead);
@@ -75,7 +75,7 @@ BoneAnimation flight(std::uint32_t joint) {
   return *std::move(animation);
 }
 
-/// A floor that turns up into a wall behind the scene.
+/// A floor that curves up into a wall behind the scene.
 Primitive cove() {
   constexpr float kBend = 9.0f, kWall = 14.0f, kFloor = 44.0f, kQuarter = 0.5f * std::numbers::pi_v<float> * kBend;
   return grid(

@@ -12,7 +12,7 @@ namespace sinew::showcase {
 namespace {
 
 struct Crown {
-  float width, depth, height;  ///< along the row, across it, from the bone to the edge
+  float width, depth, height;  ///< along the row, across it, from the bone to the biting edge
 };
 
 /// From the middle to the back: incisors, canine, premolars, molars.
@@ -26,8 +26,8 @@ constexpr Crown kLowerCrowns[] = {{0.54f, 0.56f, 0.95f}, {0.60f, 0.58f, 0.98f}, 
 /// Turns a circle into a square with round corners.
 float squared(float x) { return std::copysign(std::pow(std::abs(x), 0.55f), x); }
 
-/// A box with round corners whose edge looks to `up` and whose outer side to `front`. Its root is as long as the crown;
-/// it narrows to the root in its width, and to the edge in its depth.
+/// A rounded box whose biting edge points to `up` and whose outer side points to `front`. Its root is as long as the
+/// crown. It narrows in width towards the root, and in depth towards the edge.
 Primitive tooth(const Crown& crown, const glm::vec3& neck, const glm::vec3& front, const glm::vec3& up) {
   const glm::vec3 along = glm::cross(up, front);
   Primitive out = sphere(glm::vec3(0.0f), 1.0f, 10, 8);

@@ -4,7 +4,7 @@
 
 namespace sinew::showcase {
 
-/// The 28 teeth of a skull without wisdom teeth, where skull_bones.h has their rows. Roots are in the bone.
+/// The 28 teeth of a skull without wisdom teeth, on the rows of skull_bones.h. Their roots are inside the bone.
 Primitive skull_teeth();
 
 }  // namespace sinew::showcase

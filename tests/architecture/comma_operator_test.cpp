@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A comma never joins two statements: `a = b, c = d;` hides the second one. Steps of a for loop and folds over a pack
-// may use it. There is no parser here: brackets are matched, and what stands between them is told by its first tokens.
+// A comma must never join two statements: `a = b, c = d;` hides the second one. The steps of a for loop and folds over
+// a pack may use it. The test has no parser: it matches brackets and classifies the code between them by its first
+// tokens.
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -19,7 +20,7 @@ using Words = std::set<std::string>;
 struct Token {
   std::string text;
   std::size_t line = 0;
-  std::size_t match = 0;  ///< of ( [ { and of < in front of template arguments: the index of its end
+  std::size_t match = 0;  ///< for ( [ { and < of template arguments: index of the closing token
 
   bool is_word() const { return std::isalnum(static_cast<unsigned char>(text[0])) || text[0] == '_' || text[0] == '"'; }
 };
@@ -78,7 +79,7 @@ std::vector<Token> tokens_of(const std::string& text) {
   return tokens;
 }
 
-/// The end of template arguments that start at the `<` at `at`, or 0 where it is a comparison.
+/// The end of template arguments that start at the `<` at `at`; 0 if this `<` is a comparison.
 std::size_t end_of_template(const std::vector<Token>& tokens, std::size_t at) {
   if (at == 0 || !tokens[at - 1].is_word() || tokens[at - 1].text == "operator") return 0;
   static const Words allowed = {"::", ",", "*", "&", "...", "-"};
@@ -115,7 +116,7 @@ class CommaFinder {
   bool is(std::size_t i, const char* text) const { return i < tokens_.size() && tokens_[i].text == text; }
   std::size_t past(std::size_t i) const { return (tokens_[i].match ? tokens_[i].match : i) + 1; }
 
-  /// Braces hold statements after `)` and where a semicolon ends one; others hold a list.
+  /// True if braces hold statements: they follow `)` or contain a semicolon. Other braces hold a list.
   bool is_block(std::size_t open) const {
     if (open > 0 && (is(open - 1, ")") || is(open - 1, "}"))) return true;
     for (std::size_t i = open + 1; i < tokens_[open].match; i = past(i))
@@ -123,7 +124,7 @@ class CommaFinder {
     return false;
   }
 
-  /// Whether braces are the body of a lambda: the statement goes on after them.
+  /// True if braces are the body of a lambda, so that the statement continues after them.
   bool is_lambda(std::size_t open) const {
     static const Words between = {"->", "::", "*", "&", ",", ">", "<"};
     std::size_t i = open;
@@ -134,7 +135,8 @@ class CommaFinder {
     return false;
   }
 
-  /// Whether parentheses hold an expression or a condition, not arguments, parameters or the header of a for loop.
+  /// True if parentheses hold an expression or a condition. False for arguments, parameters and the header of a for
+  /// loop.
   bool groups(std::size_t open) const {
     static const Words keywords = {"if", "while", "switch", "return", "throw", "constexpr", "case"};
     static const Words operators = {"=",  "(",  "{", ";",  ",",  "?",  ":",  "!",  "+",  "-",  "/",  "&&", "||",
@@ -144,7 +146,7 @@ class CommaFinder {
     return keywords.contains(tokens_[open - 1].text) || (!named_operator && operators.contains(tokens_[open - 1].text));
   }
 
-  /// Splits what stands between braces or parentheses into statements.
+  /// Splits the tokens of a block or parentheses into statements, and checks each.
   void check_block(std::size_t first, std::size_t last) {
     std::size_t start = first;
     for (std::size_t i = first; i < last; i = past(i)) {
@@ -158,7 +160,7 @@ class CommaFinder {
     if (last < tokens_.size() && is(last, ")")) check_statement(start, last);
   }
 
-  /// Past the headers, labels and keywords in front of the expression of a statement.
+  /// Index past the headers, labels and keywords before a statement's expression.
   std::size_t past_headers(std::size_t i, std::size_t last) const {
     static const Words single = {"else", "do", "try", "return", "throw", "delete", "co_return"};
     static const Words with_parentheses = {"if", "for", "while", "switch"};
@@ -181,8 +183,7 @@ class CommaFinder {
     return i;
   }
 
-  /// Whether a type stands in front of the first name: two names side by side, with `*`, `&` or template arguments
-  /// between.
+  /// True if a statement begins with a type: two names side by side, with only `*`, `&` or template arguments between.
   bool is_declaration(std::size_t first, std::size_t last) const {
     static const Words starts = {"using", "template", "typedef", "friend", "static_assert", "auto"};
     if (starts.contains(tokens_[first].text)) return true;

@@ -3,14 +3,13 @@
 
 namespace sinew::test {
 
-/// One hard case of animation and skinning that the project answers for. A test that covers it carries the ID in its
-/// name.
+/// One hard case of animation and skinning that the project handles. A test that covers it carries the ID in its name.
 struct HardCase {
   const char* id;
-  const char* claim;  ///< what has to hold
+  const char* claim;  ///< the property that must hold
 };
 
-/// N: numbers. G: glTF files. T: what the JSON reader does not do for us. P: effects that a plan leaves out.
+/// N: numbers. G: glTF files. T: checks that the JSON parser does not make. P: effects that a plan leaves out.
 inline constexpr HardCase kHardCases[] = {
     {"N01", "slerp of nearly equal keys keeps its relative accuracy"},
     {"N02", "interpolation of opposite quaternions never passes through zero"},

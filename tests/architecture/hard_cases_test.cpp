@@ -22,7 +22,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Rows that must have a test; the rest of the table is only printed.
+/// Rows of the table that must have a test; the others are only printed.
 struct Rows {
   char letter;
   int first, last;
@@ -34,8 +34,8 @@ constexpr Rows kMustBeCovered[] = {
     {'P', 1, 19},
 };
 
-/// Rows of shaders, which no test reaches without a device. Of the others a test has to run wherever the project is
-/// built: tests that skip themselves prove nothing there.
+/// Rows about shaders, which no test reaches without a GPU device. Every other row needs a test that runs on every
+/// machine: a test that skips itself does not count.
 constexpr std::string_view kOnShaders[] = {"N31", "N32", "N33", "N35"};
 
 bool must_be_covered(std::string_view id) {
@@ -45,7 +45,7 @@ bool must_be_covered(std::string_view id) {
   });
 }
 
-/// IDs in a test's name: words between underscores of the form G06 or T10.
+/// IDs in a test's name: words between underscores that consist of a letter and a number.
 std::vector<std::string> ids_in(const std::string& test) {
   static const std::regex id("[NGTP][0-9]{1,2}");
   std::vector<std::string> ids;
@@ -57,7 +57,7 @@ std::vector<std::string> ids_in(const std::string& test) {
   return ids;
 }
 
-/// Definitions of the tests' own sources. The references are what others are held to: their tests cover no row.
+/// Definitions in all test sources. The tests of the references are left out: they cover no row.
 std::vector<Definition> test_definitions() {
   std::vector<Definition> all;
   for (const SourceFile& file : source_tree())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime as the table
-// in runtime/README.md says. A file that includes against the arrow fails here.
+// Data flows one way, and so do includes: importer and viewer see the runtime, and the two programs see both. Inside
+// the runtime the table in runtime/README.md decides. A file that includes against this order fails here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 namespace sinew::test {
 namespace {
 
-/// What each folder of the runtime sees, read from the table in runtime/README.md: "runtime/pose" -> {"runtime/base",
-/// ...}.
+/// The folders that each folder of the runtime may include, read from the table in runtime/README.md: "runtime/pose" ->
+/// {"runtime/base", ...}.
 const std::map<std::string, std::set<std::string>>& runtime_rows() {
   static const std::map<std::string, std::set<std::string>> rows = [] {
     std::map<std::string, std::set<std::string>> found;
@@ -66,7 +66,7 @@ bool sees(const std::string& from, const std::string& to) {
   return to == from || to.starts_with(from + "/") || row->second.contains(to);
 }
 
-/// Libraries that only some parts of the tree may know, by the beginning of the header's name.
+/// Libraries that only some parts of the tree may include, by the start of the header's name.
 const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"tiny_gltf", {"importer", "tests"}},
     {"OpenMesh/", {"importer", "tests"}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The archives of the runtime have no state of their own: no variable that anything writes to, but the handler of broken contracts, which an engine sets, what the solver of correctives
-// keeps about cache sizes, and the empty text of names without one. (Highway's choice of the instruction set is in
+// The archives of the runtime have no writable variables, with few exceptions: the engine's handler of broken
+// contracts, cache sizes of the corrective solver, and an empty name. (Highway's choice of the instruction set is in
 // libhwy; the tables of kernels are constants.)
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-/// Names of the variables that lie in memory which stays writable, in a table of symbols as `objdump -t -C` prints it.
+/// Names of the variables in writable memory, from a symbol table as `objdump -t -C` prints it.
 std::vector<std::string> writable_variables(const std::string& table) {
   static const std::regex line(R"(^[0-9a-f]+ .{7} (\.data|\.bss|\.tdata|\.tbss|\*COM\*)(\.\S*)?\s+[0-9a-f]+\s+(.*)$)");
   std::vector<std::string> names;
@@ -38,8 +38,8 @@ std::vector<std::string> writable_variables(const std::string& table) {
   return names;
 }
 
-/// The engine's handler of broken contracts (base/contract.h); and sizes of caches and an empty text, made at the first
-/// use, the same for every caller.
+/// True for the engine's handler of broken contracts (base/contract.h), and for the cache sizes and the empty text.
+/// These two are made at the first use and are the same for every caller.
 bool is_allowed(const std::string& name) {
   return name == "sinew::(anonymous namespace)::contract_handler" ||
          name.find("Eigen::internal::manage_caching_sizes") != std::string::npos ||
@@ -48,14 +48,14 @@ bool is_allowed(const std::string& name) {
 
 TEST(library_symbols, the_runtime_has_no_globals) {
   const std::string table = output_of("objdump -t -C " SINEW_RUNTIME_ARCHIVES);
-  ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));  // it was really read
+  ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));  // the table was really read
   for (const std::string& name : writable_variables(table)) EXPECT_TRUE(is_allowed(name)) << name;
 }
 
 TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_casting) {
-  // Lines that end with a colon are names of files, whose folder may be called anything.
+  // Lines that end with a colon are file names, whose folder may have any name.
   const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVES " | grep -v ':$'");
-  ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // what it does ask for is seen
+  ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // symbols that the archives need are listed
   for (const char* name :
        {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate",
         "vkCreate", "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
@@ -63,8 +63,9 @@ TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_
 }
 
 #ifdef SINEW_IMPORTER_ARCHIVE
-// Classes of tinygltf are inline, and Debian's libdraco and engines have other versions of them: of two with one name
-// the linker takes the first it meets, and the destructor of the one would end the other.
+// Classes of tinygltf are inline, and Debian's libdraco and engines contain other versions of them. Of two classes with
+// one name the linker takes the first it meets. Then the destructor of one version would destroy an object of the
+// other.
 TEST(library_symbols, the_importer_shares_no_class_with_another_copy_of_tinygltf) {
   const std::string table = output_of("nm -C --defined-only " SINEW_IMPORTER_ARCHIVE);
   ASSERT_THAT(table, testing::HasSubstr(" sinew_tinygltf::Model::"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// README.md stays short, and what the READMEs point at exists.
+// README.md stays short, and the files that the READMEs name exist.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -48,7 +48,8 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
   return found;
 }
 
-/// Links to files, and source files in code spans: `math/affine.h` of a page in runtime/, or a path from the root.
+/// Dead links to files, and dead source paths in code spans: `math/affine.h` of a page in runtime/, or a path from the
+/// root.
 std::vector<std::string> dead_paths(const Page& page) {
   const fs::path root = SINEW_SOURCE_DIR, folder = (root / page.path).parent_path();
   std::vector<std::string> dead;

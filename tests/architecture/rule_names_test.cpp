@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rules that comments and READMEs of the importer name exist: in rules.inc, or as a string in the code that reports
-// them.
+// Rules that comments and READMEs of the importer name must exist: in rules.inc, or as a string in the code that
+// reports them.
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 
-/// Words such as accessor-bounds: in a string, between quotes of either kind, and anywhere in a text.
+/// Words such as accessor-bounds: in a string, in quotes of either kind, and anywhere in a text.
 const std::regex kInString(R"re("([a-z]{2,}(?:-[a-z0-9]+)+)")re", std::regex::optimize);
 const std::regex kInQuotes(R"re(["`]([a-z]{2,}(?:-[a-z0-9]+)+)["`])re", std::regex::optimize);
 const std::regex kInText(R"re((?:^|[ (`"])([a-z]{2,}(?:-[a-z0-9]+)+)(?![\w-]))re", std::regex::optimize);
@@ -31,7 +31,7 @@ void add_matches(const std::string& text, const std::regex& expression, Names& o
     out.insert((*match)[1]);
 }
 
-/// A line before its comment, and the comment.
+/// Splits a line into its code and its comment.
 std::pair<std::string, std::string> parts_of(const std::string& line) {
   const std::size_t comment = line.find("//");
   return comment == std::string::npos ? std::pair(line, std::string())
@@ -42,14 +42,14 @@ std::pair<std::string, std::string> parts_of(const std::string& line) {
 Names known_rules(const std::vector<SourceFile>& files) {
   Names known;
   for (const std::string& line : lines_of(text_of_file(fs::path(SINEW_SOURCE_DIR) / "importer/rules.inc")))
-    add_matches(line.substr(0, line.find("\", ") + 1), kInString, known);  // what follows is the sentence
+    add_matches(line.substr(0, line.find("\", ") + 1), kInString, known);  // the sentence of the rule follows
   for (const SourceFile& file : files)
     if (file.in("importer") || file.in("runtime"))
       for (const std::string& line : lines_of(file.text)) add_matches(parts_of(line).first, kInString, known);
   return known;
 }
 
-/// Names between quotes in comments, and all in the parts `err` and `warning` of a block.
+/// Names in quotes in comments, and all names in the parts `err` and `warning` of a block.
 Names rules_in_comments(const SourceFile& file) {
   Names named;
   bool lists_rules = false;

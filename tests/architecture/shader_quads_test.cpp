@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fragment shaders read dFdx and textures of the pixels beside them: after a discard those are undefined.
+// Fragment shaders read dFdx and textures of neighbouring pixels: after a discard those are undefined.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// Whether a shader goes on after it may have discarded its pixel.
+/// True if a shader continues after it may have discarded its pixel.
 bool goes_on_after_discard(const std::string& text) {
   static const std::regex last(R"(\bdiscard\s*;\s*\}\s*$)");
   const std::string code = without_comments(text);

@@ -24,7 +24,7 @@ std::vector<std::string> includes(const std::string& text, const char* pattern) 
 
 bool is_of_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Past the comment or literal that starts at `i`; i + 1 where none does.
+/// End of the comment or literal that starts at `i`; i + 1 if none starts there.
 std::size_t end_of_piece(const std::string& text, std::size_t i) {
   const auto past = [&](std::string_view mark, std::size_t from) {
     const std::size_t found = text.find(mark, from);

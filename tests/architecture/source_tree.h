@@ -5,7 +5,7 @@
 
 namespace sinew::test {
 
-/// One source file of the repository, by its path from the root ("runtime/math/affine.h").
+/// One source file of the repository, with its path from the root ("runtime/math/affine.h").
 struct SourceFile {
   std::string path;
   std::string text;
@@ -17,16 +17,16 @@ struct SourceFile {
 /// Every .h and .cpp file of the five folders, sorted by path.
 std::vector<SourceFile> source_tree();
 
-/// Lines of a text, without their ends.
+/// Lines of a text, without line ends.
 std::vector<std::string> lines_of(const std::string& text);
 
-/// Names between quotes (not angle brackets) of the #include lines, in order.
+/// Names of the #include lines with quotes (not angle brackets), in order.
 std::vector<std::string> quoted_includes(const std::string& text);
 
-/// Names between angle brackets.
+/// Names of the #include lines with angle brackets.
 std::vector<std::string> system_includes(const std::string& text);
 
-/// The text with comments and the insides of string literals blanked, lines kept.
+/// The text with comments and the contents of string literals blanked, lines kept.
 std::string without_comments(const std::string& text);
 
 }  // namespace sinew::test

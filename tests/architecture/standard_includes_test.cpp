@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which standard header brings in which other differs between compilers, and precompiled headers bring more: what a
-// file uses, it includes, or one of our headers that it includes does.
+// Compilers differ in which standard header includes which other, and precompiled headers include more. So each file
+// must include the header of every name it uses, itself or through one of our headers.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// Names of namespace std, as a regular expression, by the header that declares them; those that every header brings
+/// Names of namespace std as a regular expression, by the header that declares them. Names that every header brings
 /// (std::size_t, std::move) are left out.
 const std::map<std::string, std::string> kDeclares = {
     {"algorithm",
@@ -51,11 +51,11 @@ const std::map<std::string, std::string> kDeclares = {
     {"vector", "vector<"},
 };
 
-/// Names of the libraries whose headers are precompiled, and how the paths of those begin.
+/// Names of the libraries with precompiled headers, and the start of their headers' paths.
 const std::map<std::string, std::string> kLibraries = {
     {"CLI::", "CLI/"}, {"fmt::", "fmt/"}, {"glm::", "glm/"}, {"nlohmann::", "nlohmann/"}, {"Vk[A-Z]", "vulkan/"}};
 
-/// Names that follow "std::" in a text, each with the sign after it, once.
+/// Names that follow "std::" in a text, each with the character after it, without repeats.
 std::set<std::string> standard_names(const std::string& text) {
   static const std::regex name("std::([a-z_0-9]+.?)");
   std::set<std::string> found;
@@ -69,7 +69,7 @@ class Includes {
     for (const SourceFile& file : files) texts_[file.path] = &file.text;
   }
 
-  /// Standard headers of a file and of ours that it includes.
+  /// Standard headers that a file includes, itself or through headers of ours.
   const std::set<std::string>& of(const std::string& path) {
     const auto [entry, is_new] = found_.try_emplace(path);
     if (!is_new || !texts_.contains(path)) return entry->second;

@@ -10,7 +10,7 @@
 namespace sinew::test {
 namespace {
 
-/// The source with comments, texts and preprocessor lines blanked.
+/// The source with comments, string literals and preprocessor lines blanked.
 std::string code_of(const std::string& source) {
   std::string code = without_comments(source);
   bool directive = false, line_start = true;
@@ -38,7 +38,7 @@ std::size_t past_closing_brace(const std::string& code, std::size_t open) {
 
 bool is_of_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// What a head defines: "f(" for a function or test, "C" for a class; empty for namespaces and tables.
+/// The name that a head defines: "f(" for a function or test, "C" for a class; "" for namespaces and tables.
 std::string defined_name(const std::string& head) {
   if (const std::size_t open = head.find('('); open != head.npos) {
     const auto begin = std::find_if_not(head.rend() - static_cast<std::ptrdiff_t>(open), head.rend(), is_of_a_name);
@@ -53,7 +53,7 @@ std::string defined_name(const std::string& head) {
 
 std::string head_of(const Definition& d) { return d.text.substr(0, d.text.find('{')); }
 
-/// Whether the name stands in the text by itself and not as a part of a longer one.
+/// True if the text contains the name as a whole word.
 bool stands_in(const std::string& text, const std::string& name) {
   for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
@@ -64,7 +64,7 @@ bool stands_in(const std::string& text, const std::string& name) {
   return false;
 }
 
-/// Whether one of the names is a function that is called in the text, or a class in the head: the base of a class or
+/// True if the text calls one of these functions. Also true if the head names one of these classes, as a base or as
 /// the suite of a test.
 bool uses_one_of(const Definition& d, const std::set<std::string>& names) {
   const std::string head = head_of(d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asset files read from memory, beside a copy of their bytes into memory that is as fresh.
+// Loading asset files from memory, compared with copying their bytes into newly allocated memory.
 #include <cstdlib>
 
 #include "runtime/asset_file/read_assets.h"
@@ -24,7 +24,7 @@ void add_copy(const std::string& name, const File& file) {
       {Facts{}.error, 2 * file->size()});
 }
 
-/// The whole scene of a file.
+/// Loads the whole scene of a file.
 void add_scene(const std::string& name, const Scene& scene, const AssetFileOptions& options = {}) {
   const File file = std::make_shared<const std::vector<std::byte>>(write_asset_file(scene, options));
   add("load_assets/sinew/" + name, file->size(),
@@ -36,7 +36,7 @@ void add_scene(const std::string& name, const Scene& scene, const AssetFileOptio
   add_copy(name, file);
 }
 
-/// The compiled clips of a file alone, without their keys in authoring form.
+/// Loads only the compiled clips of a file, without their animations.
 void add_clips_alone(const std::string& name, const Scene& scene) {
   const File file =
       std::make_shared<const std::vector<std::byte>>(write_asset_file(scene, {.skeleton = false, .model = false}));

@@ -68,7 +68,7 @@ const std::vector<NamedScene>& corpus_scenes() {
     if (!test::corpus()) return found;
     for (const auto& path : test::corpus_files("models", {".glb", ".gltf"})) {
       const std::string name = path.parent_path().filename().string();
-      if (name.find('-') != std::string::npos) continue;  // another encoding of a model that is there without a suffix
+      if (name.find('-') != std::string::npos) continue;  // the same model in another encoding
       auto file = import_gltf(path, {.decode_images = false});
       if (!file || !moves_a_skin(file->scene)) continue;
       if (std::any_of(found.begin(), found.end(), [&](const NamedScene& s) { return s.name == name; })) continue;

@@ -9,25 +9,25 @@
 
 namespace sinew::bench {
 
-inline constexpr double kPackedBudgetM = 1e-4;  ///< how far a packed clip may move a vertex
+inline constexpr double kPackedBudgetM = 1e-4;  ///< most that packing a clip may move a vertex
 
-/// A skeleton with one clip, in both forms.
+/// A skeleton with one clip, as an animation and compiled.
 struct Character {
   std::string name;
   Skeleton skeleton;
   Animation animation;
   Clip clip;
-  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; for models and the biped only
+  std::optional<Clip> packed;  ///< the clip within kPackedBudgetM; only for models and the biped
 
   Character(std::string named, Skeleton s, Animation a);
   std::size_t joint_count() const { return skeleton.joint_count(); }
 };
 
-/// Generated characters, those of the showcase, and those of the corpus when there is one: models of at least sixteen
-/// joints, up to three clips of each. Tracks are linear, since the plain GLM version samples no others.
+/// Generated characters, those of the showcase, and those of the corpus if there is one. Models have at least sixteen
+/// joints and give up to three clips each. All tracks are linear, because the plain GLM version samples no others.
 const std::vector<std::shared_ptr<const Character>>& characters();
 
-/// Skinned and animated files of the corpus whose clips the plain GLM version can play.
+/// Skinned, animated files of the corpus whose clips the plain GLM version can play.
 struct NamedScene {
   std::string name;
   std::shared_ptr<const Scene> scene;

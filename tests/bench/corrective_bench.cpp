@@ -11,7 +11,7 @@
 namespace sinew::bench {
 namespace {
 
-/// A solved corrective of joints that may turn any way, and a pose of them.
+/// A solved corrective whose drivers are joints that turn freely, and a pose of them.
 struct Corrected {
   PoseCorrective corrective;
   test::PoseBuffer pose;
@@ -40,7 +40,7 @@ struct Corrected {
         CorrectPoseJob{.corrective = &corrective, .pose = pose.span(), .scratch = scratch, .weights = weights});
   }
 
-  /// The same in plain GLM code: in float, angles by arc cosine, which loses half its digits near a sample.
+  /// Same in plain GLM code. It uses float, and acos for angles, which loses half of its digits near a sample.
   void correct_glm() {
     const PoseSamples& samples = corrective.samples;
     const std::size_t drivers = samples.drivers.size();
@@ -59,7 +59,7 @@ struct Corrected {
     }
   }
 
-  /// Largest error of a weight against long double, relative to the largest value of a sample.
+  /// Largest error of a weight against long double, relative to the largest sample value.
   double error() const {
     reference::Pose turned;
     for (const glm::quat& rotation : rotations) turned.push_back(reference::rotation_of(rotation));

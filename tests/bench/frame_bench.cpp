@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kStepS = 1.0 / 60.0;
 
-/// A character of one skinned surface with normals, and two clips.
+/// A character with one skinned surface with normals, and two clips.
 Scene character(Skeleton skeleton, std::uint32_t vertex_count) {
   Scene scene;
   scene.skins.push_back(scenes::skin_of_all_joints(skeleton));
@@ -35,7 +35,7 @@ double clip_time(const Scene& scene, std::uint32_t clip, double time_s) {
   return std::fmod(time_s, scene.animations[clip].duration_s);
 }
 
-/// Frames one after the other, run by the plan.
+/// Successive frames, run by the plan.
 struct PlannedFrames {
   const Scene& scene;
   Plan plan;
@@ -59,7 +59,7 @@ struct PlannedFrames {
   ClipLayer layers_[2];
 };
 
-/// The same frames in plain GLM code: sample, blend, matrices, palette, skin.
+/// Same frames in plain GLM code: sample, blend, matrices, palette, skin.
 struct PlainFrames {
   struct Skinned {
     const Primitive* primitive;
@@ -116,8 +116,7 @@ struct PlainFrames {
   }
 };
 
-/// Largest distance of a deformed vertex from the slow evaluation in double precision, relative to the size of the
-/// frame.
+/// Largest distance of a deformed vertex from the evaluation in double precision, relative to the size of the frame.
 double error_of(const FrameResult& frame, const test::SlowFrame& truth) {
   double worst = 0.0, size = 1e-9;
   for (std::size_t p = 0; p < frame.primitives.size(); ++p)
@@ -129,7 +128,7 @@ double error_of(const FrameResult& frame, const test::SlowFrame& truth) {
   return worst / size;
 }
 
-/// Both sides of a pair must show the same frame.
+/// Fails unless both implementations show the same frame.
 void require_same(const FrameResult& ours, const PlainFrames& plain) {
   std::size_t next = 0;
   for (const DeformedPrimitive& p : ours.primitives) {
@@ -156,7 +155,7 @@ void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
 }
 
-/// Characters whose vertices no caches hold, one frame of each in turn.
+/// A crowd whose vertices fit into no cache; each character runs one frame in turn.
 struct FrameCrowd {
   static constexpr std::size_t kCount = 512;
   const Plan plan;
@@ -193,8 +192,8 @@ void add_crowd_of_frames(const std::shared_ptr<const Scene>& scene, const Needs&
   add("frame/glm/" + tail, FrameCrowd::kCount, [scene, crowd] { crowd->next_plain(); });
 }
 
-/// Poses and palettes for consumers that skin elsewhere: with all joints, with a skeleton LOD without the deeper half,
-/// and interpolated between two poses that were sampled before.
+/// Poses and palettes for engines that skin elsewhere: with all joints, and with a skeleton LOD of the first
+/// half of the joints. A third case interpolates between two earlier poses.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   Needs needs;
   needs.positions = needs.normals = needs.tangents = false;
@@ -206,7 +205,7 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("all", needs);
   Needs fewer = needs;
   const std::size_t joints = scene->skeleton.joint_count();
-  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // parents come first
+  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // the deeper half goes
   add_level("half", fewer);
   needs.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);
@@ -222,7 +221,8 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   });
 }
 
-/// The plain version makes no flat normals: where a file has no normals, both sides leave them out.
+/// True if a mesh has no normals in its file. The plain version makes no flat normals, so both sides then leave out
+/// normals.
 bool has_flat_normals(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes)
     for (const Primitive& primitive : mesh.primitives)

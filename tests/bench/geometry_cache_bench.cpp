@@ -20,16 +20,16 @@ namespace {
 constexpr double kBudget = 1e-4;
 constexpr std::uint32_t kFrames = 128;
 
-/// A cloth of 29,949 vertices, baked; and what plain zstd makes of the same frames.
+/// A baked cloth of 29,949 vertices, and the same frames compressed with plain zstd.
 struct Cloth {
   std::vector<std::vector<glm::vec3>> frames;
   std::vector<std::byte> file;
   GeometryCache cache;
   std::vector<std::vector<char>> by_zstd;  // frames of 16-bit numbers, at level 19
-  std::size_t quantised_bytes = 0;         // of one frame
+  std::size_t quantised_bytes = 0;         // size of one frame
 };
 
-/// Each coordinate as 16 bits in steps of the same grid.
+/// Coordinates as 16-bit numbers in steps of the cache's grid.
 std::vector<std::uint16_t> quantised(const std::vector<glm::vec3>& frame, double step) {
   std::vector<std::uint16_t> out;
   for (const glm::vec3& p : frame)
@@ -57,7 +57,7 @@ std::shared_ptr<Cloth> make_cloth(const showcase::FlagWind& wind) {
   return out;
 }
 
-/// What decodes the cloth: frames go round.
+/// Decodes the cloth's frames in an endless loop.
 struct Player {
   std::shared_ptr<Cloth> cloth;
   GeometryDecoder decoder;
@@ -74,7 +74,7 @@ struct Player {
   }
 };
 
-/// Sizes as parts of raw floats, of all frames with the directory, and of plain zstd.
+/// Reports sizes relative to raw floats: all frames with the directory, and plain zstd.
 void report_sizes(const Cloth& cloth, benchmark::State& state) {
   const double raw = 12.0 * static_cast<double>(cloth.frames[0].size()) * kFrames;
   double zstd = 0.0;
@@ -83,7 +83,8 @@ void report_sizes(const Cloth& cloth, benchmark::State& state) {
   state.counters["zstd_of_raw"] = zstd / raw;
 }
 
-/// A calm wind, and a livelier one: what vertices move against their neighbours is what a cache has to store.
+/// A calm and a lively wind. A cache stores how vertices move relative to their neighbours, so a lively cloth takes
+/// more.
 constexpr showcase::FlagWind kCalm{}, kLively{.speed = 8.0, .gust = 3.4, .lift = 1.8, .swing = 4.6, .wave = 10.0};
 
 void add_forward(const std::string& name, const std::shared_ptr<Cloth>& cloth) {

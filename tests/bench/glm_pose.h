@@ -36,7 +36,7 @@ Between<V> find(const Track<V>& track, float time_s) {
   return {track.values[k], track.values[k + 1], (time_s - times[k]) / (times[k + 1] - times[k])};
 }
 
-/// Samples linear tracks only.
+/// Samples linear tracks; other interpolations are not supported.
 inline void sample(const Animation& animation, std::span<const Transform> rest, float time_s, std::span<Joint> pose) {
   for (std::size_t j = 0; j < pose.size(); ++j) pose[j] = {rest[j].translation, rest[j].rotation, rest[j].scale};
   for (const BoneAnimation& bone : animation.bones) {
@@ -56,7 +56,7 @@ inline void sample(const Animation& animation, std::span<const Transform> rest, 
   }
 }
 
-/// Weighted mean, rotations on the side of the first layer; weights sum to one.
+/// Weighted mean with rotations on the side of the first layer. Weights must add up to one.
 inline void blend(std::span<const std::vector<Joint>> layers, std::span<const float> weights, std::span<Joint> pose) {
   for (std::size_t j = 0; j < pose.size(); ++j) {
     glm::vec3 translation(0), scale(0);

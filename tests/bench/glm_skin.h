@@ -28,7 +28,7 @@ inline void morph(const MorphSet& morphs, std::span<const float> weights, const 
   for (glm::vec3& n : out.normals) n = glm::normalize(n);
 }
 
-/// Which attributes besides positions are written.
+/// The attributes to write besides positions.
 struct Attributes {
   bool normals = false, tangents = false;
 };
@@ -77,7 +77,7 @@ inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<c
     }
 }
 
-/// Rotation about each vertex's center, the center itself linearly blended.
+/// Rotates each vertex about its center, which is itself linearly blended.
 inline void skin_center_of_rotation(const VertexInfluences& influences, std::span<const glm::mat4> matrices,
                                     std::span<const Rigid> palette, std::span<const glm::vec3> centers,
                                     const VertexInput& in, const VertexOutput& out) {

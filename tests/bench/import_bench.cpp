@@ -21,14 +21,14 @@
 namespace sinew::bench {
 namespace {
 
-/// A file in memory or on disk. Images are not decoded on either side.
+/// A file in memory or on disk. Neither importer decodes images.
 struct Source {
   std::string name;
   std::variant<std::vector<std::byte>, std::filesystem::path> data;
-  std::size_t bytes = 0;  ///< with all buffers
+  std::size_t bytes = 0;  ///< total with all buffers
 };
 
-/// Time spent in each stage of an import; stages are named by its progress reports.
+/// Time spent in each stage of an import; progress reports give the names of the stages.
 class StageClock {
  public:
   using Clock = std::chrono::steady_clock;
@@ -67,7 +67,7 @@ int parse_source(const Source& source) {
   return parse_with_tinygltf(std::get<std::filesystem::path>(source.data));
 }
 
-/// Whole import beside tinygltf's parse alone; an item is one byte of the files.
+/// Compares the whole import with tinygltf's parsing alone; an item is one byte of the files.
 void add_sources(const std::string& name, std::shared_ptr<const std::vector<Source>> sources) {
   std::size_t bytes = 0;
   for (const Source& source : *sources) bytes += source.bytes;
@@ -77,7 +77,7 @@ void add_sources(const std::string& name, std::shared_ptr<const std::vector<Sour
   options.progress = [clock](const char* stage, double) { clock->enter(stage); };
   Facts facts;
   facts.bytes = bytes;
-  facts.wall_time = true;  // work on other threads counts too
+  facts.wall_time = true;  // includes work on other threads
   facts.report = [clock](benchmark::State& state) { clock->report(state); };
   add(
       "import/sinew/" + name, bytes,
@@ -103,7 +103,7 @@ bool is_compressed(const ImportedFile& file) {
   return std::any_of(used.begin(), used.end(), [](const std::string& name) { return name.ends_with("_compression"); });
 }
 
-/// Every uncompressed model of the corpus that both sides can read.
+/// Every uncompressed model of the corpus that both importers can read.
 std::vector<Source> corpus_sources() {
   std::vector<Source> out;
   ImportOptions options;

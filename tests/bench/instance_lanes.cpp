@@ -37,7 +37,7 @@ HWY_INLINE Matrix local_matrix(const float* pose, std::size_t stride, Offsets at
 }
 
 /// Matrices of one vector of instances, read from `poses` and written to `model`. `kept` holds the matrices of all
-/// joints for their children, and after them the matrix above the roots.
+/// joints for their children, followed by the matrix above the roots.
 void compose(const Skeleton& skeleton, const float* poses, std::size_t pose_pitch, Affine* model, float* kept) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;

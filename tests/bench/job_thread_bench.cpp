@@ -20,8 +20,7 @@ Scene skeleton_alone(const Character& character) {
   return scene;
 }
 
-/// A crowd of poses on the job thread, each character at its own time. Every frame says which threads
-/// it runs on.
+/// A crowd of poses on a job thread, each character at its own time. Each frame chooses the threads it runs on.
 class Crowd {
  public:
   Crowd(const Character& character, std::size_t count, std::size_t part_bytes)
@@ -32,7 +31,7 @@ class Crowd {
         inputs_(count) {
     for (std::size_t c = 0; c < count; ++c) jobs_.add_character(plan_);
   }
-  /// in   arena  the threads; null = the worker alone
+  /// in   arena  the threads; null = only the job thread's worker
   void next(bool held, tbb::task_arena* arena) {
     arena_ = arena;
     if (!held) time_s_ += 1.0 / 60.0;
@@ -53,7 +52,7 @@ class Crowd {
 
   Scene scene_;
   Plan plan_;
-  tbb::task_arena* arena_ = nullptr;  // of the frame in flight
+  tbb::task_arena* arena_ = nullptr;  // arena of the frame in flight
   JobThread jobs_;
   std::vector<ClipLayer> layers_;
   std::vector<FrameInput> inputs_;
@@ -62,7 +61,7 @@ class Crowd {
 
 }  // namespace
 
-/// `one_by_one` gives the executor one character per call, as if all were large.
+/// `one_by_one` gives the executor one character per call, as if each were expensive.
 void add_job_thread() {
   const Character& character = *characters().front();
   for (const std::size_t count : {std::size_t{16}, std::size_t{64}, std::size_t{1024}})

@@ -22,11 +22,11 @@ void print_help() {
   benchmark::PrintDefaultHelp();
 }
 
-/// Our own options; the others are left in the array for Google Benchmark.
+/// Options of this program; other arguments stay in argv for Google Benchmark.
 struct Options {
-  std::string target;  ///< empty = as always
+  std::string target;  ///< empty = the best one
   bool targets = false, instructions = false, compiler = false;
-  bool complete = true;  ///< false: --target without a name
+  bool complete = true;  ///< false: --target has no name behind it
 
   Options(int& argc, char** argv) {
     int kept = 1;
@@ -57,7 +57,8 @@ std::string listed(const std::vector<std::string>& names, const char* between) {
   return list;
 }
 
-/// err  false, with a sentence on stderr: this machine cannot run that
+/// Applies --target.
+/// err  false, with a message on stderr: no such target on this machine
 bool hold_to(const Options& options) {
   if (!options.complete || (!options.target.empty() && !choose_target(options.target))) {
     const std::string asked = options.complete ? "cannot run target '" + options.target + "'" : "--target needs a name";

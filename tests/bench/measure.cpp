@@ -12,7 +12,7 @@
 namespace sinew::bench {
 namespace {
 
-/// Our own work, of which callgrind counts the same every time: it runs threads in any order.
+/// True for our own cases whose instruction count is reproducible. Cases with several threads are not.
 bool is_counted(const Case& c) {
   const auto says = [&](const char* part) { return c.name.find(part) != std::string::npos; };
   const bool own = says("/sinew/") || says("/packed/") || says("/unpacked/");
@@ -21,7 +21,7 @@ bool is_counted(const Case& c) {
 }
 
 void count(const std::string& target, const Case& c) {
-  c.work();  // once uncounted: chooses the instruction set, loads pages
+  c.work();  // uncounted warm-up: chooses the instruction set, loads pages
   const std::string label = target + " " + c.name + " " + std::to_string(c.item_count);
   CALLGRIND_START_INSTRUMENTATION;
   CALLGRIND_ZERO_STATS;

@@ -12,16 +12,16 @@
 
 namespace sinew::bench {
 
-/// What a case reports besides its time.
+/// Properties of a case besides its time.
 struct Facts {
   double error =
       std::numeric_limits<double>::quiet_NaN();   ///< largest, against double precision: radians, metres, or relative
-  std::size_t bytes = 0;                          ///< read and written by one run, at least
-  bool wall_time = false;                         ///< instead of the calling thread's own time
+  std::size_t bytes = 0;                          ///< least number of bytes that one run reads and writes
+  bool wall_time = false;                         ///< measure wall time instead of the calling thread's CPU time
   std::function<void(benchmark::State&)> report;  ///< adds counters after the runs; may be empty
 };
 
-/// One case: `job/implementation/case`; `work()` is one run over `item_count` joints or vertices.
+/// One benchmark, named `job/implementation/case`. `work()` is one run over `item_count` joints or vertices.
 struct Case {
   std::string name;
   std::size_t item_count;
@@ -43,12 +43,12 @@ void register_cases();
 /// 1, 2, 4, ... up to the number of cores of the machine; always at least 1 and 2.
 std::vector<std::size_t> thread_counts();
 
-/// Runs our own cases of at most 100,000 items once each, on each target that callgrind knows. It dumps the count of
-/// instructions of each, named `target case item_count`.
+/// Counts instructions under callgrind: runs each of our own cases of at most 100,000 items once, on each target that
+/// callgrind supports. Callgrind dumps each count under the name `target case item_count`.
 /// err  false: not under valgrind
 bool count_instructions();
 
-/// Each file of benchmarks has one such function; main calls them all.
+/// Each benchmark file has one of these functions; main() calls them all.
 void add_import();
 void add_setup();
 void add_asset_files();

@@ -6,7 +6,7 @@
 
 namespace sinew::bench {
 
-/// Cost of copying on this machine: no job that reads and writes as many bytes can be faster.
+/// Time of copying memory on this machine: no job that reads and writes as many bytes can be faster.
 void add_memory() {
   struct Buffers {
     std::vector<char> from, to;

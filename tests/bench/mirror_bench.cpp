@@ -13,7 +13,7 @@
 namespace sinew::bench {
 namespace {
 
-/// A pose in the middle of a clip, and where it is mirrored or copied to.
+/// A pose in the middle of a clip, and memory for its mirrored or copied pose.
 struct Room {
   std::shared_ptr<const Character> of;
   MirrorTables tables;
@@ -31,13 +31,13 @@ struct Room {
   void copy() { std::copy_n(pose.span().planes, PoseSpan::floats_for(of->joint_count()), out.span().planes); }
 };
 
-/// The skeleton with other axes at every joint.
+/// The skeleton with rotated axes at every joint.
 Skeleton with_other_axes(Skeleton skeleton) {
   for (Transform& rest : skeleton.rest) rest.rotation = rest.rotation * quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
   return skeleton;
 }
 
-/// A pose on the same body with other axes.
+/// Retargets a pose to the same body with rotated axes.
 struct Retargeted {
   Room room;
   Skeleton target;
@@ -54,7 +54,7 @@ struct Retargeted {
   }
 };
 
-/// The feet of a pose on the same body with other axes, held again and again.
+/// Holds the feet of such a retargeted pose, again and again.
 struct HeldFeet {
   Retargeted on;
   FeetMap feet;
@@ -75,7 +75,7 @@ void add_mirrors() {
     const auto room = std::make_shared<Room>(c);
     add("mirror_pose/sinew/" + c->name, c->joint_count(), [room] { room->mirror(); });
     add("mirror_pose/copy/" + c->name, c->joint_count(), [room] { room->copy(); });
-    if (!c->skeleton.fixed_matrices.empty()) continue;  // these need a scratch pose
+    if (!c->skeleton.fixed_matrices.empty()) continue;  // these would need a scratch pose
     const auto retargeted = std::make_shared<Retargeted>(c);
     add("retarget_pose/sinew/" + c->name, c->joint_count(), [retargeted] { retargeted->run_job(); });
     add("retarget_pose/copy/" + c->name, c->joint_count(), [retargeted] { retargeted->room.copy(); });

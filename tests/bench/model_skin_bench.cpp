@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every kind of skinning of every skinned model of the corpus. Times of the rigid kinds include the split of the joint
-// matrices, which they need each frame. Linear blending also appears by combination of joints and weights: the cases
-// say how much it saves that vertices share them.
+// Every skinning method on every skinned model of the corpus. Times of the rigid methods include splitting the joint
+// matrices, which they need in each frame. Linear blending is also measured with shared combinations of joints and
+// weights; the cases tell how much sharing saves.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -24,7 +24,7 @@
 namespace sinew::bench {
 namespace {
 
-/// One skin in a pose, for all kinds of skinning.
+/// One skin in a pose, for all skinning methods.
 struct PosedSkin {
   std::vector<JointMatrix> palette;
   std::vector<JointPair> edges;
@@ -42,7 +42,7 @@ struct PosedSkin {
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
   }
   void split_palette() { run_unchecked(SplitPaletteJob{palette, split, &any_stretch, edges}); }
-  /// Without stretch, which plain code leaves out.
+  /// Splits matrices into rigid parts. Plain code ignores stretch.
   void split_glm() {
     for (std::size_t j = 0; j < glm_palette.size(); ++j) {
       const glm::mat4& m = glm_palette[j];
@@ -58,7 +58,7 @@ struct Skinned {
   std::uint32_t skin;
   Combinations combinations;
   std::vector<JointPair> pairs;
-  std::vector<glm::vec3> centers;  ///< near the vertices: times do not depend on where
+  std::vector<glm::vec3> centers;  ///< near the vertices; times do not depend on their exact place
   std::vector<glm::vec3> positions, normals;
 
   Skinned(const Primitive& p, std::uint32_t skin_index, std::size_t joint_count)
@@ -145,7 +145,7 @@ struct PosedModel {
   }
 };
 
-/// The variant must give the bits of the kernel.
+/// Fails unless the variant gives the bits of the kernel.
 void require_same(PosedModel& model) {
   model.skin_linear();
   std::vector<std::vector<glm::vec3>> expected;
@@ -156,8 +156,8 @@ void require_same(PosedModel& model) {
       std::abort();
 }
 
-/// All models of the corpus with skinned vertices, each in one encoding: a folder whose name continues that of another
-/// after a dash holds the same model again.
+/// All models of the corpus with skinned vertices, each in one encoding. A folder NAME-ENCODING holds the model of the
+/// folder NAME again.
 std::vector<NamedScene> skinned_scenes() {
   std::vector<NamedScene> found;
   if (!test::corpus()) return found;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What frames do between matrices and vertices, and after them: palettes, their rigid parts, flat normals.
+// The work of a frame between joint matrices and vertices, and after skinning: palettes, their rigid parts, flat
+// normals.
 #include "importer/topology/flat_order.h"
 #include "runtime/deform/flat_normals.h"
 #include "runtime/pose/hemisphere_pairs.h"
@@ -15,7 +16,7 @@
 namespace sinew::bench {
 namespace {
 
-/// A posed biped, whose joints all stretch or are all rigid.
+/// A posed biped; either all of its joints stretch, or all are rigid.
 struct PosedBiped {
   Skeleton skeleton = scenes::biped();
   Skin skin = scenes::skin_of_all_joints(skeleton);

@@ -22,7 +22,7 @@ namespace {
 
 using Shared = std::shared_ptr<const Character>;
 
-/// Memory of one pose and its matrices, for both implementations.
+/// Memory for one pose and its matrices, for both implementations.
 struct Room {
   Shared of;
   test::PoseBuffer pose;
@@ -50,7 +50,7 @@ struct Room {
   }
 };
 
-/// Times of steady play at 60 Hz, or of jumps to anywhere in the clip.
+/// Times of steady play at 60 Hz, or of jumps to random times of the clip.
 struct Times {
   bool forward;
   double duration_s, now_s = 0.0;
@@ -62,7 +62,7 @@ struct Times {
   }
 };
 
-/// `layer_count` layers of equal weight.
+/// Blend layers with equal weights.
 struct Layers {
   std::vector<test::PoseBuffer> poses;
   std::vector<BlendLayer> layers;
@@ -89,8 +89,7 @@ struct Layers {
 
 constexpr std::size_t kCrowd = 1024;
 
-/// Many characters that play one clip, each at its own time. Their poses together are larger than the nearest
-/// caches.
+/// Many characters that play one clip, each at its own time. All poses together exceed the nearest caches.
 struct Crowd {
   std::vector<std::unique_ptr<Room>> rooms;
   double time_s = 0.0;
@@ -107,8 +106,8 @@ struct Crowd {
   }
 };
 
-/// Many characters that play many clips, each at its own time. The clips together are larger than the caches: each one
-/// has tracks of its own.
+/// Many characters that play many clips, each at its own time. Each clip has its own tracks, so the clips together
+/// exceed the caches.
 struct ClipCrowd {
   static constexpr std::size_t kClips = 128;
   Crowd crowd;
@@ -123,7 +122,7 @@ struct ClipCrowd {
   }
 };
 
-/// One character of a crowd, per frame: two sampled poses, their blend, model matrices.
+/// Work of one crowd character per frame: sample two poses, blend them, compute model matrices.
 struct Walker {
   Room from, to, mean;
   std::vector<std::vector<glm_pose::Joint>> glm_layers;
@@ -146,7 +145,7 @@ struct Walker {
   }
 };
 
-/// Walkers that play one clip, each at its own time, split into one range per thread.
+/// Many walkers that play one clip, each at its own time, split into one range per thread.
 struct Walkers {
   std::vector<std::unique_ptr<Walker>> all;
   double time_s = 0.0, duration_s;
@@ -170,7 +169,7 @@ struct Walkers {
   }
 };
 
-/// Poses of many instances of one skeleton, one after the other in memory, and their matrices.
+/// Consecutive poses in memory of many instances of one skeleton, and their matrices.
 struct Instances {
   static constexpr std::size_t kCount = 64;
   Shared of;
@@ -326,7 +325,7 @@ void add_crowd() {
         const std::string tail = c->name + "/" + std::to_string(count) + "/" + std::to_string(threads) + "threads";
         const std::size_t all_joints = count * c->joint_count();
         Facts facts;
-        facts.wall_time = true;  // work of the other threads counts
+        facts.wall_time = true;  // includes work on other threads
         add(
             "crowd/sinew/" + tail, all_joints,
             [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step(a, b); }); }, facts);

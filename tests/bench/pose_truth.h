@@ -8,22 +8,22 @@
 #include "runtime/math/quaternion.h"
 #include "tests/bench/clip_characters.h"
 
-/// Largest errors of poses against the same work in double precision.
+/// Largest errors of poses, compared with double precision.
 namespace sinew::bench {
 
-/// eq   4 asin(|a - b| / 2), b aligned with a: keeps its digits for small angles
+/// eq   4 asin(|a - b| / 2), b aligned with a: precise for small angles
 inline double angle_between_rad(const glm::quat& a, const Quat<double>& b) {
   const Quat<double> q = quat_cast<double>(a), near = quat_dot(q, b) < 0 ? -b : b;
   const Quat<double> d = q - near;
   return 4.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(quat_dot(d, d))));
 }
 
-/// Over eleven times of the clip. `sample(time)` gives a function from a joint to its transform.
+/// Largest error over eleven times of the clip. `sample(time)` returns a function from a joint to its transform.
 template <class Sample>
 double sampling_error_rad(const Character& c, const Sample& sample) {
   double worst = 0.0;
   for (int i = 0; i <= 10; ++i) {
-    // a time that is exact in float, since the plain version samples in float
+    // This time is exact in float, because the plain version samples in float.
     const double time_s = static_cast<double>(static_cast<float>(c.animation.duration_s * (0.07 + 0.083 * i)));
     const auto joint = sample(time_s);
     for (const BoneAnimation& bone : c.animation.bones)
@@ -50,7 +50,7 @@ double blending_error_rad(const Character& c, std::size_t layers, const Input& i
   return worst;
 }
 
-/// Largest distance of a joint from its true place, relative to the size of the skeleton.
+/// Largest distance of a joint from its true position, relative to the size of the skeleton.
 template <class Local, class Position>
 double model_error(const Character& c, const Local& local, const Position& position) {
   std::vector<Affined> model(c.joint_count());

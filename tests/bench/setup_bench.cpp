@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is done once: clips compiled and loaded, plans compiled, the memory of a character and its first frame.
+// One-time work: compiling and loading clips, compiling plans, the memory of a character and its first frame.
 #include <cstdlib>
 
 #include "runtime/clip/clip_file.h"

@@ -5,11 +5,11 @@
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/vertex_streams.h"
 
-/// Variants that lost, kept so that they are measured beside the winner.
+/// Slower variants, kept so that they are measured beside the version in use.
 namespace sinew::bench {
 
-/// One vertex after the other, as the scalar target does. It lost because the compiler fills four lanes of sixteen and
-/// divides once per normal.
+/// Skins one vertex after the other, as the scalar target does. This is slower: the compiler fills four lanes of
+/// sixteen, and each normal takes a division.
 inline void vertexwise_linear(const VertexInfluences& influences, std::span<const JointMatrix> palette,
                               const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {
@@ -19,7 +19,7 @@ inline void vertexwise_linear(const VertexInfluences& influences, std::span<cons
   });
 }
 
-/// The same with dual quaternions. It lost by as much: rotation and normalisation of one vertex fill no lanes.
+/// Same with dual quaternions. It is slower by as much: rotation and normalisation of one vertex fill few lanes.
 inline void vertexwise_dual_quaternion(const VertexInfluences& influences, std::span<const RigidStretch> split,
                                        const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {

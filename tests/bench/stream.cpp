@@ -14,7 +14,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, 16>;
 
-/// Sum of everything read between the writes, so that the compiler removes no read.
+/// Streams between two buffers. Returns the sum of everything read, so that the compiler cannot remove the reads.
 float stream(const float* in, std::size_t in_count, float* out, std::size_t out_count, bool past_caches) {
   const Floats d;
   const std::size_t lanes = hn::Lanes(d), steps = out_count / lanes;

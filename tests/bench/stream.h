@@ -5,8 +5,8 @@
 
 namespace sinew::bench {
 
-/// The memory traffic of a job without its arithmetic: it reads and writes as many bytes. Output larger than the caches
-/// is written past them. No job that touches as many bytes can be faster.
+/// Memory traffic of a job without its arithmetic: reads and writes as many bytes. Output larger than the caches
+/// bypasses them. No job with this traffic can be faster.
 class StreamTraffic {
  public:
   StreamTraffic(std::size_t bytes_in, std::size_t bytes_out);

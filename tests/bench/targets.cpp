@@ -24,7 +24,7 @@ std::vector<std::string> target_names() {
 }
 
 bool choose_target(std::string_view name) {
-  test::allow_all_targets();  // else those that an earlier choice has left out would not be found
+  test::allow_all_targets();  // an earlier choice would hide the others
   for (const std::int64_t target : test::simd_targets()) {
     if (name_of(target) != name) continue;
     test::allow_only(target);

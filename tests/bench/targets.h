@@ -6,16 +6,17 @@
 
 namespace sinew::bench {
 
-/// Names of the instruction sets that this build has kernels for and this machine can run, the best first: avx3 (that
-/// is AVX-512), avx2, sse4, scalar; neon and scalar on ARM. `scalar` is what machines without any of the others run:
-/// the kernels over one float at a time.
+/// Names of the instruction sets that this build supports and this machine can run, best first. They are avx3
+/// (AVX-512), avx2, sse4, scalar; on ARM neon and scalar. `scalar` runs the kernels with one float at a time, for
+/// machines without the others.
 std::vector<std::string> target_names();
 
-/// Holds all jobs of this process to one of them.
-/// err  false: no such name
+/// Restricts all jobs of this process to one instruction set.
+/// err  false: this build or machine does not have it
 bool choose_target(std::string_view name);
 
-/// The compiler that made this program, and whether it optimised: counts of instructions belong to one compiler.
+/// The compiler of this program, and whether it optimised. Counts of instructions can only be compared for one
+/// compiler.
 std::string compiler();
 
 }  // namespace sinew::bench

@@ -34,7 +34,7 @@ struct Deformed {
   explicit Deformed(std::size_t count) : positions(count), normals(count), scratch(count), tangents(count) {}
 };
 
-/// A posed surface over a biped, its palettes for both implementations.
+/// A posed surface around a biped, with palettes for both implementations.
 struct Surface {
   Primitive primitive;
   Deformed out;
@@ -79,14 +79,14 @@ struct Surface {
     return sizeof(glm::vec3) + (wanted.normals ? sizeof(glm::vec3) : 0) + (wanted.tangents ? sizeof(glm::vec4) : 0);
   }
 
-  /// Centers of rotation, a little below each vertex.
+  /// Centers of rotation, 3 cm below each vertex.
   std::vector<glm::vec3> centers() const {
     std::vector<glm::vec3> around = primitive.positions;
     for (std::size_t v = 0; v < around.size(); ++v) around[v] -= 0.03f * primitive.normals[v];
     return around;
   }
 
-  /// Largest distance in metres of the last output from double precision, over at least a thousandth of the vertices.
+  /// Largest distance, in metres, of the last output from double precision, over at least a thousandth of the vertices.
   double error_m(Skinning kind) const {
     const std::vector<glm::vec3> around =
         kind == Skinning::center_of_rotation ? centers() : std::vector<glm::vec3>(primitive.vertex_count());
@@ -119,7 +119,7 @@ struct Surface {
   }
 };
 
-/// The same influences in bytes, as most files have them: joints and normalised weights.
+/// Influences with joints and normalised weights in bytes, as most files have them.
 struct Bytes {
   std::vector<InfluenceGroup> groups;
   std::vector<std::uint8_t> joints, weights;
@@ -135,7 +135,7 @@ struct Kind {
   glm_skin::Attributes wanted;
 };
 
-/// Adds one implementation with its error, measured here.
+/// Adds one implementation, and measures its error now.
 template <class Work>
 void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted,
                     Skinning kind, Work work) {
@@ -178,7 +178,7 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   });
 }
 
-/// Both sides of one case.
+/// Adds both implementations of one case.
 void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::string& tail) {
   const auto centers = std::make_shared<std::vector<glm::vec3>>(s->centers());
   const glm_skin::Attributes wanted{true, false};
@@ -193,7 +193,7 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
   });
 }
 
-/// The same split into one range per thread: how much more memory bandwidth two cores have than one.
+/// Splits the work into one range per thread: shows how much more memory bandwidth several cores have than one.
 void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::size_t threads) {
   const auto parts = std::make_shared<std::vector<std::shared_ptr<Surface>>>();
   for (std::size_t t = 0; t < threads; ++t)
@@ -224,7 +224,7 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
       facts);
 }
 
-/// Characters that take turns. Their vertices together are larger than the caches, so each one is cold at its turn.
+/// Characters that run in turn. Their vertices together exceed the caches, so each one is cold at its turn.
 void add_cold_case(const std::string& tail, std::uint32_t vertex_count) {
   struct Turns {
     std::vector<Surface> characters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No call of the C interface ends the program: null pointers and numbers that make no sense answer codes, or nothing.
+// No call of the C interface crashes: null pointers and nonsense numbers give error codes, or nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -9,7 +9,7 @@
 
 namespace sinew::test {
 
-/// A scene, its plan and a frame that nothing was run for, through the C interface.
+/// Fixture with a scene, its plan and a frame that has not run yet, through the C interface.
 class CPlan : public testing::Test {
  protected:
   explicit CPlan(Scene scene, const sinew_needs* needs = nullptr) : scene_{std::move(scene)} {
@@ -26,7 +26,7 @@ class CPlan : public testing::Test {
   sinew_frame* frame_ = nullptr;
 };
 
-/// With its first frame.
+/// Same, with the first frame already run.
 class CFrame : public CPlan {
  protected:
   explicit CFrame(Scene scene, const sinew_needs* needs = nullptr) : CPlan(std::move(scene), needs) {

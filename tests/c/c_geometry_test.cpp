@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Geometry caches through the C interface show what the C++ interface shows.
+// Geometry caches give the same vertices through the C interface as through the C++ interface.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -84,7 +84,7 @@ TEST_F(c_geometry, frames_that_the_engine_reads_later_show_the_newest_and_say_so
   ASSERT_EQ(engine_cloth_run(&cloth_, cache_.frame_s() * 6, 1.0f), SINEW_OK);
   EXPECT_EQ(instance().late, 1u) << "four frames were there";
   expect_shown(truth(cache_.frame_s() * 3));
-  for (int k = 0; k < 2; ++k) {  // the window moves on to the frames after those
+  for (int k = 0; k < 2; ++k) {  // the window of requested frames moves on to frame 6
     engine_deliver(&file_);
     ASSERT_EQ(engine_cloth_run(&cloth_, cache_.frame_s() * 6, 1.0f), SINEW_OK);
   }

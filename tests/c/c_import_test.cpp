@@ -64,7 +64,7 @@ TEST(c_import, a_bad_file_says_where_and_why) {
   EXPECT_EQ(sinew_import_memory(text.data(), text.size(), "bad.gltf", nullptr, &scene, nullptr), SINEW_BAD_FILE);
 }
 
-/// Triangles without normals whose material has a normal map.
+/// A file of triangles without normals or tangents, with a normal map in their material.
 std::vector<std::byte> bare_file() {
   Scene scene = arm_scene();
   scene.images.push_back({.name = "bumps", .width = 1, .height = 1, .rgba = {128, 128, 255, 255}});

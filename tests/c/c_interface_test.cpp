@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C interface gives the numbers of the C++ one, bit by bit, takes memory and threads from where it is told, and
-// refuses what it cannot do. The reading is done by C code (engine.c).
+// The C interface gives the bits of the C++ one, uses the memory and threads it is given, and refuses impossible
+// requests. C code in engine.c reads the results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace sinew::test {
 namespace {
 
-/// What engine_read reads, from the C++ side.
+/// The numbers that engine_read reads, taken from the C++ result.
 std::vector<float> numbers_of(const FrameResult& frame) {
   std::vector<float> all;
   add_numbers(all, frame.model);
@@ -121,7 +121,7 @@ TEST(c_interface, what_nobody_sees_is_told_to_the_frame) {
   Numbers some, none;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &some), SINEW_OK);
   expect_same(some.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
-  input.asleep = 2;  // any number but 0
+  input.asleep = 2;  // any nonzero number is true
   in_cpp.asleep = true;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &none), SINEW_OK);
   expect_same(none.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
@@ -265,7 +265,7 @@ TEST(c_interface, jobs_run_on_the_engines_executor_and_memory_with_the_same_bits
   options.allocator = engine_allocator(&memory);
   options.executor = engine_executor(&log);
   options.inline_below_bytes = 0;
-  options.part_bytes = 1;  // each character alone
+  options.part_bytes = 1;  // so that each character is a job of its own
   sinew_jobs* jobs = nullptr;
   ASSERT_EQ(sinew_jobs_create(&options, &jobs), SINEW_OK);
   for (std::uint32_t expected = 0; expected < 3; ++expected) {
@@ -340,7 +340,7 @@ TEST(c_interface, clocks_and_events_are_those_of_the_cpp_interface) {
     EXPECT_EQ(std::vector<std::uint32_t>(events, events + crossed), expected) << mode;
     EXPECT_EQ(end_s, clock.time_s());
     EXPECT_EQ(engine_events(1.0, mode, 0.17, 20, times_s, 4, events, 3, &end_s),
-              expected.size());  // counted beyond the room
+              expected.size());  // it counts all events, also those beyond the capacity
   }
 }
 

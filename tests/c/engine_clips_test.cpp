@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Libraries, mirroring and retargeting: the C interface gives the bits of the C++ one. The calls are made by C code
-// (engine_clips.c).
+// Libraries, mirroring and retargeting: the C interface gives the bits of the C++ one. C code in engine_clips.c makes
+// the calls.
 #include "tests/c/engine_clips.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@
 namespace sinew::test {
 namespace {
 
-/// A body with the names of Mixamo that stands on two straight legs, and bends its left leg and walks on in one second.
+/// A body with Mixamo's joint names on two straight legs. It bends its left leg and walks on within one second.
 Scene walker(float size) {
   Scene scene;
   scene.skeleton = skeleton_of({kNone, 0, 0, 1, 2, 3, 4});

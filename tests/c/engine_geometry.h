@@ -3,26 +3,26 @@
 #include "runtime/c_geometry/sinew_geometry.h"
 #include "tests/c/engine.h"
 
-// An engine in C11 that shows a geometry cache.
+// A small engine in C that plays a geometry cache.
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/// A file that is read from memory, and what the engine was asked for.
+/// A file in memory, and the reads that the engine has been asked for.
 typedef struct engine_file {
   const unsigned char* bytes;
   size_t byte_count;
   size_t reads;
-  int later;  ///< reads stay pending until engine_deliver
+  int later;  ///< 1 = reads stay pending until engine_deliver()
   sinew_frame_read* waiting[64];
   size_t waiting_count;
 } engine_file;
 sinew_frame_reader engine_file_reader(engine_file* file);
-/// Finishes all reads that wait.
+/// Finishes all pending reads.
 void engine_deliver(engine_file* file);
 
-/// A character that shows a cache alone.
+/// A character that shows only a geometry cache.
 typedef struct engine_cloth {
   sinew_geometry_cache* cache;
   sinew_scene* scene;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Long clips in pages through the C interface show what whole clips show.
+// Long clips give the same frames in pages as whole, through the C interface.
 #include "tests/c/engine_pages.h"
 
 #include <gtest/gtest.h>
@@ -228,7 +228,7 @@ TEST_F(CPages, held_inputs_keep_the_pages_of_their_layers_and_interpolated_ones_
   sinew_plan_destroy(plan);
 }
 
-/// Of two layers each, all of the same clip: pages of the layers and of the next ones lie at four times.
+/// Two layers and two next layers play one clip at four times, so that each needs a page of its own.
 TEST_F(CPages, next_layers_play_their_own_pages) {
   std::array<sinew_page*, 4> at{};
   std::array<sinew_layer, 4> in_pages{}, in_whole{};

@@ -83,7 +83,7 @@ sinew_error engine_save_and_load(sinew_scene* scene, size_t* byte_count) {
   return error;
 }
 
-/// The inputs of a character that is evaluated less often.
+/// The inputs of a character that is not evaluated in every frame.
 typedef struct level_player {
   sinew_held_input* held;
   sinew_interpolated_input* interpolated;

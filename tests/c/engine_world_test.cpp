@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Root motion, sockets, clip files, bounds, levels of detail and tasks: the C interface gives the bits of the C++ one.
-// The calls are made by C code (engine_world.c).
+// C code in engine_world.c makes the calls.
 #include "tests/c/engine_world.h"
 
 #include <gtest/gtest.h>
@@ -235,7 +235,7 @@ TEST(c_world, bounds_of_clips_are_those_of_the_cpp_interface) {
   EXPECT_GT(known, 8u);
 }
 
-/// The model matrices of frames that are held or interpolated, by the C++ interface.
+/// Model matrices of frames with held or interpolated input, from the C++ interface.
 std::vector<float> played_in_cpp(const Scene& scene, UpdateLevel level, std::uint32_t phase, bool interpolated,
                                  double dt_s, std::uint64_t frames) {
   Needs needs;

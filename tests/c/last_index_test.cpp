@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last entry of each list is there, and the one behind it is not.
+// The last index of each list is valid, and the index after it is refused.
 #include <gtest/gtest.h>
 
 #include <vector>

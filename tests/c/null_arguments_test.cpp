@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each pointer that a call of the C interface needs is null in turn, while all others are good.
+// Each required pointer of every C call is null in turn, while all other arguments are valid.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -15,8 +15,9 @@
 namespace sinew::test {
 namespace {
 
-/// in   optional  arguments that may be null
-///      given     good arguments; the call is never made with all of them
+/// Calls the function with one required pointer null at a time and expects a refusal.
+/// in   optional  indices of arguments that may be null
+///      given     valid arguments; the call is never made with all of them
 template <class... A>
 void expect_refused(const char* name, sinew_error (*call)(A...), const std::set<std::size_t>& optional,
                     std::type_identity_t<A>... given) {
@@ -40,7 +41,7 @@ void expect_refused(const char* name, sinew_error (*call)(A...), const std::set<
 
 #define EXPECT_REFUSED(call, ...) expect_refused(#call, call, __VA_ARGS__)
 
-/// A handle with the function that destroys it.
+/// A handle that destroys its object.
 template <class Handle>
 using Own = std::unique_ptr<Handle, void (*)(Handle*)>;
 

@@ -8,7 +8,7 @@
 
 namespace sinew::test {
 
-/// What the C engine reads, freed at the end.
+/// The C engine's array of numbers; frees itself.
 struct Numbers : engine_numbers {
   Numbers() : engine_numbers{} {}
   ~Numbers() { engine_free(this); }
@@ -17,7 +17,7 @@ struct Numbers : engine_numbers {
   std::vector<float> all() const { return {values, values + count}; }
 };
 
-/// Elements that are made of floats, one float after another.
+/// Appends elements that consist of floats.
 template <class T>
 void add_numbers(std::vector<float>& to, std::span<const T> values) {
   const auto* floats = reinterpret_cast<const float*>(values.data());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Engines that were compiled with an older or a newer header: their structs are smaller or larger than the library's,
-// and so are the elements of their arrays.
+// Engines compiled with an older or a newer header: their structs and array elements are smaller or larger than the
+// library's.
 #include <gtest/gtest.h>
 
 #include "runtime/base/same_bits.h"
@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// The structs of the first version of the headers.
+/// Structs as in the first version of the headers.
 struct FirstInput {
   std::size_t struct_size = sizeof(FirstInput);
   const sinew_layer* layers = nullptr;
@@ -54,7 +54,7 @@ struct FirstLodInfo {
   std::uint32_t left_out = 0, worst_joint = 0;
 };
 
-/// Of a version to come.
+/// A struct as a future version may have it.
 struct LaterInput {
   LaterInput() { known.struct_size = sizeof(LaterInput); }
   sinew_frame_input known = sinew_default_input();
@@ -95,7 +95,7 @@ class StructVersions : public testing::Test {
     for (std::size_t c = 0; c < kCharacters; ++c) ASSERT_EQ(sinew_jobs_add_character(jobs, plan, &character), SINEW_OK);
   }
 
-  /// What every character shows is what its input gives alone.
+  /// Expects each character to show the same as its input alone gives.
   template <class Input>
   void expect_frames_of(const Input (&inputs)[kCharacters]) {
     std::uint64_t ticket = 0;
@@ -110,7 +110,7 @@ class StructVersions : public testing::Test {
       Numbers read, expected;
       ASSERT_EQ(engine_read(sinew_jobs_latest(jobs, c), 0, &read), SINEW_OK);
       ASSERT_EQ(engine_play(&scene, as<sinew_needs>(FirstNeeds{}), &alone, nullptr, &expected), SINEW_OK);
-      // Palettes are not asked for, so that reading those of no skin reads all there is.
+      // The plan has no palettes, so reading with zero skins reads everything.
       EXPECT_TRUE(same_bits<float>(read.all(), expected.all())) << "character " << c;
     }
   }
@@ -155,7 +155,7 @@ TEST_F(c_struct_versions, an_array_of_larger_structs_is_read_in_steps_of_the_cal
 TEST_F(c_struct_versions, what_an_older_caller_lacks_has_its_default) {
   sinew_frame* frame = nullptr;
   ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
-  // The memory behind the older struct would be an interpolation factor and layers if it were read.
+  // The memory behind the older struct would give an interpolation factor and layers, if the library read it.
   struct {
     FirstInput input;
     double behind[8] = {1e300, -1e300, 1e300, 1e300, 1e300, 1e300, 1e300, 1e300};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Input: a table of views, accessors and their uses in fixed fields, then the bytes that they describe. The JSON around
-// them is always valid, so every input gets as far as the accessor rules.
+// Input: fields of fixed size that describe views, accessors and their uses, then the bytes of the buffer. The JSON
+// around them is always valid, so every input reaches the accessor rules.
 #include <array>
 #include <vector>
 
@@ -21,7 +21,7 @@ constexpr std::array<const char*, 3> kInterpolations{"LINEAR", "STEP", "CUBICSPL
 constexpr std::array<const char*, 4> kPaths{"translation", "rotation", "scale", "weights"};
 constexpr std::array<const char*, 8> kSemantics{"NORMAL",   "TANGENT",   "TEXCOORD_0", "COLOR_0",
                                                 "JOINTS_0", "WEIGHTS_0", "JOINTS_1",   "WEIGHTS_1"};
-constexpr std::uint32_t kNoUse = 0;  // a zero byte uses nothing, others name an accessor
+constexpr std::uint32_t kNoUse = 0;  // a zero byte means no accessor, others name one
 
 class AccessorFile {
  public:

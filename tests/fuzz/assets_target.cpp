@@ -12,7 +12,7 @@
 namespace sinew::fuzz {
 namespace {
 
-/// More takes long and shows nothing new.
+/// Larger scenes take long and reveal nothing new.
 constexpr std::size_t kMostJoints = 1'000, kMostVertices = 10'000;
 
 bool is_small(const Scene& scene) {
@@ -28,7 +28,7 @@ void play(const Scene& scene, const ClipBoxes& boxes) {
   for (std::uint32_t clip = 0; clip < std::min<std::size_t>(scene.clips.size(), 2); ++clip) {
     const ClipLayer layer{.clip = clip, .time_s = 0.37 * scene.clips[clip].duration_s()};
     require(run_plan(plan, {.layers = {&layer, 1}}, frame) == ErrorCode::ok, "a scene that was read can be played");
-    if (clip < boxes.size() && !boxes[clip].empty())  // else it takes long
+    if (clip < boxes.size() && !boxes[clip].empty())  // without boxes this takes long
       require(clip_bounds(scene, {}, clip, boxes[clip]).size() == scene.instances.size(), "every instance has a box");
   }
 }

@@ -10,7 +10,7 @@
 namespace sinew::fuzz {
 namespace {
 
-/// A valid head for the bytes after it, so that the code behind the checksum is reached.
+/// Puts a valid head before the bytes, so that the code behind the checksum runs.
 std::vector<std::byte> signed_block(Bytes body) {
   std::vector<std::byte> block = save_clips({});
   block.resize(kClipFileHead);

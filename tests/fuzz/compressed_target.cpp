@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Input: the description of one compressed view or primitive in fixed fields, then the stream.
+// Input: fields of fixed size that describe one compressed view or primitive, then the stream.
 #include <array>
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inputs that fuzzing once found stay harmless: found/TARGET/* run in every build. The seeds run as well, so that a
-// target that does nothing is noticed here and not after hours of fuzzing.
+// Runs inputs that fuzzing once found (found/TARGET/*), so that they stay harmless. It also runs the seeds: a target
+// that does nothing is noticed here instead of after hours of fuzzing.
 #include <gtest/gtest.h>
 
 #include <algorithm>

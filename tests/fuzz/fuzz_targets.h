@@ -8,20 +8,20 @@ namespace sinew::fuzz {
 
 using Bytes = std::span<const std::byte>;
 
-/// Runs a target on an input of any bytes. A broken promise throws an exception, which libFuzzer and GoogleTest report.
+/// A fuzz target accepts any bytes. A broken promise throws an exception, which libFuzzer and GoogleTest report.
 struct Target {
   std::string_view name;
   void (*run)(Bytes input);
 };
 
-void import_glb(Bytes input);           ///< a whole file, then one frame of what it holds
+void import_glb(Bytes input);           ///< a whole file, then one frame of its scene
 void import_json(Bytes input);          ///< .gltf text with its buffers in data URIs
 void read_accessors(Bytes input);       ///< valid JSON around arbitrary accessors and bytes: see accessors_target.cpp
 void decode_compressed(Bytes input);    ///< meshopt and Draco streams: see compressed_target.cpp
 void decode_images(Bytes input);        ///< PNG, JPEG, WebP, AVIF
-void load_compiled_clips(Bytes input);  ///< compiled clips, as they are and after a head that is right for them
-void play_geometry(Bytes input);        ///< geometry caches: the input as a file, and as the frames of a right one
-void read_asset_files(Bytes input);     ///< .sinew files, as they are and with their checksums made right
+void load_compiled_clips(Bytes input);  ///< compiled clips: the input as a file, and behind a valid head
+void play_geometry(Bytes input);        ///< geometry caches: the input as a file, and as the frames of a valid one
+void read_asset_files(Bytes input);     ///< .sinew files: the input as it is, and with correct checksums
 void read_poses(Bytes input);           ///< golden poses for `sinew verify`
 
 std::span<const Target> targets() noexcept;

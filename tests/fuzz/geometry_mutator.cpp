@@ -20,7 +20,7 @@ namespace {
 using Blob = std::vector<std::byte>;
 
 constexpr std::size_t kMostGrowth = 64, kMostUnpacked = 1 << 16;
-constexpr std::size_t kFrameCountAt = 16, kMeshCountAt = 24;  // in the directory
+constexpr std::size_t kFrameCountAt = 16, kMeshCountAt = 24;  // offsets in the directory
 
 void change_bytes(Blob& bytes, const MutateBytes& mutate_bytes) {
   const std::size_t size = bytes.size();
@@ -28,7 +28,7 @@ void change_bytes(Blob& bytes, const MutateBytes& mutate_bytes) {
   bytes.resize(mutate_bytes(reinterpret_cast<std::uint8_t*>(bytes.data()), size, bytes.size()));
 }
 
-/// Bytes as they were before they were stored; none where they cannot be unpacked.
+/// The unpacked bytes of a section; empty if they cannot be unpacked.
 Blob unpacked(Bytes stored, bool by_zstd) {
   static Unpacker unpacker;
   static std::vector<std::uint8_t> plain(kMostUnpacked);
@@ -39,15 +39,15 @@ Blob unpacked(Bytes stored, bool by_zstd) {
 
 void append(Bytes bytes, Blob& out) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
-/// A table of a directory, stored as it is.
+/// Appends a table to a directory without compression.
 void add_table(Bytes bytes, Blob& out) {
   const auto size = static_cast<std::uint32_t>(bytes.size());
   append(std::as_bytes(std::span(&size, 1)), out);
   append(bytes, out);
 }
 
-/// Copies a directory up to its tables of frames; tables are stored as they are, so that changes of them mean
-/// something.
+/// Copies a directory up to its tables of frames. The tables are stored uncompressed, so that changed bytes have an
+/// effect.
 class PlainDirectory {
  public:
   explicit PlainDirectory(Bytes directory) : directory_(directory), in_(directory) {}
@@ -92,7 +92,7 @@ class PlainDirectory {
   Blob out_;
 };
 
-/// A cache taken apart. The directory is without its tables of frames, which follow from the frames.
+/// The parts of a cache. The directory is without its tables of frames, which are computed from the frames.
 struct Parts {
   Blob directory;
   std::size_t mesh_count = 0;
@@ -142,7 +142,7 @@ Blob put_together(Parts parts) {
   return file;
 }
 
-/// A section of a stream of a frame.
+/// Place of a section in a stream of a frame.
 struct Section {
   std::size_t size_at = 0, at = 0, stored = 0;
   bool by_zstd = false;
@@ -166,7 +166,7 @@ std::vector<Section> sections_of(Bytes frame) {
   return out;
 }
 
-/// Changes one section of a frame after it was unpacked, and stores it as it is.
+/// Unpacks one section of a frame, changes it, and stores it uncompressed.
 void change_section(Blob& frame, test::FixedRandom& random, const MutateBytes& mutate_bytes) {
   const std::vector<Section> sections = sections_of(frame);
   if (sections.empty()) return change_bytes(frame, mutate_bytes);

@@ -9,9 +9,9 @@
 
 namespace sinew::fuzz {
 
-/// One change of a geometry cache: of the unpacked bytes of a section, of a frame, of their order, or of the directory.
-/// Sizes and checksums are written again, so that the code behind their comparison is reached. Bytes that are no cache
-/// are changed as bytes.
+/// Makes one change of a geometry cache: in the unpacked bytes of a section, in a frame, in the order of frames, or in
+/// the directory. Sizes and checksums are corrected, so that the code behind their checks runs. Bytes that are not a
+/// cache are changed as plain bytes.
 std::vector<std::byte> mutate_geometry(Bytes file, std::uint64_t seed, const MutateBytes& mutate_bytes);
 
 }  // namespace sinew::fuzz

@@ -8,7 +8,7 @@
 namespace sinew::fuzz {
 namespace {
 
-/// More takes long and shows nothing new.
+/// Larger caches take long and reveal nothing new.
 constexpr std::size_t kMostVertices = 1024;
 constexpr std::uint32_t kMostFrames = 64;
 
@@ -28,7 +28,7 @@ void show(const GeometryCache& cache, GeometryDecoder& decoder) {
     }
 }
 
-/// Forward, to the end, back, and between frames.
+/// Plays forward to the end, backward, and between frames.
 void play(const GeometryCache& cache, Bytes file) {
   GeometryDecoder decoder(cache);
   MappedFrames source{cache, file};

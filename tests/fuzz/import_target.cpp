@@ -12,11 +12,11 @@
 namespace sinew::fuzz {
 
 void import_and_evaluate(Bytes file) {
-  // One thread: waking others takes longer than a small file, and another program of the run has their core.
+  // One thread: waking others takes longer than a small file, and the run's other programs use the other cores.
   static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   ImportOptions options;
   options.max_image_pixels = 1 << 12;
-  options.max_unpacked_bytes = std::uint64_t{1} << 22;  // what is too large is refused before it is filled
+  options.max_unpacked_bytes = std::uint64_t{1} << 22;  // larger claims are refused before memory is filled
   options.thorough = true;
   const auto imported = import_gltf(file, "fuzz", options);
   if (!imported) return require(!imported.error().issue.rule.empty(), "an error names its rule");

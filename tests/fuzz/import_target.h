@@ -11,7 +11,7 @@ namespace sinew::fuzz {
 /// frame of its first clip must run.
 void import_and_evaluate(Bytes file);
 
-/// The .glb that read_accessors() makes of an input.
+/// The .glb that read_accessors() builds from an input.
 std::vector<std::byte> accessor_file(Bytes input);
 
 }  // namespace sinew::fuzz

@@ -8,7 +8,7 @@
 
 namespace sinew::fuzz {
 
-/// Takes choices from the front of an input; past its end all are zero.
+/// Reads choices from the front of an input; beyond its end all choices are zero.
 class InputReader {
  public:
   explicit InputReader(Bytes input) : left_(input) {}

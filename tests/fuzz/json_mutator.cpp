@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostValues = 4096, kDeepest = 64;
 
-/// Every value of the document, parents before children.
+/// All values of the document, parents before children.
 void list_values(Json& value, std::size_t depth, std::vector<Json*>& out) {
   if (out.size() >= kMostValues || depth > kDeepest) return;
   out.push_back(&value);
@@ -80,8 +80,8 @@ void change_array(Json& value, test::FixedRandom& random) {
   }
 }
 
-/// Members that glTF and its extensions know, each with a value of the right shape. Small indices point at something in
-/// most files, so that what is added is read and not only refused.
+/// Members that glTF and its extensions define, each with a value of the right type. Small indices are valid in most
+/// files, so that the importer reads the new member instead of refusing it.
 const std::vector<std::pair<std::string, Json>>& known_members() {
   static const std::vector<std::pair<std::string, Json>> known = [] {
     constexpr const char* kMembers = R"({"mesh": 0, "skin": 0, "camera": 0, "children": [1], "weights": [0.5],
@@ -160,7 +160,7 @@ void change_any_value(Json& document, test::FixedRandom& random, const MutateByt
 }  // namespace
 
 std::string mutate_json(const std::string& text, std::uint64_t seed, const MutateBytes& mutate_bytes) {
-  // libFuzzer changes an input several times in a row; reading it again would cost more than all changes.
+  // libFuzzer changes an input several times in a row; parsing it each time would cost more than all changes.
   static std::string last_text;
   static Json last_document;
   const std::string_view trimmed = std::string_view(text).substr(0, text.find_last_not_of(' ') + 1);

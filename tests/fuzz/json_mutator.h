@@ -7,12 +7,12 @@
 
 namespace sinew::fuzz {
 
-/// Changes bytes in place, may grow them up to `max_size`; returns the new size. It has the signature of libFuzzer's
+/// Changes bytes in place and may grow them up to `max_size`; returns the new size. It has the signature of libFuzzer's
 /// own mutator.
 using MutateBytes = std::function<std::size_t(std::uint8_t* data, std::size_t size, std::size_t max_size)>;
 
-/// One to three changes that keep the text JSON: a number, word or name replaced by another, values swapped, copied,
-/// repeated or dropped, a string's bytes changed, a member of glTF or of an extension added. Text that is not JSON is
+/// Makes one to three changes that keep the text JSON. A change replaces a number, word or name, swaps, copies, repeats
+/// or drops values, changes a string's bytes, or adds a member of glTF or an extension. Text that is not JSON is
 /// returned unchanged.
 std::string mutate_json(const std::string& text, std::uint64_t seed, const MutateBytes& mutate_bytes);
 

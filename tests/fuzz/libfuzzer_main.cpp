@@ -32,7 +32,7 @@ const fuzz::Target& chosen_target() {
 
 std::string text_of(fuzz::Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// Replaces the input by `out` when there is room.
+/// Replaces the input by `out` if it fits.
 std::optional<std::size_t> put(const void* out, std::size_t size, std::uint8_t* data, std::size_t max_size) {
   if (size == 0 || size > max_size) return std::nullopt;
   std::memcpy(data, out, size);
@@ -44,8 +44,7 @@ std::optional<std::size_t> change_json(std::uint8_t* data, std::size_t size, std
   return put(text.data(), text.size(), data, max_size);
 }
 
-/// Changes one part of the container and writes its lengths again, so that the code behind the container check is
-/// reached.
+/// Changes one part of the container and corrects its lengths, so that the code behind the container check runs.
 std::optional<std::size_t> change_glb(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
   IssueLog log;
   const auto parts = open_glb(std::as_bytes(std::span(data, size)), log);
@@ -79,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
   std::optional<std::size_t> changed;
-  if (seed % 5 != 0) {  // else bytes, for what comes before JSON
+  if (seed % 5 != 0) {  // otherwise changes bytes, to test the code before JSON parsing
     const std::string_view name = chosen_target().name;
     if (name == "geometry") changed = change_geometry(data, size, max_size, seed / 5);
     if (name == "glb") changed = change_glb(data, size, max_size, seed / 5);

@@ -34,7 +34,7 @@ using test::Json;
 using Blob = std::vector<std::byte>;
 
 constexpr std::size_t kLargest = 30'000;
-constexpr std::size_t kLargestDocument = 6'000;  ///< a whole file: small ones are parsed and changed faster
+constexpr std::size_t kLargestDocument = 6'000;  ///< of a whole file; small files are parsed and changed faster
 
 Blob blob(const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));
@@ -43,12 +43,12 @@ Blob blob(const std::string& text) {
 
 void append(Blob& out, const Blob& more) { out.insert(out.end(), more.begin(), more.end()); }
 
-/// A document with the bytes of its buffers beside it.
+/// A document and the bytes of its buffers.
 struct OpenFile {
   Json json;
   std::vector<Blob> buffers;
 
-  /// One stream of a buffer; empty when it leaves the buffer.
+  /// The bytes of one stream of a buffer; empty if it leaves the buffer.
   Blob slice(const Json& view) const {
     const auto index = view.value("buffer", std::size_t{0}), from = view.value("byteOffset", std::size_t{0}),
                size = view.value("byteLength", std::size_t{0});
@@ -92,7 +92,7 @@ Blob as_text(OpenFile file) {
   return blob(file.json.dump());
 }
 
-/// Buffer 0 in the BIN chunk, others as data URIs.
+/// The file as .glb: buffer 0 in the BIN chunk, others as data URIs.
 Blob as_glb(OpenFile file) {
   for (std::size_t i = 1; i < file.buffers.size(); ++i)
     if (!file.buffers[i].empty()) file.json["buffers"][i]["uri"] = data_uri(file.buffers[i]);
@@ -106,7 +106,7 @@ Blob fields(std::initializer_list<std::size_t> bytes) {
   return out;
 }
 
-/// In the form that compressed_target.cpp reads.
+/// Adds the streams in the input format of compressed_target.cpp.
 void add_meshopt_streams(const OpenFile& file, std::vector<Seed>& out) {
   for (const Json& view : file.json.value("bufferViews", Json::array())) {
     const Json extensions = view.value("extensions", Json());
@@ -159,7 +159,7 @@ void add_document(const Blob& bytes, const std::filesystem::path& folder, std::v
   add_draco_streams(file, out);
 }
 
-/// Three elements of four bytes in version 1 of the attribute codec, which the library here does not write.
+/// Adds three elements of four bytes in version 1 of the attribute codec, which the library in use cannot write.
 void add_attribute_stream(std::vector<Seed>& out) {
   Blob seed = fields({0, 4, 3, 0, 0, 4, 1, 0xa1, 0x55, 0, 6, 0, 8, 8, 0, 6, 0, 8, 8, 0, 6, 0, 8, 8, 0, 6, 0, 8, 8});
   seed.resize(seed.size() + 19);
@@ -167,8 +167,8 @@ void add_attribute_stream(std::vector<Seed>& out) {
   out.push_back({"compressed", std::move(seed)});
 }
 
-/// In the form that accessors_target.cpp reads: one view of 600 bytes and seven accessors on it, each used in every way
-/// that its type allows.
+/// An input in the format of accessors_target.cpp: one view of 600 bytes and seven accessors on it. Each accessor is
+/// used in every way that its type allows.
 Blob accessor_seed() {
   Blob seed = fields({0, 0, 0, 87, 2, 0, 6});
   append(seed, fields({0, 0, 11, 0, 8, 0, 0, 0}));                      // 0: 12 positions
@@ -191,7 +191,7 @@ constexpr const char* kPoses =
     R"("normals": [[0, 0, 1], [1, 0, 0]], "tangents": [[1, 0, 0, -1], null], "dqs": [[0, 1, 2], [3, 4, 5]]}]}]}, )"
     R"({"clip": 0, "name": "a", "samples": []}]})";
 
-/// Compiled clips of the showcase, without their head.
+/// Adds compiled clips of the showcase, without their head.
 void add_clips(const Scene& scene, std::vector<Seed>& out) {
   const VirtualVertices vertices = virtual_vertices(scene);
   for (const Animation& animation : scene.animations)
@@ -203,7 +203,8 @@ void add_clips(const Scene& scene, std::vector<Seed>& out) {
     }
 }
 
-/// Asset files of a scene: plain with its authoring form, and packed without; both with boxes of its clips.
+/// Adds asset files of a scene: an uncompressed one with animations, and a packed one without. Both have boxes of the
+/// clips.
 void add_assets(const Scene& scene, std::vector<Seed>& out) {
   ClipBoxes boxes;
   for (std::uint32_t clip = 0; clip < scene.clips.size(); ++clip) boxes.push_back(clip_boxes(scene, clip));
@@ -213,7 +214,8 @@ void add_assets(const Scene& scene, std::vector<Seed>& out) {
       out.push_back({"assets", std::move(file)});
 }
 
-/// Points that jump about, or that turn and stretch as one: blocks without and with a matrix.
+/// Points that move independently (blocks without a matrix), or that rotate and stretch together (blocks with a
+/// matrix).
 GeometryTake any_take(std::uint32_t points, bool is_stiff, std::uint32_t frames) {
   test::FixedRandom random(3);
   GeometryTake take;
@@ -233,7 +235,7 @@ GeometryTake any_take(std::uint32_t points, bool is_stiff, std::uint32_t frames)
   return take;
 }
 
-/// Small geometry caches: one mesh, and two of which one has normals.
+/// Adds small geometry caches: with one mesh, and with two meshes, one of which has normals.
 void add_geometry(std::vector<Seed>& out) {
   for (const bool is_stiff : {false, true}) {
     GeometryTake take = any_take(70, is_stiff, 5);
@@ -279,7 +281,7 @@ std::vector<Seed> seeds_of_file(const std::filesystem::path& file) {
     if (const auto imported = import_gltf(file, {.decode_images = false})) add_assets(imported->scene, out);
     try {
       add_document(bytes, file.parent_path(), out);
-    } catch (const std::exception&) {  // not worth taking apart: a seed as it is
+    } catch (const std::exception&) {  // cannot be taken apart: use the whole file as a seed
       if (bytes.size() < kLargestDocument) out.push_back({looks_like_glb(bytes) ? "glb" : "json", bytes});
     }
   }

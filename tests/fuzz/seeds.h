@@ -15,8 +15,8 @@ struct Seed {
 /// Small valid inputs for every target, made in code.
 std::vector<Seed> own_seeds();
 
-/// The seeds that a glTF file gives: the file as .glb and as text with data URIs, and each compressed stream. Nothing
-/// when it cannot be parsed or is too large to be worth mutating.
+/// The seeds from a glTF file: the file as .glb and as text with data URIs, and each compressed stream. Empty if it
+/// cannot be parsed or is too large to be worth mutating.
 std::vector<Seed> seeds_of_file(const std::filesystem::path& file);
 
 }  // namespace sinew::fuzz

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew-fuzz-seeds OUT [FOLDER...]: writes OUT/TARGET/NUMBER for every target, from code and from the glTF files,
-// images and poses below the folders.
+// sinew-fuzz-seeds OUT [FOLDER...]: writes OUT/TARGET/NUMBER for every target. Seeds come from code, and from the glTF
+// files, images and poses below the folders.
 #include <cstdio>
 #include <fstream>
 #include <set>

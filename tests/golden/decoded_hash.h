@@ -23,7 +23,7 @@ inline std::vector<std::byte> bytes_of_file(const std::string& path) {
   return {view.begin(), view.end()};
 }
 
-/// Hash of the bits of every vertex of every stream: of each frame, and half way to it from the frame before.
+/// Hash of the bits of all vertices of all streams, at each frame and half way between it and the frame before.
 inline std::uint64_t decoded_hash(std::span<const std::byte> file) {
   const auto cache = GeometryCache::open(file);
   EXPECT_TRUE(cache.has_value());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A geometry cache that was baked long ago decodes to the stored bits, on every instruction set and machine.
-// tests/geometry_cache/golden_cache_test.cpp makes the file.
+// A geometry cache of an earlier version decodes to the stored bits, on every instruction set and machine.
+// tests/geometry_cache/golden_cache_test.cpp writes the file.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Poses and vertices have the bits that hashes.txt stores, for every thread count and on every instruction set.
-// Vertices have one set of bits where multiply-add is fused, and another where it is not (conventions.h). After a
-// deliberate change of arithmetic, on a machine with fused multiply-add:
+// Poses and vertices have the bits of the stored hashes (hashes.txt), for every thread count and instruction set.
+// Vertices have one set of bits with fused multiply-add and another without (conventions.h). After a deliberate change
+// of arithmetic, record new hashes on a machine with fused multiply-add:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-golden     writes the new hashes into hashes.txt
 #include <algorithm>
 #include <cstdio>
@@ -21,7 +21,7 @@
 namespace sinew::test {
 namespace {
 
-/// What is run over each scene: the name of the hash, and its needs.
+/// One way to evaluate a scene: the name of its hash, and its needs.
 struct Method {
   const char* name;
   Needs needs;
@@ -67,7 +67,7 @@ using Hashes = std::map<std::string, std::uint64_t>;  ///< "scene pose", "scene 
 
 const char* vertex_suffix(std::int64_t target) { return fuses_multiply_add(target) ? "" : "/unfused"; }
 
-/// Hash of hashes over all frames, on one instruction set.
+/// Hashes over all frames, on one instruction set.
 Hashes hashes_of(const std::vector<GoldenScene>& scenes, std::int64_t target) {
   const OnlyTarget only(target);
   Hashes out;
@@ -113,7 +113,8 @@ void expect_stored(const Hashes& found, const std::string& where) {
   }
 }
 
-/// Hashes of all instruction sets of this machine. Where they disagree the first one counts, and the tests fail.
+/// Hashes of all instruction sets of this machine. If they differ, the tests fail and the first set's hashes are
+/// returned.
 Hashes hashes_everywhere(const std::vector<GoldenScene>& scenes) {
   Hashes out;
   for (const std::int64_t target : simd_targets()) out.merge(hashes_of(scenes, target));
@@ -143,7 +144,7 @@ TEST_F(golden_hash, every_scene_and_method_has_bits_of_its_own) {
   std::vector<std::uint64_t> values;
   const auto stored = stored_hashes();
   for (const auto& [name, value] : stored) {
-    // One influence and no uneven scale: whatever the kind of skinning, vertices move with their joint.
+    // With one influence and no uneven scale, vertices move rigidly with their joint, so all skinning methods agree.
     const std::string plain = name.substr(0, name.find('/'));
     if (plain == "tree-1 cofactor" || plain == "tree-1 dual-quaternion" || plain == "tree-1 center-of-rotation")
       EXPECT_EQ(value, stored.at("tree-1 linear" + name.substr(plain.size()))) << name;
@@ -191,9 +192,9 @@ std::vector<float> numbers_of(const Scene& scene, const Needs& needs) {
 }
 
 TEST_F(golden_hash, N27_two_roundings_instead_of_one_move_vertices_by_less_than_a_fifty_thousandth) {
-  // The bound covers blends of joints that point anywhere; ordinary rigs stay near 1e-6.
+  // The bound allows for blends of joints in arbitrary directions; ordinary rigs stay near 1e-6.
   for (const auto& [name, scene] : scenes()) {
-    if (name == "collapsing") continue;  // the direction of a vector near zero differs by more than any bound
+    if (name == "collapsing") continue;  // the direction of a vector near zero can differ by more than any bound
     for (const Method& method : methods()) {
       const std::vector<float> expected = numbers_of(scene, method.needs);
       float size = 1;

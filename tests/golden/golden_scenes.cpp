@@ -30,7 +30,7 @@ void snap(std::vector<T>& values) {
 }
 
 void snap(Primitive& p) {
-  p.bounds = {};  // finish_scene makes it from the new positions
+  p.bounds = {};  // finish_scene computes it from the new positions
   snap(p.positions);
   snap(p.normals);
   snap(p.tangents);
@@ -53,7 +53,8 @@ void snap(Animation& animation) {
   for (WeightAnimation& animated : animation.weights) snap(animated.weights.values);
 }
 
-/// Centers halfway between each vertex and the origin: center-of-rotation skinning then differs from the other two.
+/// Puts centers halfway between each vertex and the origin. Center-of-rotation skinning then differs from the other
+/// methods.
 void place_centers(Primitive& p) {
   p.centers_of_rotation.clear();
   if (p.influences.empty()) return;
@@ -87,7 +88,8 @@ Scene swinging_scene(const Skeleton& skeleton, std::uint32_t vertices, std::uint
   return scenes::swinging_surface(skeleton, scenes::swinging(skeleton, 60), vertices, influences);
 }
 
-/// Every third joint shrinks to a plane, then to a point, and grows again: degenerate blends among ordinary ones.
+/// A scene in which every third joint shrinks to a plane, then to a point, and grows again. So degenerate blends occur
+/// among ordinary ones.
 Scene collapsing_scene() {
   Scene scene = random_scene(9, {.joints = 20, .targets = 0, .triangles = 30});
   for (Animation& animation : scene.animations)

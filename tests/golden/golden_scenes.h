@@ -13,9 +13,8 @@ struct GoldenScene {
   Scene scene;
 };
 
-/// A biped, a tree, random scenes with every kind of track, skin and morph target, and one whose joints collapse. All
-/// numbers are rounded to multiples of 2^-16, so that they do not depend on the last bits of the machine's sine and
-/// log.
+/// A biped, a tree, random scenes with every kind of track, skin and morph target, and a scene of collapsing joints.
+/// All numbers are rounded to multiples of 2^-16. So they do not depend on the last bits of a machine's sine and log.
 std::vector<GoldenScene> golden_scenes();
 
 /// Times at which each clip is sampled, in seconds: at keys, between keys, outside the clip.

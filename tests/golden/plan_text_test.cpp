@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sinew plan` prints for the project's samples, word for word, what plans/ stores: which stages run, and why. After a
+// `sinew plan` on the project's samples prints the texts stored in plans/: which stages run, and why. After a
 // deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-plan-text     writes the new texts
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kPlans = SINEW_SOURCE_DIR "/tests/golden/plans";
 
-/// The samples as files, in a folder of this process; the destructor removes it.
+/// The samples as files in a folder of this process; the destructor removes the folder.
 class Samples {
  public:
   Samples() : folder_(fs::path(::testing::TempDir()) / ("sinew-plan-texts-" + std::to_string(getpid()))) {
@@ -47,7 +47,7 @@ class Samples {
   fs::path folder_;
 };
 
-/// Runs `sinew plan SAMPLE ARGUMENTS...` and compares what it prints with the stored text.
+/// Runs `sinew plan SAMPLE ARGUMENTS...` and compares its output with the stored text.
 void expect_plan(const Samples& samples, const std::string& name, const std::string& sample,
                  std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"plan", samples.file(sample)});

@@ -17,7 +17,7 @@ using gltf::ComponentType;
 using gltf::ElementType;
 using testing::ElementsAre;
 
-/// A document of one accessor on one view.
+/// A document with one accessor on one buffer view.
 class Fixture {
  public:
   template <class T>
@@ -39,7 +39,7 @@ class Fixture {
     return static_cast<std::uint32_t>(document.buffer_views.size() - 1);
   }
 
-  /// The first rule that the check reports, or "ok".
+  /// The first rule that the checks report, or "ok".
   std::string checked() {
     IssueLog log;
     check_accessor_layout(document, log);
@@ -180,7 +180,8 @@ TEST(accessor, G24_sparse_indices_and_values_may_begin_anywhere_in_their_views) 
   EXPECT_THAT(read_floats(fixture.document, 0), ElementsAre(10, 20, 3, 4, 50, 60));
 }
 
-/// Three elements of two numbers, `padding` more apart, of which the first and the last are replaced.
+/// Reads three elements of two numbers with `padding` bytes between elements. A sparse accessor replaces the first and
+/// the last element.
 template <class T, class Index>
 void expect_replaced(ComponentType type, ComponentType index_type, std::size_t padding, bool normalized) {
   SCOPED_TRACE(testing::Message() << int(type) << ' ' << int(index_type) << ' ' << padding << ' ' << normalized);

@@ -21,7 +21,7 @@ Scene surface() {
   return scenes::swinging_surface(skeleton, scenes::swinging(skeleton, 4), 300, 4);
 }
 
-/// Cuts the triangles of a mesh in two primitives, as two materials would. Both keep all vertices.
+/// Splits the triangles of a mesh into two primitives, as if it had two materials. Both keep all vertices.
 void cut_in_two(Mesh& mesh) {
   mesh.primitives.push_back(mesh.primitives[0]);
   auto &first = mesh.primitives[0].indices, &second = mesh.primitives[1].indices;

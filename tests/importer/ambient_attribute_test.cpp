@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// A square of two triangles without normals: the importer makes them flat and splits vertices 0 and 2.
+/// A square of two triangles without normals. The importer makes flat normals and so splits vertices 0 and 2.
 TinyGltf bent_square() {
   TinyGltf gltf;
   Json& primitive = gltf.add_triangle();
@@ -22,7 +22,7 @@ TinyGltf bent_square() {
   return gltf;
 }
 
-/// It moves for two seconds in one clip and for three in the other.
+/// The bent square with two clips that move it, of two and of three seconds.
 TinyGltf bent_square_with_clips() {
   TinyGltf gltf = bent_square();
   Json clips = Json::array();
@@ -179,7 +179,8 @@ TEST(ambient_attribute, names_of_key_poses_are_read_only_as_they_are_written) {
     EXPECT_FALSE(key_pose_named(other)) << other;
 }
 
-/// The bent square with attributes of four vertices each, all of one value.
+/// Visibility that the importer reads from the bent square with these vertex attributes. Each attribute has one value
+/// at all four vertices.
 VertexVisibility visibility_with(const std::vector<std::pair<std::string, float>>& attributes,
                                  std::vector<ImportIssue>* issues_out = nullptr) {
   TinyGltf gltf = bent_square_with_clips();

@@ -18,7 +18,7 @@ namespace {
 
 using test::FixedRandom;
 
-/// A square of corners a, a + u, a + u + v, a + v as a fan around its point at (s, t): that vertex is the last one.
+/// A square with corners a, a + u, a + u + v, a + v, as a fan of triangles around the point at (s, t), its last vertex.
 VisibilitySurface fan(const glm::vec3& a, const glm::vec3& u, const glm::vec3& v, float s, float t) {
   VisibilitySurface surface;
   surface.positions = {a, a + u, a + u + v, a + v, a + s * u + t * v};
@@ -27,17 +27,17 @@ VisibilitySurface fan(const glm::vec3& a, const glm::vec3& u, const glm::vec3& v
   return surface;
 }
 
-/// A floor of the given half size with a vertex in its middle; faces +y.
+/// A square floor that faces +y, with a vertex in its middle; `half` = half its side.
 VisibilitySurface floor_at(float height, float half) {
   return fan({-half, height, half}, {2 * half, 0, 0}, {0, 0, -2 * half}, 0.5f, 0.5f);
 }
 
-/// The same facing down.
+/// The same square facing down.
 VisibilitySurface ceiling_at(float height, float half) {
   return fan({-half, height, half}, {0, 0, -2 * half}, {2 * half, 0, 0}, 0.5f, 0.5f);
 }
 
-/// The six sides of a box of half size 1, seen from inside, each with a vertex in its middle.
+/// The six sides of a box of half size 1, facing inwards, each with a vertex in its middle.
 std::vector<VisibilitySurface> box_from_inside() {
   std::vector<VisibilitySurface> sides;
   for (int axis = 0; axis < 3; ++axis)
@@ -59,10 +59,10 @@ TEST(bake_ambient_visibility, N34_a_plane_sees_all_light) {
 }
 
 TEST(bake_ambient_visibility, N34_where_two_planes_meet_half_of_the_light_arrives_and_where_three_meet_a_quarter) {
-  // A wall of height h and half width w at distance d hides atan(w / d) / pi - d / sqrt(d^2 + h^2) *
-  // atan(w / sqrt(d^2 + h^2)) / pi of a floor's cosine-weighted hemisphere: 1/2 for d = 0. The rays start 1/64 inside
-  // the faces, at most h / 64 from the wall, which changes it by at most 1/64 * (1 + 1/4).
-  constexpr double kNear = 1.25 / 64 + 0.002;  // and the rays' own error
+  // A wall of height h and half width w at distance d hides atan(w / d) / pi - d / sqrt(d^2 + h^2) * atan(w / sqrt(d^2
+  // + h^2)) / pi of a floor's cosine-weighted hemisphere: 1/2 for d = 0. The rays start 1/64 inside the faces, at most
+  // h / 64 from the wall. That changes the share by at most 1/64 * (1 + 1/4).
+  constexpr double kNear = 1.25 / 64 + 0.002;  // the last term is the error of the rays
   const std::vector<VisibilitySurface> two = {fan({0, 0, 2}, {2, 0, 0}, {0, 0, -4}, 0.0f, 0.5f),
                                               fan({0, 0, 2}, {0, 0, -4}, {0, 2, 0}, 0.5f, 0.0f)};
   for (const auto& plane : bake_ambient_visibility(two, {.rays = 4096})) EXPECT_NEAR(middle_of(plane), 0.5, kNear);
@@ -80,7 +80,7 @@ TEST(bake_ambient_visibility, N34_a_closed_box_is_black_inside_and_white_where_t
 }
 
 TEST(bake_ambient_visibility, N34_under_a_ceiling_the_distance_leaves_the_rays_outside_of_a_cone) {
-  // cos^2 is uniform: of the rays within r, those with cos > h / r are blocked.
+  // cos^2 is uniform, and rays shorter than r with cos > h / r are blocked.
   for (const float height : {0.5f, 1.0f, 1.5f}) {
     const std::vector<VisibilitySurface> two = {floor_at(0.0f, 50.0f), ceiling_at(height, 50.0f)};
     const auto visibility = bake_ambient_visibility(two, {.rays = 1024, .distance_m = 2.0});
@@ -90,7 +90,7 @@ TEST(bake_ambient_visibility, N34_under_a_ceiling_the_distance_leaves_the_rays_o
 }
 
 TEST(bake_ambient_visibility, faces_count_by_their_angle_however_they_are_cut) {
-  // A quarter of the floor in the open, and an eighth under a lid: 90 and 45 degrees.
+  // A quarter of the floor (90 degrees) in the open, and an eighth (45 degrees) under a lid.
   for (const bool cut : {false, true}) {
     VisibilitySurface floor;
     floor.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {-0.70710678f, 0, -0.70710678f}, {0.5f, 0, -0.5f}};
@@ -125,7 +125,7 @@ TEST(bake_ambient_visibility, vertices_that_differ_in_texture_alone_are_one_and_
 }
 
 TEST(bake_ambient_visibility, only_fronts_block_unless_a_surface_has_two_sides_and_blended_ones_never_do) {
-  VisibilitySurface roof = floor_at(1.0f, 50.0f);  // its back is seen from below
+  VisibilitySurface roof = floor_at(1.0f, 50.0f);  // seen from below, this is its back
   std::vector<VisibilitySurface> both = {floor_at(0.0f, 1.0f), roof};
   EXPECT_EQ(middle_of(bake_ambient_visibility(both)[0]), 1.0f);
   both[1].both_sides = true;
@@ -150,7 +150,7 @@ TEST(bake_ambient_visibility, vertices_of_no_face_and_triangles_without_area_are
   EXPECT_TRUE(bake_ambient_visibility(std::vector<VisibilitySurface>(1)).front().empty());
 }
 
-/// Triangles at random, some with two sides, some without normals, over a floor.
+/// Random triangles over a floor: some are two-sided, some have no normals.
 std::vector<VisibilitySurface> random_surfaces(std::uint64_t seed) {
   FixedRandom random(seed);
   std::vector<VisibilitySurface> surfaces = {floor_at(-1.0f, 3.0f)};
@@ -168,7 +168,7 @@ std::vector<VisibilitySurface> random_surfaces(std::uint64_t seed) {
 }
 
 TEST(bake_ambient_visibility, N34_agrees_with_plain_double_precision_ray_by_ray) {
-  // The same rays, of which only those that pass an edge within the rounding of floats may go the other way.
+  // Both use the same rays. Only rays that pass an edge within float rounding may give another answer.
   std::size_t vertices = 0, differ = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     for (const double distance : {0.7, std::numeric_limits<double>::infinity()}) {

@@ -30,7 +30,7 @@ Affine at_height(float y, float turned = 1.0f) {
   return m;
 }
 
-/// A scene of squares and the frame that places them, made by hand.
+/// A scene of squares, with a hand-made frame that places them.
 struct Placed {
   Scene scene;
   std::vector<InstanceResult> instances;

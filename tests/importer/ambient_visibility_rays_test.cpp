@@ -16,7 +16,8 @@ glm::dvec3 random_normal(test::FixedRandom& random) {
 }
 
 TEST(visibility_rays, N34_directions_are_unit_in_the_hemisphere_and_have_the_moments_of_the_cosine) {
-  // Of density cos / pi: mean cos = 2/3, mean cos^2 = 1/2, means of the two others 0, their squares 1/4.
+  // With density cos / pi, mean cos = 2/3 and mean cos^2 = 1/2. The two other coordinates have mean 0 and mean square
+  // 1/4.
   test::FixedRandom random(7);
   for (int round = 0; round < 20; ++round) {
     const glm::dvec3 n = random_normal(random);

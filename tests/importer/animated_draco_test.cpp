@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A skinned, animated model under Draco, whose encoder gives vertices another order: every vertex moves as it does in
-// the same model without compression.
+// A skinned, animated model under Draco, whose encoder reorders vertices. Every vertex must move as in the same model
+// without compression.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace sinew::test {
 namespace {
 
-constexpr std::uint32_t kRows = 9;  // of two vertices, one tenth apart
+constexpr std::uint32_t kRows = 9;  // of two vertices each, 0.1 apart
 
-/// A ribbon along y whose weights go over from the first joint to the second. TEXCOORD_0 tells vertices apart.
+/// A ribbon along y whose weights change from the first joint to the second. TEXCOORD_0 identifies vertices.
 TriangleValues ribbon() {
   TriangleValues values;
   for (std::uint32_t row = 0; row < kRows; ++row)
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> ribbon_corners() {
   return corners;
 }
 
-/// The same primitive, as accessors.
+/// The ribbon as plain accessors.
 TinyGltf plain_document(const TriangleValues& values, const std::vector<std::uint32_t>& corners) {
   TinyGltf file;
   Json attributes;
@@ -87,7 +87,7 @@ struct Vertex {
   glm::vec3 position, normal;
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
-using VertexByName = std::map<std::pair<float, float>, Vertex>;  // named by texture coordinates
+using VertexByName = std::map<std::pair<float, float>, Vertex>;  // the key is the texture coordinate
 
 VertexByName vertices_at(const Scene& scene, double time_s) {
   const Plan plan = compile_plan(lend(scene), Needs{});

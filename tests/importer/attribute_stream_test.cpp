@@ -18,7 +18,8 @@ namespace {
 
 using Blob = std::vector<std::byte>;
 
-/// A plain encoder, from the text of KHR_meshopt_compression. Each byte position takes the control that the test names.
+/// A plain encoder, written from the text of KHR_meshopt_compression. The test chooses the control mode of each byte
+/// position.
 class Encoder {
  public:
   Encoder(std::size_t stride, std::vector<std::uint8_t> modes) : stride_(stride), modes_(std::move(modes)) {}
@@ -26,7 +27,7 @@ class Encoder {
   Blob encode(const Blob& values, unsigned control) {
     put(0xa1);
     const std::size_t most = std::min(8192 / stride_ & ~std::size_t{15}, std::size_t{256});
-    std::vector<std::uint8_t> last(stride_, 3);  // the first element is a difference, too
+    std::vector<std::uint8_t> last(stride_, 3);  // the first element, too, is stored as a difference
     const std::vector<std::uint8_t> baseline = last;
     for (std::size_t at = 0; at < values.size(); at += most * stride_)
       put_block(values, at, std::min(most, (values.size() - at) / stride_), last, control);
@@ -40,7 +41,7 @@ class Encoder {
  private:
   void put(unsigned b) { out_.push_back(static_cast<std::byte>(b & 0xff)); }
 
-  /// Whole numbers of `size` bytes, the least significant first.
+  /// A little-endian unsigned integer of `size` bytes.
   static std::uint32_t load(const std::uint8_t* at, std::size_t size) {
     std::uint32_t value = 0;
     for (std::size_t b = size; b-- > 0;) value = value << 8 | at[b];
@@ -52,7 +53,7 @@ class Encoder {
     return (v & sign) != 0 ? ~twice : twice;
   }
 
-  /// Differences of one element, byte by byte.
+  /// Differences of one element to the last one, byte by byte, in the mode of each channel.
   std::vector<std::uint8_t> differences(const std::vector<std::uint8_t>& now, const std::vector<std::uint8_t>& last) {
     std::vector<std::uint8_t> out(stride_);
     for (std::size_t c = 0; c < stride_ / 4; ++c) {
@@ -94,7 +95,7 @@ class Encoder {
     const std::size_t groups = plane.size() / 16;
     std::vector<unsigned> modes(groups);
     for (std::size_t g = 0; g < groups; ++g) {
-      modes[g] = static_cast<unsigned>(g + 1) % 4;  // each width in turn
+      modes[g] = static_cast<unsigned>(g + 1) % 4;  // each bit width in turn
       const bool zero = std::all_of(&plane[16 * g], &plane[16 * g] + 16, [](auto v) { return v == 0; });
       if (kBits[control][modes[g]] == 0 && !zero) modes[g] = 3;
     }
@@ -128,7 +129,7 @@ class Encoder {
 Blob some_values(std::size_t count, std::size_t stride) {
   test::FixedRandom random(11);
   Blob values(count * stride);
-  for (std::size_t i = 0; i < values.size(); ++i)  // some bytes move slowly, some at random, some not at all
+  for (std::size_t i = 0; i < values.size(); ++i)  // some bytes change slowly, some at random, some never
     values[i] = static_cast<std::byte>(i % 3 == 0 ? i / stride / 5 : i % 3 == 1 ? random.below(256) : 9);
   return values;
 }
@@ -157,7 +158,7 @@ TEST(attribute_stream, gives_back_what_a_plain_encoder_wrote_in_every_mode) {
         }
 }
 
-/// Streams of meshoptimizer 1.3.
+/// These streams were written by meshoptimizer 1.3, the library that defined the format.
 TEST(attribute_stream, reads_streams_of_the_library_that_defined_them) {
   Blob bytes(12);
   ASSERT_TRUE(decode_attribute_stream(
@@ -207,7 +208,7 @@ TEST(attribute_stream, refuses_what_is_cut_longer_or_unknown) {
 }
 
 TEST(attribute_stream, refuses_a_stream_without_its_last_block) {
-  const Blob values(300 * 4, std::byte{3});  // as the element before the first: all differences are zero
+  const Blob values(300 * 4, std::byte{3});  // equal to the element before the first, so all differences are zero
   Blob stream = Encoder(4, {0}).encode(values, 2), out(values.size());
   ASSERT_EQ(stream.size(), 1u + 2 + 24) << "two blocks of one byte each";
   EXPECT_TRUE(decode_attribute_stream(stream, 4, out));

@@ -161,7 +161,6 @@ TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
   }
 }
 
-/// A rule that says "error" does not let the file load, another one does.
 TEST(broken_rules, severity_decides_whether_the_file_loads) {
   for (const auto& entry : fs::directory_iterator(broken_folder())) {
     const RuleText* rule = find_rule(entry.path().stem().string());

@@ -21,7 +21,7 @@ using testing::SizeIs;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr const char* kSampler = "/animations/0/samplers/0/";
 
-/// Node 0 translated over the given times.
+/// A file whose node 0 has a translation channel with these key times.
 TinyGltf moving(const std::vector<float>& times, const char* interpolation = "LINEAR") {
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});

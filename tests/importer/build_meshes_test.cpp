@@ -101,7 +101,7 @@ TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
   EXPECT_EQ(p.morphs.targets[0].positions.deltas[1], glm::vec3(0, 0, 7));
 }
 
-/// Vertices with the joints 0 to 3 and their weights, as a triangle list.
+/// A triangle list whose vertices have these joints and weights.
 Primitive grouped(std::vector<std::vector<std::pair<std::uint16_t, float>>> influences) {
   MergedInfluences merged;
   for (const auto& of_vertex : influences) {
@@ -135,7 +135,8 @@ TEST(build_meshes, vertices_of_the_same_joints_and_then_of_the_same_weights_come
   EXPECT_EQ(p.influences.groups[1].first_vertex, 5u);
 }
 
-/// Vertices in turns: 3 of joints (0, 1), 5 of (1, 0), 13 of (1, 2), 39 of (2, 3), each by weights of its own.
+/// Vertices of four joint pairs, interleaved: 3 of joints (0, 1), 5 of (1, 0), 13 of (1, 2), 39 of (2, 3), each with
+/// its own weights.
 std::vector<std::vector<std::pair<std::uint16_t, float>>> runs_in_turns() {
   std::vector<std::vector<std::pair<std::uint16_t, float>>> influences;
   const auto add = [&](std::uint16_t a, std::uint16_t b, float w) { influences.push_back({{a, 1 - w}, {b, w}}); };
@@ -151,7 +152,7 @@ std::vector<std::vector<std::pair<std::uint16_t, float>>> runs_in_turns() {
 
 TEST(build_meshes, whole_vectors_of_vertices_of_the_same_joints_begin_where_vectors_do) {
   const Primitive p = grouped(runs_in_turns());
-  std::vector<std::pair<std::uint16_t, int>> runs;  // heavier joint, times it comes in a row
+  std::vector<std::pair<std::uint16_t, int>> runs;  // (the heavier joint, length of the run)
   for (std::size_t v = 0; v < p.vertex_count(); ++v) {
     const std::uint16_t joint = p.influences.joints[2 * v];
     if (runs.empty() || runs.back().first != joint || p.influences.joints[2 * v + 1] != p.influences.joints[2 * v - 1])
@@ -159,7 +160,7 @@ TEST(build_meshes, whole_vectors_of_vertices_of_the_same_joints_begin_where_vect
     ++runs.back().second;
   }
   using Runs = std::vector<std::pair<std::uint16_t, int>>;
-  // 32 | 8 | 4 4 4 | 3 1 1 3
+  // Runs of vector lengths come first, then the remainders: 32 | 8 | 4 4 4 | 3 1 1 3
   EXPECT_EQ(runs, (Runs{{2, 32}, {1, 8}, {2, 4}, {1, 4}, {1, 4}, {2, 3}, {1, 1}, {1, 1}, {0, 3}}));
   std::vector<std::uint32_t> of_long_run;
   for (std::size_t v = 0; v < 32; ++v) of_long_run.push_back(p.source_vertex[v]);

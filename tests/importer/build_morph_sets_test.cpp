@@ -20,8 +20,8 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t kVertices = 4;
 
-/// Four points; a vertex has one influence more than the one before but the last, which has one. So the order of the
-/// scene is a cycle of all, and not its own inverse.
+/// Four points. Each vertex has one influence more than the vertex before, but the last one has only one. The scene's
+/// vertex order is then a cycle of all four, which is not its own inverse.
 TinyGltf points() {
   TinyGltf file;
   std::vector<float> weights;
@@ -36,7 +36,8 @@ TinyGltf points() {
   return file;
 }
 
-/// Displacements of all four vertices: the first ones in a view, the others as replacements in it, or of zeros.
+/// Displacements of four vertices. The first `dense` lie in a view; sparse entries give the others, replacing elements
+/// of the view or zeros.
 std::size_t add_displacements(TinyGltf& file, const std::vector<float>& deltas, std::uint8_t dense) {
   if (dense == kVertices) return file.vec3(deltas);
   std::vector<std::uint8_t> replaced(kVertices - dense);
@@ -56,7 +57,7 @@ std::size_t add_displacements(TinyGltf& file, const std::vector<float>& deltas, 
 TEST(build_morph_sets, sparse_and_dense_displacements_are_the_same_of_vertices_in_any_order) {
   for (const int dense : {0, 1, 2, 3, 4}) {
     TinyGltf file = points();
-    // The first moves by too little to show, in one component alone; the third does not move.
+    // The first vertex moves by a tiny amount in one component only; the third does not move.
     const std::size_t deltas =
         add_displacements(file, {1e-30f, 0, 0, 2, 1e-41f, 0, 0, 0, 0, 0, 0, 4}, static_cast<std::uint8_t>(dense));
     file.root["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", deltas}}});

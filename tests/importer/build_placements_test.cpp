@@ -18,10 +18,10 @@ using Details = std::vector<std::string>;
 
 struct ReadCamera {
   Camera camera;
-  Details details;  ///< of the warnings, which are all of camera 0
+  Details details;  ///< details of the warnings, which all concern camera 0
 };
 
-/// Camera 0, in which `change` replaces what is usual.
+/// Imports a file with one camera, whose usual properties `change` overrides.
 ReadCamera read_camera(const char* type, const Json& change) {
   TinyGltf file;
   Json lens = std::string(type) == "perspective" ? Json{{"yfov", 0.5}, {"znear", 0.25}}
@@ -92,8 +92,8 @@ TEST(build_cameras, a_far_plane_that_is_not_behind_the_near_one_is_none) {
   }
 }
 
-/// Node 0 lies below node 2, and node 1 below node 0, so that no node has the number of its joint. Each carries a
-/// camera, a light and a mesh, and is the root of a scene. Node 1 is hidden, until a clip shows it.
+/// Nodes in the chain 2 - 0 - 1, so that no node has the number of its joint. Each node has a camera, a light and a
+/// mesh, and is the root of a scene. Node 1 is hidden until a clip shows it.
 TinyGltf turned_chain() {
   TinyGltf file;
   file.add_triangle();

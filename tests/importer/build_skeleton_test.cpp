@@ -48,7 +48,7 @@ TEST(build_skeleton, G50_a_matrix_is_kept_verbatim_unless_it_is_animated) {
   EXPECT_EQ(moved->scene.skeleton.rest[0].scale, glm::vec3(2));
 }
 
-/// Nodes 2 - 0 - 1 from the root on, so that no node has the number of its joint.
+/// The chain of nodes is 2 - 0 - 1, so that no node has the number of its joint.
 TEST(build_skeleton, G50_a_matrix_goes_where_any_animation_moves_its_own_node) {
   for (int moved = 0; moved < 3; ++moved)
     for (const bool second : {false, true}) {
@@ -183,7 +183,7 @@ TEST(build_skins, G32_joints_under_different_roots_are_a_warning) {
 TEST(build_skeleton, a_matrix_stays_where_only_weights_are_animated) {
   TinyGltf file;
   file.add_triangle()["targets"] = {{{"POSITION", 0}}};
-  file.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // which shears
+  file.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // this matrix shears
   file.animate("weights", file.times({0, 1}), file.scalars({0, 1}));
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clip bounds hold on real files: no vertex of any frame is outside them.
+// Clip bounds of real files contain every vertex of every sampled frame.
 #include <gtest/gtest.h>
 
 #include "importer/import_gltf.h"
@@ -15,7 +15,7 @@ bool holds(const Aabb& outer, const Aabb& inner) {
                            glm::all(glm::greaterThanEqual(outer.upper, inner.upper)));
 }
 
-/// Checks a few times of the clip; returns the number of boxes.
+/// Checks several times of the clip; returns the number of boxes.
 std::size_t expect_holds(const Scene& scene, const Plan& plan, std::uint32_t clip, const std::string& file) {
   constexpr int kTimes = 23;
   const std::vector<Aabb> reach = clip_bounds(scene, plan.needs(), clip);

@@ -91,7 +91,7 @@ TEST(cost_command, refuses_a_cache_with_a_damaged_frame) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-/// A folder with a file where an older report is moved aside to, so that nothing can be put into its place.
+/// A folder in which a file blocks the name that the older report is moved to. So no new report can be written.
 fs::path blocked_report(const ToolModelFile& model) {
   const fs::path out = model.beside("costs");
   EXPECT_FALSE(cost::write_report(cost::Report{}, out));

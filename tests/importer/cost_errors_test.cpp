@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors of the studies of `sinew cost` are the largest of all poses, weights and frames that they look at, and
-// beside them stand the numbers that their names say.
+// The errors that `sinew cost` reports are the largest over all poses, weights and frames it samples. Its other numbers
+// are those that their names say.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -21,7 +21,7 @@ glm::quat about_z(double degrees) {
   return {static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half))};
 }
 
-/// An arm that swings far at first and little at last, or the same backwards.
+/// An arm that swings far at first and little at the end, or the reverse.
 Scene swinging_arm(bool backwards) {
   Scene scene = arm_scene();
   BoneAnimation& bone = scene.animations[0].bones[0];
@@ -49,7 +49,7 @@ void expect_same_errors(const Group& forwards, const Group& backwards) {
   for (std::size_t p = 0; p < forwards.points.size(); ++p) {
     const Point &there = forwards.points[p], &back = backwards.points[p];
     const std::string what = forwards.name + ": " + there.name;
-    if (what.starts_with("geometry_cache: sinew")) continue;  // frames follow from those before
+    if (what.starts_with("geometry_cache: sinew")) continue;  // frames depend on earlier ones
     EXPECT_NEAR(there.error, back.error, 1e-4 * there.error) << what;
     for (std::size_t v = 0; v < there.values.size() && forwards.size_unit.empty(); ++v)
       EXPECT_NEAR(there.values[v].value, back.values[v].value, 1e-4 * std::abs(there.values[v].value)) << what;
@@ -107,7 +107,7 @@ TEST(cost_errors, tracks_that_never_turn_do_not_say_what_is_usual) {
 TEST(cost_errors, the_interpolation_of_most_tracks_is_the_usual_one) {
   Scene arm = arm_scene();
   BoneAnimation turning;
-  const glm::quat none(0, 0, 0, 0);  // tangents
+  const glm::quat none(0, 0, 0, 0);  // zero tangents
   turning.rotation = {Interpolation::cubic_spline, {0.0f, 1.0f}, {none, about_z(0), none, none, about_z(30), none}};
   for (const std::uint32_t joint : {0u, 1u}) {
     turning.joint = joint;
@@ -118,7 +118,8 @@ TEST(cost_errors, the_interpolation_of_most_tracks_is_the_usual_one) {
     EXPECT_EQ(point.is_default, point.name == "cubic") << point.name;
 }
 
-/// Two numbers of samples of one method, at half size and blurred, and one more trial.
+/// A measurement file with two trials of the same method at different sample counts, at half size and blurred, and
+/// `other`.
 nlohmann::json occlusion_with(nlohmann::json other) {
   const nlohmann::json usual{{"name", "24"},    {"note", ""},         {"method", "gtao"},
                              {"samples", 24},   {"full_size", false}, {"blur", true},

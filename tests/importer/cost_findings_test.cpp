@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the studies of `sinew cost` say: which ways they compare, which is sinew's own, and the sentences that they make
-// of errors and times. Errors, times and sizes are made up here; cost_report_test.cpp holds the errors to the truth.
+// The findings of `sinew cost`: which methods it compares, which is sinew's own, and the sentences made from errors and
+// times. The numbers here are invented; cost_report_test.cpp checks real errors.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -42,7 +42,7 @@ std::vector<std::string> names(const Group& group) {
   return out;
 }
 
-/// An arm that keeps its numbers in three keys, so that every way to store them applies.
+/// An arm with three keys, so that every storage method applies.
 Scene arm() {
   Scene scene = arm_scene();
   scene.animations[0].name = "wave";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts that `sinew cost` measures with: its own kernels, the probe at the skin, the limb, medians and Pareto
-// fronts.
+// The building blocks of `sinew cost`: its kernels, the skin probe, the limb, medians and Pareto fronts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,9 +29,10 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr std::uint32_t kJoints = 37;  // no multiple of any vector's length
+constexpr std::uint32_t kJoints = 37;  // not a multiple of any vector length
 
-/// Every joint turns through four keys, neighbours up to 170 degrees apart in either hemisphere.
+/// Every joint turns through four keys. Neighbouring keys are up to 170 degrees apart, and either sign of a quaternion
+/// occurs.
 Animation turning(std::uint64_t seed) {
   FixedRandom random(seed);
   Animation out;
@@ -142,7 +142,7 @@ TEST(cost_skin_probe, finds_the_distance_of_the_farthest_vertex) {
 TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
   Scene arm = arm_scene();
   arm.meshes[0].primitives[0].positions[1] = {
-      0, 1, 0};  // on the joint that turns: the half and half ones at 0.25 m move most
+      0, 1, 0};  // on the turning joint: the half-weighted vertices, 0.25 m away, move most
   const cost::SkinProbe probe(arm, 1000);
   const auto pose = [&](double time_s) {
     return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));

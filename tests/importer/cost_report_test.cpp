@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sinew cost` from outside: errors of known size, the files that it writes, and what it refuses.
+// `sinew cost` as its users see it: errors of known size, the files it writes, and inputs it refuses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(cost_studies, resampling_between_keys_loses_a_straight_line_nothing_and_a_c
   const cost::Subject subject(arm, 0, cost::Effort::quick());
   const cost::Study study = cost::study_storage(subject);
   EXPECT_LT(point_named(study.group, "keys as they are").error, 1e-3);
-  // 24 a second have keys at 11/24 and 12/24: the corner at 0.49 is cut by less than it moves in between
+  // At 24 Hz there are keys at 11/24 and 12/24. The corner at 0.49 is cut by less than the motion between these keys.
   const double cut = point_named(study.group, "24 Hz").error;
   EXPECT_GT(cut, 1.0);
   EXPECT_LT(cut, 1e3 / 24.0 / 0.49);
@@ -84,7 +84,7 @@ TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
   const QuatTrack ends = track;
   track.times_s.clear();
   track.values.clear();
-  for (int k = 0; k <= 100; ++k) {  // keys that a slerp between the ends brings back
+  for (int k = 0; k <= 100; ++k) {  // keys on the slerp between the end keys, so that the end keys suffice
     track.times_s.push_back(static_cast<float>(k) / 100.0f);
     track.values.push_back(
         glm::quat(slerp_short_arc(quat_cast<double>(ends.values[0]), quat_cast<double>(ends.values[1]), k / 100.0)));
@@ -185,7 +185,7 @@ TEST(cost_studies, normals_not_made_unit_again_count_as_wrong) {
   face.animations[0].weights[0].weights.values = {1.0f, 0.0f, 1.0f, 0.0f};  // "lift" leans a normal by its own length
   const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
   EXPECT_LT(point_named(study.group, "active targets").error, 1e-4);
-  // a normal of length sqrt(2) instead of 1 counts as the angle of that chord
+  // A normal of length sqrt(2) instead of 1 counts as the angle of that chord.
   EXPECT_NEAR(point_named(study.group, "normals as summed").error,
               2.0 * 57.29578 * std::asin(0.5 * (std::sqrt(2.0) - 1.0)), 1e-3);
 }
@@ -202,7 +202,7 @@ TEST(cost_studies, say_why_they_have_nothing_to_say) {
   EXPECT_FALSE(cost::study_arithmetic(subject).group.points.empty()) << "skins a limb of its own";
 }
 
-/// Output of the measuring program: the error falls up to 14 samples, the time rises.
+/// Output of the measuring program: up to 14 samples the error falls; the time always rises.
 std::string occlusion_answer() {
   Json trials = Json::array();
   const auto add = [&](const char* name, int samples, bool full, bool blur, double error, double ms) {
@@ -264,7 +264,7 @@ TEST(run_beside, hands_over_what_a_program_prints_and_says_what_went_wrong) {
   const auto missing = cost::output_of_program_beside("no-such-program", {});
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error(), HasSubstr("no program no-such-program"));
-  const std::string beside = "../../../../../../../../../../../bin/";  // from wherever the tests are
+  const std::string beside = "../../../../../../../../../../../bin/";  // path from the test program to /bin
   EXPECT_EQ(cost::output_of_program_beside(beside + "echo", {"two words", "$HOME"}).value_or("nothing"),
             "two words $HOME\n");
   EXPECT_THAT(cost::output_of_program_beside(beside + "false", {}).error(), HasSubstr("ended with status 1"));
@@ -333,7 +333,7 @@ TEST(cost_report, csv_has_each_number_in_the_column_of_its_name) {
           "rotation,slow,0.5,mm,2.5,ns/joint,0.25,false,false,false,true,,bytes," + values);
 }
 
-/// Runs the command once; all tests look at its outcome.
+/// Runs the command once; all tests check its result.
 class CostCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {

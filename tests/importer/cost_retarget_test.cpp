@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew cost` measures of retargeting, on a body whose numbers are known by hand.
+// Retargeting errors that `sinew cost` reports, on a body whose numbers are known by hand.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -70,7 +70,7 @@ TEST(cost_retargeting, a_body_that_glides_strays_by_what_its_rule_makes_of_the_p
   EXPECT_EQ(group.left_out, "");
   // The hips are 0.9 m above the feet, and 0.6075 m on the other body: the path is scaled by 0.675.
   const double path = 500.0 * 0.675;
-  const double by_length = 500.0 * (0.1 + 0.6075), copied = 500.0;  // the hips' own bone begins at the ground
+  const double by_length = 500.0 * (0.1 + 0.6075), copied = 500.0;  // the bone of the hips begins at the ground
   const std::map<std::string, double> expected = {{"hips by height", 0.0},
                                                   {"hips by height, held feet", 0.0},
                                                   {"by length", by_length - path},
@@ -82,7 +82,7 @@ TEST(cost_retargeting, a_body_that_glides_strays_by_what_its_rule_makes_of_the_p
   for (const auto& [name, error] : expected) {
     const Point& point = *points.at(name);
     EXPECT_NEAR(point.error, error, 0.01) << name;
-    // A copy lifts the hips by the difference of heights, too; a foot that stays too high does not slide.
+    // A copy also lifts the hips by the difference in height. A foot that stays too high does not slide.
     const double off = name == "plain copy" ? std::hypot(error, 1000.0 - 707.5) : error;
     EXPECT_NEAR(point.values[0].value, off, 0.01) << name << ", hands";
     EXPECT_NEAR(point.values[1].value, off, 0.01) << name << ", feet";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew cost` makes of the numbers of sinew-shading-study, and how far interpolated normals are off.
+// The report of `sinew cost` on results of sinew-shading-study, and the errors of interpolated normals.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -17,7 +17,8 @@
 namespace sinew::test {
 namespace {
 
-/// Output of the measuring program: anisotropic filtering is dear and good, rip maps are better and take more memory.
+/// Output of the measuring program: anisotropic filtering is slow and accurate; rip maps are more accurate and take
+/// more memory.
 Json answer() {
   Json filters = Json::array();
   const auto add = [&](const char* name, double error, double turned, double ms, double kib) {
@@ -87,7 +88,7 @@ Scene leaning(double a, double b, double c) {
   return scene;
 }
 
-/// The largest angle between the half-way vectors' interpolation, of the reference, and the great arc in degrees.
+/// Largest angle, in degrees, between the great arc and the reference's interpolation of half-way vectors.
 double angle_of_quaternions(double from, double to) {
   double largest = 0.0;
   const auto normal = [](double lean) { return Vec3<double>(std::sin(lean), 0.0, std::cos(lean)); };
@@ -102,7 +103,7 @@ double angle_of_quaternions(double from, double to) {
 TEST(cost_normals, angles_are_those_of_the_equations) {
   const double wide = std::numbers::pi / 3;  // 60 degrees
   const cost::NormalAngles angles = cost::normal_angles(leaning(-wide / 2, wide / 2, wide / 2));
-  // the views along +x and -x see one of two normals, those along y and -y none, that along -z both from behind
+  // The views along +x and -x see one of two normals, those along y and -y none, that along -z sees both from behind.
   EXPECT_EQ(angles.samples, 6u) << "two edges, one view, three places";
   const double at_quarter =
       15.0 - std::atan2(0.25 * std::sin(wide), 0.75 + 0.25 * std::cos(wide)) * 180 / std::numbers::pi;
@@ -147,7 +148,7 @@ TEST(cost_normals, say_what_each_way_costs) {
   EXPECT_THAT(cost::normal_interpolation_group(angles, without_clock.dump()).left_out, HasSubstr("no clock"));
 }
 
-/// Why a group of a report on a triangle has no points; empty = it has some.
+/// The reason that a report on a triangle gives for an empty group; "" if the group has points.
 std::string left_out_of(bool textured, const char* name) {
   const ToolModelFile folder;
   TinyGltf file;

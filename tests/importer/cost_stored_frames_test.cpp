@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways to keep vertices that `sinew cost` compares a geometry cache with: what comes back, and what they take.
+// The storage methods that `sinew cost` compares a geometry cache with: their decoded vertices and their sizes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ PointFrames noise(double size) {
   return frames;
 }
 
-/// The frames of every way, by its name.
+/// The decoded frames of each method, by its name.
 std::map<std::string, PointFrames> decoded(const PointFrames& frames, double step) {
   std::map<std::string, PointFrames> out;
   for (const cost::NamedFrames& way : cost::stored_ways(frames, step))
@@ -56,7 +56,7 @@ float in_steps(float number, float step) {
 }
 
 TEST(cost_stored_frames, come_back_as_they_are_rounded) {
-  // Numbers of up to 3000 steps lie in 16 bits, those of up to 3 million in 32.
+  // 16 bits hold numbers of up to 3000 steps, 32 bits those of up to 3 million.
   for (const float step : {0x1p-10f, 0x1p-20f}) {
     const PointFrames frames = noise(3.0);
     const auto found = decoded(frames, static_cast<double>(step));
@@ -79,7 +79,7 @@ TEST(cost_stored_frames, halves_of_every_size_are_exact) {
   expect_same(decoded(frames, 1.0).at("halves"), changed(frames, as_half, 0.0f), "halves");
 }
 
-/// Residuals of numbers that jump between both ends are four times as large.
+/// If numbers jump between both extremes, their residuals are four times as large.
 TEST(cost_stored_frames, numbers_that_do_not_fit_into_16_bits_take_32) {
   for (const float most : {8191.0f, 8192.0f}) {
     PointFrames frames(5, std::vector<glm::vec3>(16, glm::vec3(most)));

@@ -5,7 +5,7 @@
 
 #include "importer/tool/cost/studies.h"
 
-// Names that the tests of `sinew cost` use.
+// Short names for the tests of `sinew cost`.
 
 namespace sinew::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words, tangents and built-in limb of `sinew cost`, compared with what they should be.
+// The texts, tangents and built-in limb of `sinew cost`.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,7 +29,7 @@ constexpr std::uint32_t kSide = 4;  ///< squares along each side of the grid
 constexpr std::uint32_t kFaces = 2 * kSide * kSide;
 constexpr std::uint32_t kVertices = (kSide + 1) * (kSide + 1);
 
-/// A grid in z = x * y with positions (float) and joints (u8), by either method, not quantised.
+/// A grid in z = x * y with positions (float) and joints (u8), not quantised; `method` is the Draco encoding method.
 std::vector<std::byte> encode_grid(int method, bool with_metadata = false) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(kFaces);
@@ -68,7 +68,7 @@ std::vector<std::byte> encode_grid(int method, bool with_metadata = false) {
   return out;
 }
 
-/// One primitive with its accessors: 0 indices, 1 positions, 2 joints.
+/// A document of one primitive with its accessors: 0 indices, 1 positions, 2 joints.
 gltf::Document grid_document(const std::vector<std::byte>& stream,
                              gltf::ComponentType joint_type = gltf::ComponentType::u8) {
   gltf::Document document;
@@ -114,7 +114,7 @@ void expect_decodes(gltf::Document document) {
     places.insert({x, y});
   }
   EXPECT_EQ(places.size(), kVertices);
-  double area = 0;  // every face is half a square seen from above, wound the same way
+  double area = 0;  // seen from above, every face is half a square and has the same winding
   for (std::size_t f = 0; f < kFaces; ++f) {
     const auto at = [&](std::size_t k, std::size_t c) { return double(positions[3 * indices[3 * f + k] + c]); };
     const double twice = (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) - (at(2, 0) - at(0, 0)) * (at(1, 1) - at(0, 1));

@@ -190,7 +190,7 @@ TEST(decode_meshopt, G61_refuses_a_view_with_another_stride) {
   EXPECT_THAT(meshopt_error(document).detail, HasSubstr("byteStride differs"));
 }
 
-/// A stream of a version that nobody has defined.
+/// A stream with a version number that no specification defines.
 gltf::Document unknown_stream() {
   std::vector<unsigned char> stream = encode_vertices(some_floats(300), 12);
   stream[0] = 0xa2;
@@ -215,7 +215,7 @@ TEST(decode_meshopt, G61_reads_the_uncompressed_copy_of_what_it_does_not_know) {
   EXPECT_EQ(log.take_warnings().at(0).rule, "meshopt-fallback");
 }
 
-/// attribute_stream_test.cpp has the codec.
+/// attribute_stream_test.cpp tests the codec itself.
 TEST(decode_meshopt, G61_reads_version_1_and_the_color_filter) {
   const std::vector<unsigned char> version_1{0xa1, 0x55, 0x00, 0x06, 0x00, 0x08, 0x08, 0x00, 0x06, 0x00, 0x08, 0x08,
                                              0x00, 0x06, 0x00, 0x08, 0x08, 0x00, 0x06, 0x00, 0x08, 0x08, 0,    0,

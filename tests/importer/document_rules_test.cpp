@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For each rule about the document itself: a file of a few lines breaks it, and the import reports rule and pointer.
+// Rules about the document itself: a file of a few lines breaks each one, and the import reports the rule and the
+// pointer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -161,7 +162,7 @@ TEST(document_rules, T1_every_index_is_checked) {
   EXPECT_EQ(import_json(R"("images":[{"bufferView":0}])"), "reference at /images/0/bufferView");
 }
 
-/// A document with two entries in each list, of which the second refers to the second entry of others.
+/// A document with two entries in each list. The second entry refers to the second entry of other lists.
 const char* const kTwoOfEach = R"({"asset": {"version": "2.0"}, "scene": 1, "scenes": [{}, {"nodes": [0, 1]}],
   "nodes": [{}, {"mesh": 1, "skin": 1, "camera": 1, "children": [0]}],
   "meshes": [{"primitives": [{"attributes": {}}]}, {"primitives": [{"attributes": {}},
@@ -178,7 +179,7 @@ const char* const kTwoOfEach = R"({"asset": {"version": "2.0"}, "scene": 1, "sce
   "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 1, "byteLength": 4}],
   "buffers": [{"byteLength": 4}, {"byteLength": 4}]})";
 
-/// "pointer: detail" of every reference that leads nowhere.
+/// "pointer: detail" of every reference to an entry that does not exist.
 std::vector<std::string> broken_references(const Json& document) {
   const std::string text = document.dump();
   const auto result = import_gltf(bytes_of(text), "x");
@@ -366,7 +367,7 @@ TEST(document_rules, G68_depth_and_unpacked_bytes_are_bounded_by_options) {
   EXPECT_EQ(outcome(import_gltf(bytes_of(deep), "x", options)), "ok");
   TinyGltf file;
   file.add_triangle();
-  file.root.erase("nodes");  // each counts, too
+  file.root.erase("nodes");  // the node would count against the limit, too
   options.max_unpacked_bytes = 35;
   EXPECT_EQ(outcome(file.import(options)), "memory-budget at ") << "three positions take 36 bytes";
   options.max_unpacked_bytes = 36;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small files from bytes to the vertices of a frame: rules of glTF that need several parts of the importer.
+// glTF rules that need several parts of the importer: small files go from bytes to the vertices of a frame.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One frame of an imported file; `clip` kNone = the rest pose.
+/// One evaluated frame of an imported file; `clip` kNone = the rest pose.
 struct Shown {
   ImportResult<ImportedFile> file;
   Plan plan;
@@ -83,12 +83,12 @@ TEST(evaluated_file, G18_neighbours_on_other_hemispheres_turn_the_short_way_afte
     const Affine& m = shown.world_of_node(0);
     EXPECT_NEAR(std::hypot(m.row[0].x, m.row[1].x), 1.0, kTight) << "decoded bytes are not unit, the rotation must be";
     const double turned = std::atan2(static_cast<double>(m.row[1].x), static_cast<double>(m.row[0].x)) * 180 / M_PI;
-    EXPECT_NEAR(turned, -80.0 - 20.0 * i / 16.0, 0.5) << i;  // half a byte is 0.45 degrees
+    EXPECT_NEAR(turned, -80.0 - 20.0 * i / 16.0, 0.5) << i;  // half a byte step is 0.45 degrees
   }
 }
 
 TEST(evaluated_file, G23_keys_of_any_rate_are_kept_as_they_are) {
-  // 24 frames a second, a cut of a millisecond, and a pause of a minute: no common rate holds them all.
+  // 24 frames a second, then a cut of a millisecond and a pause of a minute: no common sample rate fits all of them.
   const std::vector<float> times{0.0f, 1 / 24.0f, 2 / 24.0f, 0.5f, 0.501f, 60.5f};
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});
@@ -116,7 +116,7 @@ TEST(evaluated_file, G30_skin_skeleton_changes_no_bit) {
       R"([{"mesh":0,"skin":0},{"children":[2],"translation":[3,0,0]},{"rotation":[0,0,0.6,0.8]},{"children":[1],"scale":[2,2,2]}])");
   const Shown without(file);
   for (const int skeleton : {1, 2, 3, 0}) {
-    file.root["skins"][0]["skeleton"] = skeleton;  // a joint, the child joint, a common root, and a node aside
+    file.root["skins"][0]["skeleton"] = skeleton;  // a joint, the child joint, a common root, and an unrelated node
     const Shown with(file);
     EXPECT_TRUE(std::ranges::equal(with.primitive().positions, without.primitive().positions)) << skeleton;
   }
@@ -138,7 +138,7 @@ TEST(evaluated_file, G32_joints_outside_the_scene_are_evaluated_with_all_their_a
 TEST(evaluated_file, G33_nodes_between_joints_count_and_joints_may_come_leaf_first) {
   TinyGltf file;
   file.add_skinned_triangle({0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}, kFull);
-  // joint 4 <- plain node 3 <- joint 2 <- plain node 1, and joint 5 under a root of its own
+  // Joint 4 <- plain node 3 <- joint 2 <- plain node 1, and joint 5 has a root of its own.
   file.root["nodes"] = Json::parse(
       R"([{"mesh":0,"skin":0},{"children":[2],"translation":[1,0,0]},{"children":[3],"translation":[0,1,0]},
           {"children":[4],"scale":[3,3,3]},{"translation":[0,0,1]},{"translation":[0,0,-5]}])");
@@ -231,7 +231,7 @@ TEST(evaluated_file, G44_hundreds_of_targets_all_count) {
   Json weights = Json::array();
   double expected = 0;
   for (int i = 0; i < kTargets; ++i) {
-    const float dx = static_cast<float>(i + 1) / 64;  // exact, and so are the products below
+    const float dx = static_cast<float>(i + 1) / 64;  // exactly representable, and so are the products below
     const float w = static_cast<float>(i % 5 - 2) / 4;
     primitive["targets"].push_back({{"POSITION", file.vec3({dx, 0, 0, 0, dx, 0, 0, 0, dx})}});
     weights.push_back(w);
@@ -253,7 +253,7 @@ TEST(evaluated_file, G51_joints_may_shrink_to_nothing_and_come_back) {
   primitive["attributes"]["TANGENT"] = file.vec4({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
   file.animate("scale", file.times({0, 1, 2, 3, 4}), file.vec3({1, 1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 2, 1, 1, 1}));
   file.root["animations"][0]["channels"][0]["target"]["node"] =
-      1;  // parent of the other joint: all of the skin collapses
+      1;  // joint 1 is the parent of the other joint, so the whole skin collapses
   for (const NormalRule rule : {NormalRule::linear, NormalRule::cofactor})
     for (const double t : {0.0, 0.999999, 1.0, 1.000001, 1.5, 2.0, 2.5, 3.0, 4.0}) {
       const Shown shown(file, 0, t, rule);
@@ -329,8 +329,8 @@ TEST(evaluated_file, G53_channels_find_their_nodes_by_index_whatever_the_names_a
   }
 }
 
-/// A skinned triangle whose positions are 16-bit fractions of 100 m; the bind matrices of its two joints, which move
-/// together, undo that.
+/// A skinned triangle whose positions are 16-bit fractions of 100 m. The bind matrices of its two joints, which move
+/// together, undo that scale.
 TinyGltf quantised_triangle() {
   TinyGltf file;
   Json& primitive =

@@ -27,7 +27,7 @@ ImportedFile round_trip(const Scene& scene) {
   return *std::move(file);
 }
 
-/// The vertices of a scene that was made by code, in the order that the importer gave them when it came back.
+/// A scene made in code, with its vertices in the order that the importer gave them after a round trip.
 Scene in_order_of(const Scene& imported, Scene made) {
   for (std::size_t m = 0; m < made.meshes.size(); ++m)
     for (std::size_t p = 0; p < made.meshes[m].primitives.size(); ++p) {
@@ -42,7 +42,7 @@ Scene in_order_of(const Scene& imported, Scene made) {
   return made;
 }
 
-constexpr std::byte kCache[1] = {};  // of any kind: with one, the flag is among the scenes
+constexpr std::byte kCache[1] = {};  // the content does not matter: with a cache, the showcase includes the flag
 
 class ExportedShowcase : public testing::TestWithParam<std::size_t> {};
 
@@ -64,7 +64,7 @@ TEST_P(ExportedShowcase, second_trip_writes_the_same_bytes) {
 
 INSTANTIATE_TEST_SUITE_P(scenes, ExportedShowcase, testing::Range<std::size_t>(0, 4));
 
-/// A joint with everything that a node can carry, and a material with all its parts.
+/// A joint with every property of a node, and a material with all its parts.
 Scene rich_scene() {
   auto scenes = showcase::showcase();
   Scene scene = std::move(scenes[1].scene);
@@ -203,7 +203,7 @@ TEST(export_glb, refuses_squad_which_gltf_cannot_say) {
   EXPECT_EQ(bytes.error().issue.json_pointer, "/animations/0");
 }
 
-/// A model of the corpus as `sinew convert` reads it.
+/// Import options that `sinew convert` uses.
 ImportOptions as_converted() {
   ImportOptions options;
   options.keep_encoded_images = true;
@@ -226,12 +226,12 @@ TEST(export_corpus, every_model_comes_back_bit_equal) {
   for (const auto& path : test::files_for_tests("models", {".gltf", ".glb"})) {
     SCOPED_TRACE(path.string());
     auto before = import_gltf(path, as_converted());
-    if (!before) continue;  // import_corpus says which may be refused
+    if (!before) continue;  // import_corpus_test checks refusals
     for (Image& image : before->scene.images)
       if (image.rgba.empty()) {
         image.width = image.height = 1;
         image.rgba = {255, 0, 255, 255};
-      }  // what stands for a missing image is written as such
+      }  // a missing image is written as one pixel
     const ImportedFile after = round_trip(before->scene);
     test::expect_equal(before->scene, after.scene);
     expect_same_vertex_numbers(before->scene, after.scene);

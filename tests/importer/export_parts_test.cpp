@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each part of a scene alone goes into a .glb and comes back.
+// Round trips of scenes with a single part each through a .glb.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ TEST(export_parts, each_filter_and_each_wrap_of_a_texture) {
   expect_equal(scene, after.scene);
 }
 
-/// A scene with all that a clip can move besides joints and weights.
+/// A scene with every property that a clip can move, besides joints and weights.
 Scene movable() {
   Scene scene = prop_scene();
   add_texture(scene);
@@ -341,7 +341,7 @@ TEST(export_parts, encoded_images_stay_as_they_are_where_a_file_may_have_them) {
   EXPECT_THAT(types, testing::ElementsAre("image/webp", "image/jpeg", "image/webp", "image/png", "image/png"));
   const auto bytes_of = [&](std::size_t image) { return parts.view(file["images"][image]["bufferView"]); };
   for (const std::size_t kept : {0u, 1u, 2u}) EXPECT_EQ(bytes_of(kept), scene.images[kept].encoded);
-  for (const std::size_t png : {3u, 4u})  // its pixel, and a placeholder of one pixel: width and height follow "IHDR"
+  for (const std::size_t png : {3u, 4u})  // one pixel each; width and height follow "IHDR"
     EXPECT_TRUE(bytes_of(png).at(19) == std::byte{1} && bytes_of(png).at(23) == std::byte{1}) << png;
   EXPECT_EQ(file["extensionsRequired"], Json{"EXT_texture_webp"});
   EXPECT_EQ(file["textures"][0]["extensions"]["EXT_texture_webp"]["source"], 0);

@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 constexpr const char* kAttributes = "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes";
 
-/// A triangle shown at three places.
+/// A triangle with three instances.
 TinyGltf instanced() {
   TinyGltf file;
   file.add_triangle();

@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// Collects data and describes it: each put() makes one buffer view, aligned to 4.
+/// Collects binary data and its description: each put() makes one buffer view, aligned to 4.
 class Bin {
  public:
   template <class T>

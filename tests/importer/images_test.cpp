@@ -24,7 +24,7 @@ using testing::SizeIs;
 
 const std::vector<std::uint8_t> kFourPixels{255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 0, 10, 20, 30, 40};
 
-/// A document of images that are already fetched; it owns their bytes.
+/// A document of images that are already loaded; it owns their bytes.
 gltf::Document document_of(const std::vector<std::vector<std::byte>>& files) {
   gltf::Document document;
   for (const auto& file : files) {
@@ -70,7 +70,7 @@ TEST(read_images, give_the_pixels_of_a_png) {
   EXPECT_THAT(log.take_warnings(), IsEmpty());
 }
 
-/// Four textures, each of one image of another kind.
+/// Four textures, each with an image in another format.
 test::TinyGltf images_of_all_kinds(const std::vector<std::vector<std::byte>>& encoded) {
   test::TinyGltf file;
   file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"EXT_texture_webp", "EXT_texture_avif"};
@@ -109,7 +109,7 @@ TEST(read_images, are_written_back_byte_for_byte_webp_and_avif_by_their_extensio
 
 TEST(read_images, probing_takes_kind_and_size_from_the_header_alone) {
   auto cut = test::encode_png(2, 2, 4, kFourPixels);
-  cut.resize(40);  // signature and header; no pixel is left
+  cut.resize(40);  // signature and header only, no pixels
   ImportOptions options;
   options.decode_images = false;
   options.probe_images = true;
@@ -142,7 +142,7 @@ TEST(read_images, give_the_pixels_of_a_lossless_avif) {
   EXPECT_THAT(log.take_warnings(), IsEmpty());
 }
 
-/// Place of a box or property in a file.
+/// Offset of the name of a box or property in a file.
 std::size_t find_name(const std::vector<std::byte>& file, std::string_view name) {
   const auto found = std::search(file.begin(), file.end(), name.begin(), name.end(),
                                  [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
@@ -156,7 +156,7 @@ TEST(read_images, G66_a_truncated_avif_is_missing) {
     expect_missing({file.begin(), file.begin() + static_cast<std::ptrdiff_t>(left)}, "AVIF");
 }
 
-/// The container claims another size than the stream has.
+/// The container claims another size than its stream has.
 TEST(read_images, G68_an_avif_has_no_more_pixels_than_it_claims) {
   auto file = test::encode_avif(64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 9));
   const std::size_t width = find_name(file, "ispe") + 11;  // the lowest of four bytes, after version and flags
@@ -185,7 +185,7 @@ TEST(read_images, decode_jpeg_close_to_its_source) {
     EXPECT_NEAR(images[0].rgba[i], i % 4 == 3 ? 255 : 100, i % 4 == 3 ? 0 : 2);
 }
 
-/// One image of a file, as the import leaves it.
+/// The file's single image after import.
 Image imported_image(const std::vector<std::byte>& encoded) {
   test::TinyGltf file;
   file.root["images"] = test::Json::array({{{"bufferView", file.add_view(encoded)}, {"mimeType", "image/jpeg"}}});
@@ -196,7 +196,7 @@ Image imported_image(const std::vector<std::byte>& encoded) {
 
 TEST(read_images, G66_a_jpeg_that_ends_early_shows_the_rows_that_it_has) {
   test::FixedRandom random(2);
-  std::vector<std::uint8_t> pixels(3 * 64 * 64);  // grey bands of 8 rows, speckled so that rows take bytes
+  std::vector<std::uint8_t> pixels(3 * 64 * 64);  // grey bands of 8 rows, with noise so that each row takes some bytes
   for (std::size_t i = 0; i < pixels.size(); ++i)
     pixels[i] = static_cast<std::uint8_t>(100 + 10 * (i / (3 * 64 * 8)) + random.below(3));
   auto file = test::encode_jpeg(64, 64, 3, pixels);
@@ -207,7 +207,7 @@ TEST(read_images, G66_a_jpeg_that_ends_early_shows_the_rows_that_it_has) {
   for (const std::size_t row : {0, 8, 16}) EXPECT_NEAR(image.rgba[4 * 64 * row], pixels[3 * 64 * row], 8) << row;
 }
 
-/// The first scan of a progressive file again and again: every one takes the time of the whole picture.
+/// Repeats the first scan of a progressive file: decoding each scan takes the time of the whole picture.
 TEST(read_images, G68_a_jpeg_with_thousands_of_scans_is_missing) {
   const auto file = test::encode_progressive_jpeg(16, 16, std::vector<std::uint8_t>(3 * 16 * 16, 100));
   EXPECT_EQ(imported_image(file).missing_reason, "");
@@ -243,13 +243,13 @@ TEST(read_images, G66_a_truncated_png_is_missing) {
   expect_missing(file, "a chunk of the PNG leaves the file");
 }
 
-/// The decoder would allocate what the last chunk claims.
+/// A decoder that trusts the last chunk's length would allocate 13 * 2^24 bytes.
 TEST(read_images, G68_a_png_that_ends_inside_of_a_checksum_is_missing) {
   auto file = test::encode_png(2, 2, 4, kFourPixels);
   const std::string_view name = "IDAT";
   const auto data = std::search(file.begin(), file.end(), name.begin(), name.end(),
                                 [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
-  *(data - 4) = std::byte{13};  // 13 * 2^24 bytes and some
+  *(data - 4) = std::byte{13};  // a length of a little over 13 * 2^24 bytes
   file.resize(static_cast<std::size_t>(data - file.begin()) + 7);
   expect_missing(file, "a chunk of the PNG leaves the file");
 }
@@ -266,7 +266,7 @@ std::vector<std::byte> bytes_of_text(std::string_view text, std::size_t size) {
   return bytes;
 }
 
-/// Headers only, of 640 x 480 pixels.
+/// Files of only a header, which claims 640 x 480 pixels.
 std::map<std::string, std::vector<std::byte>> undecoded_images() {
   auto ktx2 = bytes_of_text("\xabKTX 20\xbb\r\n\x1a\n", 120);
   ktx2[20] = ktx2[25] = std::byte{0x80};
@@ -287,7 +287,7 @@ TEST(read_images, kinds_that_are_not_decoded_are_placeholders_whose_bytes_a_conv
     ImportOptions keep;
     keep.decode_images = false;
     keep.probe_images = keep.keep_encoded_images = true;
-    keep.max_image_pixels = 100;  // nothing is decoded, so nothing counts
+    keep.max_image_pixels = 100;  // nothing is decoded, so the limit does not apply
     IssueLog log;
     const auto images = read_decoded(document_of({file}), keep, log);
     EXPECT_EQ(images[0].mime_type, type);
@@ -322,7 +322,7 @@ TEST(read_images, an_extension_that_only_names_images_blocks_no_pose) {
 TEST(read_images, G68_few_bytes_cannot_claim_a_huge_picture) {
   auto file = test::encode_png(2, 2, 4, kFourPixels);
   file[17] = std::byte{0x01};  // width 2 + 65536
-  file[21] = std::byte{0x01};  // the same for the height
+  file[21] = std::byte{0x01};  // and height 2 + 65536
   expect_missing(file, "is no undamaged");
   file[17] = file[21] = std::byte{0};
   file[18] = file[22] = std::byte{0x38};  // 14338 x 14338

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every file of the corpus: models load, malformed files end in a message, never in a crash.
+// Imports every file of the corpus: models load, and malformed files end in a message, never in a crash.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ TEST(import_corpus, poses_do_not_depend_on_images_or_made_vectors) {
   }
 }
 
-/// Codes of the validator for faults in data that the importer reads, and for those that a thorough import names.
-/// Faults elsewhere (targets that two uses of a view need, naming, alignment for GPUs) are not among them.
+/// The validator's codes for faults in data that the importer reads, and for faults that a thorough import names. Other
+/// faults are left out: buffer view targets, naming, alignment for GPUs.
 const std::set<std::string> kTouchesData{"ACCESSOR_TOO_LONG",
                                          "ACCESSOR_SMALL_BYTESTRIDE",
                                          "ACCESSOR_OFFSET_ALIGNMENT",
@@ -125,7 +125,7 @@ struct Fault {
   std::string code, place;
 };
 
-/// Errors of a validator report that concern data. Like ours, they have an empty place for the whole document.
+/// Errors in a validator report that concern data. A fault of the whole document has an empty place, as in our reports.
 std::vector<Fault> data_faults(const fs::path& report) {
   std::vector<Fault> faults;
   std::ifstream stream(report);
@@ -141,7 +141,7 @@ std::vector<Fault> data_faults(const fs::path& report) {
 
 bool is_below(const std::string& place, const std::string& above) { return place.starts_with(above + '/'); }
 
-/// "/accessors/3" of "/accessors/3/sparse/count".
+/// The list entry of a pointer: "/accessors/3" of "/accessors/3/sparse/count".
 std::string entry_of(const std::string& place) {
   const auto second = place.find('/', 1);
   const auto third = second == place.npos ? second : place.find('/', second + 1);
@@ -160,8 +160,9 @@ bool answers_for_the_document(const ImportIssue& issue, const std::string& code)
   return issue.rule == "json-type" && code == "TYPE_MISMATCH";
 }
 
-/// True when our issue is at the place of the fault, inside it or around it. Our error may refuse the whole list entry.
-/// Of two channels with one target either may be named, and a node with two parents hides one of two cycles.
+/// True if our issue lies at the place of the fault, inside it or around it, because our error may refuse the whole
+/// list entry. If two channels have the same target, either may be named. A node with two parents hides one of two
+/// cycles.
 bool answers(const ImportIssue& issue, const Fault& fault) {
   const std::string& ours = issue.json_pointer;
   if (ours.empty() || fault.place.empty()) return answers_for_the_document(issue, fault.code);
@@ -186,7 +187,7 @@ TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validat
   std::size_t answered = 0;
   for (const fs::path& file : files_for_tests("malformed", kExtensions)) {
     SCOPED_TRACE(file.string());
-    const auto issues = all_issues(import_gltf(file, thorough));  // CTest's limit ends one that takes for ever
+    const auto issues = all_issues(import_gltf(file, thorough));  // the time limit of CTest ends an import that hangs
     for (const auto& issue : issues) {
       EXPECT_FALSE(issue.rule.empty() || issue.detail.empty());
       EXPECT_NE(issue.rule, "internal") << issue.detail;
@@ -202,7 +203,7 @@ TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validat
   EXPECT_GE(answered, 36u) << "those of tests/generated/faults.py";
 }
 
-/// Truncations and single changed bytes of every small file: an answer each time.
+/// Truncations and single changed bytes of every small file: each import must return a scene or a message.
 TEST(import_corpus, U25_damaged_models_end_in_a_scene_or_a_message) {
   for (const fs::path& file : files_for_tests("models", {".glb"})) {
     if (fs::file_size(file) > 5000) continue;

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The showcase as files: rigid, skinned and morphed meshes with animations, over a megabyte each.
+/// The showcase as files of over a megabyte each: rigid, skinned and morphed meshes with animations.
 class import_gltf_test : public testing::Test {
  protected:
   import_gltf_test() {
@@ -51,8 +51,8 @@ TEST_F(import_gltf_test, T11_takes_less_memory_than_three_times_the_file_at_any_
   }
 }
 
-/// Bytes of JSON in a file. Its tree is in memory together with the text while the document is read, and with some
-/// kilobytes of the text that tinygltf reads.
+/// Bytes of JSON in a file. While the document is read, memory holds the text, its tree, and some kilobytes of text for
+/// tinygltf.
 std::size_t json_bytes(const fs::path& path) {
   if (path.extension() == ".gltf") return fs::file_size(path);
   std::ifstream stream(path, std::ios::binary);
@@ -71,7 +71,7 @@ bool is_packed(const ImportedFile& file) {
 TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_the_file_and_the_tree_of_their_json) {
   constexpr std::size_t kFixed = std::size_t{32} << 10;
   ImportOptions options;
-  options.decode_images = false;  // they are packed
+  options.decode_images = false;  // images stay compressed
   std::size_t compared = 0;
   for (const fs::path& path : test::files_for_tests("models", {".gltf", ".glb"})) {
     const test::PeakMemory peak;
@@ -121,7 +121,7 @@ TEST_F(import_gltf_test, reports_progress_on_the_calling_thread_rising_to_one) {
   ASSERT_TRUE(import_gltf(files_[1], options));
   EXPECT_FALSE(elsewhere);
   EXPECT_EQ(std::vector(seen.begin(), seen.begin() + 4), (std::vector<double>{0.0, 0.1, 0.3, 0.35}));
-  stages.erase(std::unique(stages.begin(), stages.end()), stages.end());  // a report for each mesh
+  stages.erase(std::unique(stages.begin(), stages.end()), stages.end());  // meshes report once each
   EXPECT_EQ(stages,
             (std::vector<std::string>{"parse", "buffers", "scene", "meshes", "clips", "images", "check", "done"}));
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << testing::PrintToString(seen);

@@ -36,7 +36,7 @@ TEST(incremental_slerp, tiny_arcs_are_not_lost) {
   const auto q = random.rotation<double>(), r = q * random.rotation_by<double>(1e-7);
   IncrementalSlerp<double> walk(q, r, 1000);
   for (int k = 0; k < 500; ++k) walk.advance();
-  EXPECT_NEAR(test::angle_between(q, walk.current()), 0.5e-7, 3e-14);  // 500 roundings of 1e-16 at random
+  EXPECT_NEAR(test::angle_between(q, walk.current()), 0.5e-7, 3e-14);  // 500 random roundings of 1e-16
 }
 
 }  // namespace

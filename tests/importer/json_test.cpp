@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parsing JSON text into a tree accepts what JSON allows, and nothing else.
+// Parsing JSON text into a tree: valid JSON is accepted, everything else refused.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files and buffers beyond 2 and 4 GiB (G67): sparse files, of which only the pages that are read take memory.
+// Files and buffers beyond 2 and 4 GiB. The files are sparse, so only pages that are read take memory.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 
 constexpr std::uint64_t kGiB = std::uint64_t{1} << 30;
-constexpr std::uint64_t kSmall = std::uint64_t{1} << 20;  ///< memory that an import without large copies stays below
+constexpr std::uint64_t kSmall = std::uint64_t{1} << 20;  ///< memory limit of an import that makes no large copy
 
-/// A file of zeros in a folder of its own, with bytes written here and there.
+/// A file of zeros in its own folder; a test writes bytes at chosen places.
 class SparseFile {
  public:
   SparseFile(const char* name, std::uint64_t size)
@@ -109,7 +109,7 @@ TEST(large_files, G67_a_glb_as_large_as_its_lengths_allow_is_read_on_both_sides_
   EXPECT_THAT(primitive.indices, ElementsAre(0u, 1u, 2u));
 }
 
-/// A buffer of 5 GiB with numbers at 4 GiB + 16, and others where 32 bits would look for them.
+/// A buffer of 5 GiB with numbers at 4 GiB + 16. Other numbers lie where 32-bit offsets would read.
 class buffer_of_5_GiB : public testing::Test {
  protected:
   static constexpr std::uint64_t kSize = 5 * kGiB, kPlace = 4 * kGiB + 16;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kExtension = "KHR_lights_punctual";
 
-/// One node for each light.
+/// A file with one node for each light.
 TinyGltf lit_by(const Json& lights) {
   TinyGltf file;
   file.root["extensionsUsed"] = {kExtension};

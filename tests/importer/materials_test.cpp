@@ -16,7 +16,7 @@ using gltf::Json;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Reads one material; returns its warnings as "rule at place".
+/// Reads one material; holds its warnings as "rule at place".
 struct Reading {
   Material material;
   std::vector<std::string> warnings;
@@ -232,7 +232,7 @@ TEST(read_materials, refuse_a_specular_glossiness_texture_that_is_not_there) {
           "extension-value at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"));
 }
 
-/// A grey metallic-roughness surface in specular-glossiness form; converting it back must give the same surface.
+/// A grey metallic-roughness surface is written as specular-glossiness; converting it back must give the same surface.
 TEST(to_metallic_roughness, finds_grey_surfaces_again) {
   for (const double grey : {0.2, 0.5, 0.9})
     for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each list of the format multiplied with another one that it can name again and again. However many entries both have,
-// an import holds no more than the memory that is allowed plus a small multiple of the file.
+// Files in which one list refers to another's entries many times, so that sizes multiply. However long both lists are,
+// an import takes no more than the allowed memory plus a small multiple of the file size.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace sinew::test {
 namespace {
 
 constexpr std::uint64_t kAllowed = std::uint64_t{4} << 20;  ///< options.max_unpacked_bytes
-constexpr std::size_t kPerByte = 40;                        ///< of the file: JSON trees, document, scene
+constexpr std::size_t kPerByte = 40;  ///< allowance per byte of the file, for JSON trees, document and scene
 
 ImportOptions small_allowance() {
   ImportOptions options;
@@ -199,7 +199,7 @@ TEST(memory_products, G68_no_two_lists_multiply) {
   }
 }
 
-/// The same files are no trouble where memory is allowed: the limit is what refuses them.
+/// With a larger allowance the same files load: it is the limit that refuses them.
 TEST(memory_products, G68_what_is_allowed_grows_with_the_file_up_to_the_limit) {
   constexpr std::uint64_t kFree = std::uint64_t{64} << 20, kMost = std::uint64_t{1} << 50;
   EXPECT_EQ(allowed_bytes(0, kMost), kFree);
@@ -215,7 +215,6 @@ TEST(memory_products, G68_large_products_name_the_limit) {
   }
 }
 
-/// Clips share what is at rest.
 TEST(memory_products, clips_take_memory_for_what_they_move_not_for_all_nodes_weights_and_properties) {
   for (const Product& product : {kProducts[0], kProducts[1], kProducts[2]}) {
     const auto result = import_gltf(bytes_of(product.make().text()), "product", small_allowance());
@@ -231,7 +230,8 @@ TEST(memory_products, clips_take_memory_for_what_they_move_not_for_all_nodes_wei
   }
 }
 
-/// An entry of two characters takes two thousand bytes once it is read. Few are no trouble; many are refused unread.
+/// An entry of two characters takes two thousand bytes once it is read. A few are accepted; many are refused before
+/// they are read.
 TEST(memory_products, G68_entries_of_few_characters_are_counted_before_they_are_read) {
   TinyGltf file;
   file.root["materials"] = repeated(60'000, Json::object());
@@ -243,7 +243,6 @@ TEST(memory_products, G68_entries_of_few_characters_are_counted_before_they_are_
   EXPECT_EQ(outcome(file.import()), "ok");
 }
 
-/// Nodes share the name of what they place.
 TEST(memory_products, names_of_cameras_and_lights_exist_once_however_many_nodes_place_them) {
   const auto lights = import_gltf(bytes_of(nodes_times_light_name().text()), "lights", small_allowance());
   ASSERT_EQ(outcome(lights), "ok");

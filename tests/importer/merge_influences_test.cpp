@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights of vertices that files give: sums that are not 1, joints that repeat, vertices without any.
+// Faulty vertex weights in files: sums other than 1, repeated joints, vertices without any weight.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real rigs mirrored: partners are found, and the mirrored body is the mirror image of the body.
+// Mirroring real rigs: partners are found, and the mirrored pose is the mirror image of the pose.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -32,7 +32,7 @@ std::size_t each_scene(const Visit& visit) {
   std::size_t count = 0;
   for (const auto& file : rigs()) {
     const auto imported = import_gltf(file, options);
-    if (!imported) continue;  // other tests tell
+    if (!imported) continue;  // import_corpus_test reports failed imports
     visit(imported->scene, file.filename().string());
     ++count;
   }
@@ -52,7 +52,6 @@ double size_of(const Skeleton& skeleton) {
   return largest_component(high - low);
 }
 
-/// Every joint whose name tells a side has a partner of the other side, or is listed.
 TEST(mirror_corpus, names_that_tell_a_side_have_a_partner_or_are_listed) {
   std::size_t pairs = 0;
   each_scene([&](const Scene& scene, const std::string& file) {

@@ -20,7 +20,7 @@ ImportOptions small_limits() {
   return options;
 }
 
-/// One to four changes of the kinds that break parsers: single bytes, numbers, cuts, repeats.
+/// Makes one to four changes that often break parsers: changed bytes, changed numbers, cuts, repeats.
 Bytes mutate(Bytes file, test::FixedRandom& random) {
   constexpr std::string_view kNumbers[] = {"0", "-1", "4294967295", "1e30", "2147483647", "255", "null", "[]"};
   for (std::uint32_t n = 1 + random.below(4); n > 0 && file.size() > 16; --n) {
@@ -29,13 +29,13 @@ Bytes mutate(Bytes file, test::FixedRandom& random) {
     switch (random.below(5)) {
       case 0: *here = static_cast<std::byte>(random.below(256)); break;
       case 1: *here ^= static_cast<std::byte>(1u << random.below(8)); break;
-      case 2: {  // a digit becomes another digit: mostly still JSON
+      case 2: {  // replaces one digit by another, so the text mostly stays JSON
         const auto digit =
             std::find_if(here, file.end(), [](std::byte b) { return b >= std::byte{'0'} && b <= std::byte{'9'}; });
         if (digit != file.end()) *digit = static_cast<std::byte>('0' + random.below(10));
         break;
       }
-      case 3: {  // a whole number becomes an odd one, without a change of length where it fits
+      case 3: {  // overwrites a number with an unusual one, keeping the file's length
         const auto colon = std::find(here, file.end(), std::byte{':'});
         const std::string_view number = kNumbers[random.below(std::size(kNumbers))];
         for (std::size_t i = 0; i < number.size() && colon + 1 + static_cast<std::ptrdiff_t>(i) < file.end(); ++i)
@@ -65,7 +65,7 @@ TEST(mutated_files, T7_an_image_past_its_buffer_is_an_error_and_not_read) {
   const std::string_view view = R"("bufferView":9,"mimeType")";
   const std::size_t at = text.find(view);
   ASSERT_NE(at, std::string_view::npos);
-  seed[at + 13] = std::byte{'8'};  // a view that exists, but holds no image: missing, and everything else loads
+  seed[at + 13] = std::byte{'8'};  // a view without an image: everything else loads
   const auto other = import_gltf(seed, "seed.glb");
   ASSERT_TRUE(other);
   EXPECT_FALSE(other->scene.images.at(0).missing_reason.empty());
@@ -73,7 +73,7 @@ TEST(mutated_files, T7_an_image_past_its_buffer_is_an_error_and_not_read) {
 
   const std::size_t length = text.rfind("\"byteLength\":", text.find("\"buffers\""));
   ASSERT_NE(length, std::string_view::npos);
-  seed[length + 13] = std::byte{'9'};  // the last view, of the image, leaves its buffer
+  seed[length + 13] = std::byte{'9'};  // the last view, which holds the image, now ends outside its buffer
   const auto file = import_gltf(seed, "seed.glb");
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().issue.rule, "buffer-view-range");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traps of glTF parsers: what common ones do not check, or do wrong, the importer does itself.
+// Properties of glTF files that common parsers do not check or read wrongly; the importer handles them itself.
 #include <gtest/gtest.h>
 #include <malloc.h>
 

@@ -22,7 +22,7 @@ Json pointing_at(const std::string& text) {
   return {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", text}}}}}};
 }
 
-/// A file with one object of every kind that a pointer can name.
+/// A file with one object of each kind that an animation pointer can target.
 TinyGltf everything() {
   TinyGltf file;
   Json& primitive = file.add_triangle();
@@ -53,7 +53,7 @@ TinyGltf everything() {
   return file;
 }
 
-/// One channel with two keys; flags are bytes, other numbers floats.
+/// That file with one animated pointer of two keys. Flags are bytes, other values floats.
 TinyGltf animated(const std::string& text, std::size_t components, const char* interpolation = "LINEAR") {
   TinyGltf file = everything();
   const bool flag = text.ends_with("visible");
@@ -168,7 +168,7 @@ TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_
   }
 }
 
-/// Each of these is in the file, and goes with one object alone, whatever else there is.
+/// A property cannot be animated without its own object. Other missing objects do not matter.
 TEST(property_pointer, G58_a_property_needs_its_own_object_and_no_other) {
   const std::string material = "/materials/0/";
   for (const auto& [text, owner] : {std::pair(material + "normalTexture/scale", "normalTexture"),
@@ -190,7 +190,7 @@ TEST(property_pointer, G58_a_texture_that_nothing_places_has_no_place_to_animate
       textures.emplace_back(c, text.substr(0, text.find(transform)));
   ASSERT_THAT(textures, SizeIs(5));
   for (const auto& [c, own] : textures)
-    for (const bool is_placed : {true, false}) {  // it alone, or all others
+    for (const bool is_placed : {true, false}) {  // on this texture alone, or on all others
       TinyGltf file = animated(c.pointer, c.components);
       for (const auto& [any, texture] : textures)
         if ((texture == own) != is_placed) file.root[Json::json_pointer(texture)].erase("extensions");
@@ -274,7 +274,7 @@ TEST(property_pointer, G58_values_have_the_shape_of_their_property) {
             "animation-output at /animations/0/samplers/0/output");
 }
 
-/// A second channel on the same sampler.
+/// `first` animated, and a second channel with the target `second` on the same sampler.
 TinyGltf twice(const std::string& first, const Json& second, std::size_t components) {
   TinyGltf file = animated(first, components);
   file.root["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", second}});

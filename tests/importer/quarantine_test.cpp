@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an import puts aside after an error: the entry, what uses it, and reports that only follow from it.
+// After an error the import sets aside the faulty entry and everything that uses it, and drops reports that only follow
+// from it.
 #include "importer/file/quarantine.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ gltf::Document document() {
   return d;
 }
 
-/// A document after an error at `place`.
+/// The document after an error at `place`.
 struct Isolated {
   gltf::Document d = document();
   IssueLog log;
@@ -72,7 +73,7 @@ struct Isolated {
     log.take_error("");
   }
 
-  /// True where reports are dropped, because they only follow from the error.
+  /// True if a report at this place is dropped, because it only follows from the error.
   bool mutes(const std::string& place) {
     log.report(Rule::reference, place, "follows");
     return log.take_error("").issue.json_pointer.empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of a document are read by tinygltf, some entries at a time, from a text that has their core properties alone.
+// Reading a document's lists: tinygltf reads slices of their entries, from a text with only the core properties.
 #include "importer/file/read_lists.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace sinew::test {
 namespace {
 
-/// A tree and the text that its strings point into.
+/// A JSON tree, and the text that its strings point into.
 struct CheckedText {
   std::unique_ptr<const std::string> text;
   std::unique_ptr<JsonTree> json;
@@ -37,7 +37,7 @@ CheckedText checked(const std::string& text) {
   return out;
 }
 
-/// The text of a list with one entry.
+/// The text that tinygltf gets for a list with one entry.
 std::string core_text(const char* list, const std::string& entry) {
   const auto json = checked(R"({"asset": {"version": "2.0"}, ")" + std::string(list) + "\": [" + entry + "]}");
   std::size_t next = 0;
@@ -89,7 +89,8 @@ TEST(read_lists, T10_numbers_keep_every_bit) {
   }
 }
 
-/// Far more entries than one slice has; what is taken from the tree belongs to the right ones.
+/// There are far more entries than fit into one slice. Properties taken from the JSON tree must go to the right
+/// entries.
 TEST(read_lists, entries_of_many_slices_keep_their_order) {
   constexpr std::uint32_t kCount = 3000;
   Json root{{"asset", {{"version", "2.0"}}}};

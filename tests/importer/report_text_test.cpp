@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the import says of a file: where, in words, once, and how far it came.
+// Texts of import reports: each names the place, explains the fault in words, appears once, and progress is reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::vector<std::string> said(const ImportResult<ImportedFile>& result) {
   return out;
 }
 
-/// True for a place of the document, and for a property that is missing there.
+/// True if the pointer names an existing value, or a missing property of an existing value.
 bool is_place_of(const Json& document, const std::string& pointer) {
   const Json::json_pointer place(pointer);
   return document.contains(place) || document.contains(place.parent_pointer());
@@ -58,7 +58,7 @@ TEST(report_text, issues_of_every_broken_file_have_a_place_in_it_and_a_sentence)
   EXPECT_GT(seen, 100u);
 }
 
-/// Three scalars, the last of which is replaced.
+/// An accessor of three scalars with a sparse replacement of the last one.
 TinyGltf sparse_scalars() {
   TinyGltf file;
   const std::size_t base = file.scalars({1, 2, 3}), indices = file.add_view(std::vector<std::uint16_t>{2}),
@@ -138,7 +138,7 @@ TEST(report_text, G58_pointers_that_move_nothing_say_why) {
   EXPECT_THAT(of_pointer("/materials/1/alphaCutoff"), HasSubstr("points past the end"));
 }
 
-/// A triangle with one morph target that lifts each vertex by its number plus one.
+/// A triangle with one morph target that lifts each vertex by its index plus one.
 TinyGltf morphed_triangle(Json** attributes) {
   TinyGltf file;
   Json& primitive = file.add_triangle();

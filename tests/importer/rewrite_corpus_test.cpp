@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every model of the corpus, written again: the same document, the same scene, and the same file when done twice.
+// Rewrites every model of the corpus. Document and scene must stay the same, and rewriting the result must give the
+// same file.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -29,7 +30,7 @@ Json document_of(const fs::path& file) {
   return split_glb({bytes.begin(), bytes.end()}).json;
 }
 
-/// Takes out of both documents what decoding and embedding change.
+/// Removes from both documents the properties that decoding and embedding change.
 void forget_what_changes(Json& before, Json& after) {
   for (Json* root : {&before, &after}) {
     *root = without_places(*root);
@@ -42,7 +43,7 @@ void forget_what_changes(Json& before, Json& after) {
     }
     if (root->contains("accessors"))
       for (Json& accessor : (*root)["accessors"])
-        for (const char* bound : {"min", "max"})  // of decoded elements: as floats, not as they were printed
+        for (const char* bound : {"min", "max"})  // bounds of decoded elements are floats, so printed digits may differ
           if (accessor.contains(bound))
             for (Json& number : accessor[bound]) number = number.get<float>();
     for (auto list = root->begin(); list != root->end();)
@@ -62,7 +63,7 @@ TEST(rewrite_corpus, every_model_keeps_its_document_its_scene_and_its_second_cop
   for (const fs::path& path : all_models()) {
     SCOPED_TRACE(path.string());
     const auto file = import_gltf(path, carrying());
-    if (!file) continue;  // import_corpus says which may be refused
+    if (!file) continue;  // import_corpus_test checks refusals
     const auto once = rewrite_gltf(*file, options);
     ASSERT_TRUE(once) << once.error().issue.detail;
     const auto again = import_gltf(once->file, "once.glb", carrying());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files with Draco streams, written again without.
+// Rewriting files with Draco streams to files without.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace sinew::test {
 namespace {
 
-/// A hair outside of [0, 1], off a sum of 1, and off a sign: as quantisation leaves them.
+/// Values just outside of [0, 1], off a sum of 1, or off a sign of 1, as quantisation leaves them.
 const TriangleValues kRounded{{"POSITION", {0, 0, 0, 1, 0, 0, 0, 1, 0}},
                               {"COLOR_0", {1.0009765f, 0, 0, -0.0009765f, 0.5f, 1, 0, 0, 1}},
                               {"NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1}},
@@ -43,7 +43,7 @@ TEST(rewrite_draco, G62_draco_becomes_plain_accessors_within_the_limits_of_gltf)
 TEST(rewrite_draco, G62_decoded_elements_begin_where_their_own_view_does) {
   TinyGltf gltf = draco_document(kRounded);
   Json& position = gltf.root["accessors"][gltf.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>()];
-  position["bufferView"] = gltf.add_view(std::vector<float>(12));  // a copy for readers without the extension
+  position["bufferView"] = gltf.add_view(std::vector<float>(12));  // fallback data for readers without the extension
   position["byteOffset"] = 12;
   const GlbParts out = rewritten(gltf);
   const Json& primitive = out.json["meshes"][0]["primitives"][0];

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 Json extras(int at) { return {{"at", at}, {"list", {1, 2.5, "three", nullptr, {{"deep", true}}}}}; }
 
-/// A file with everything that the importer does not know or use, at every level.
+/// A file with unknown and unused properties at every level.
 TinyGltf strange_file() {
   TinyGltf gltf;
   Json& primitive =
@@ -160,7 +160,7 @@ TEST(rewrite_gltf, writes_text_and_a_buffer_that_say_the_same_as_a_glb) {
   EXPECT_TRUE(std::equal(pair->buffer.begin(), pair->buffer.end(), glb.bin.begin()));
 }
 
-/// The name that a refusal gives; "carried" without one.
+/// The rule or extension that makes the rewrite fail; "carried" if it succeeds.
 std::string refused(const TinyGltf& gltf, const std::set<std::string>& drop = {}) {
   RewriteOptions options;
   options.drop = drop;

@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-/// Node 0 is moved by channels 0 and 1, which share a sampler, and turned by channel 2; channel 3 names no node.
+/// Channels 0 and 1 move node 0 and share a sampler. Channel 2 rotates it. Channel 3 names no node.
 TinyGltf moving() {
   TinyGltf gltf;
   gltf.add_triangle();
@@ -35,7 +35,7 @@ struct Rewritten {
   Json json;
 };
 
-/// Rewrites with the animations that `edit` makes of the scene's.
+/// Rewrites the file with `edit` applied to the scene's animations.
 template <class Edit>
 Rewritten rewritten_keys(const TinyGltf& gltf, Edit edit) {
   auto before = gltf.import(carrying());
@@ -115,7 +115,7 @@ TEST(rewrite_keys, accessors_that_nothing_named_before_stay_as_they_are) {
   EXPECT_EQ(accessors[1]["count"], 1);
 }
 
-/// Everything that names an accessor or a view names it by its new number.
+/// Everything that refers to an accessor or a view must use its new number.
 TEST(rewrite_keys, where_entries_go_all_that_is_behind_them_is_found_again) {
   TinyGltf gltf;
   gltf.animate("translation", gltf.times({0, 1, 2}), gltf.vec3({0, 0, 0, 1, 0, 0, 2, 0, 0}));
@@ -254,14 +254,14 @@ TEST(rewrite_keys, weights_of_two_nodes_that_show_one_mesh_stay_apart) {
   EXPECT_EQ(weights[1].weights.values, (std::vector<float>{0.75f, 0.125f}));
 }
 
-/// Rewrites with animations behind the file's.
+/// Rewrites the file with additional animations.
 ImportResult<RewrittenFile> with_added(const TinyGltf& gltf, const std::vector<Animation>& added) {
   RewriteOptions options;
   options.added_animations = added;
   return rewrite(gltf, options);
 }
 
-/// Joint 0 goes up and turns; both tracks have the same key times.
+/// Joint 0 moves up and rotates; both tracks have the same key times.
 Animation up_and_round() {
   BoneAnimation bone;
   bone.translation = {Interpolation::step, {0, 1}, {{0, 0, 0}, {0, 2, 0}}};
@@ -330,7 +330,7 @@ TEST(rewrite_keys, a_matrix_is_taken_apart_at_the_node_of_its_joint) {
   gltf.root["nodes"][0]["matrix"] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1};
   gltf.root["nodes"].push_back({{"children", {0}}, {"matrix", {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1}}});
   Animation up = up_and_round();
-  up.bones[0].joint = 1;  // node 0
+  up.bones[0].joint = 1;  // the joint of node 0
   const auto out = with_added(gltf, {up});
   ASSERT_TRUE(out) << out.error().issue.detail;
   const Json nodes = split_glb(out->file).json["nodes"];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Streams at the limits of what their small forms can hold, and accessors that several uses share.
+// Rewriting vertex streams whose values are at the limits of smaller formats, and accessors that several primitives
+// share.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,7 +19,7 @@ RewriteOptions quantized() {
   return options;
 }
 
-/// A triangle whose streams all have numbers up to `most`.
+/// A triangle whose streams all contain values up to `most`.
 TinyGltf numbers_up_to(float most) {
   TinyGltf gltf;
   const std::vector<float> weights{most, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
@@ -62,7 +63,8 @@ TEST(rewrite_limits, the_index_that_would_restart_a_strip_takes_32_bits) {
   }
 }
 
-/// EXT_meshopt_compression: decoded views lie in a buffer that no file holds, apart and as their numbers need it.
+/// With EXT_meshopt_compression, decoded views lie in a placeholder buffer without bytes in the file. They must not
+/// overlap, and start at multiples of four.
 TEST(rewrite_limits, decoded_views_lie_apart_at_multiples_of_four) {
   TinyGltf gltf;
   constexpr std::uint16_t kCount = 401;  // an odd number of indices of two bytes
@@ -96,7 +98,7 @@ TEST(rewrite_limits, decoded_views_lie_apart_at_multiples_of_four) {
   EXPECT_GE(json["buffers"].back()["byteLength"].get<std::size_t>(), end);
 }
 
-/// A file, and the same after it was written with smaller numbers.
+/// The scene of a file, and the scene after quantized rewriting.
 std::pair<Scene, Scene> recoded(const TinyGltf& gltf) {
   const auto out = rewrite(gltf, quantized());
   if (!out) throw std::runtime_error(describe("file", out.error().issue));
@@ -104,7 +106,7 @@ std::pair<Scene, Scene> recoded(const TinyGltf& gltf) {
   return {std::move(before.value().scene), std::move(after.value().scene)};
 }
 
-/// Where the corners of the triangles of every primitive of the first mesh are.
+/// Positions of all triangle corners of the first mesh, over all its primitives.
 std::vector<glm::vec3> corners(const Scene& scene) {
   std::vector<glm::vec3> out;
   for (const Primitive& primitive : scene.meshes.at(0).primitives)
@@ -112,7 +114,7 @@ std::vector<glm::vec3> corners(const Scene& scene) {
   return out;
 }
 
-/// Four vertices, which triangles name in an order that is not theirs.
+/// Four vertices that the triangles name in another order than the vertex list.
 TinyGltf turned_square() {
   TinyGltf gltf;
   Json& primitive = gltf.add_triangle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files written with `quantize` and `meshopt`: what is drawn, to the bit or within the bits that are kept.
+// Files rewritten with `quantize` and `meshopt`: drawn triangles are equal, exactly or within the kept precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,10 +93,10 @@ RewriteOptions how(bool quantize, bool meshopt) {
   return options;
 }
 
-/// Everything of one corner of a triangle, in numbers.
+/// All attributes of one triangle corner as numbers.
 using Corner = std::vector<float>;
 
-/// The triangles of a primitive, in an order that does not depend on how vertices are numbered.
+/// The triangles of a primitive, sorted, so that vertex numbering does not matter.
 std::vector<std::array<Corner, 3>> triangles(const Primitive& p) {
   std::vector<Corner> corners(p.vertex_count());
   const auto add = [&](const auto& values) {
@@ -165,7 +165,7 @@ TEST(rewrite_streams, meshopt_alone_draws_the_same_bits_from_fewer_vertices) {
 
 float angle(const glm::vec3& a, const glm::vec3& b) { return glm::length(glm::normalize(a) - glm::normalize(b)); }
 
-/// The largest difference of a kind over all corners, found by the order of triangles in space.
+/// Compares two primitives vertex by vertex. `position` is the tolerance of positions.
 void expect_close(const Primitive& a, const Primitive& b, float position) {
   ASSERT_EQ(a.indices.size(), b.indices.size());
   for (std::size_t i = 0; i < a.vertex_count(); ++i) {
@@ -196,14 +196,14 @@ TEST(rewrite_streams, G17_quantised_numbers_stay_within_half_a_step) {
   }
 }
 
-/// The grid without the target that is stored sparse, which keeps vertices as they are.
+/// The grid without its sparse target. A sparse target would prevent merging of vertices.
 TinyGltf grid_without_sparse() {
   TinyGltf gltf = grid();
   gltf.root["meshes"][0]["primitives"][0]["targets"].erase(1);
   return gltf;
 }
 
-/// The grid with bounds where they need not be.
+/// The grid with min and max also where glTF does not demand them.
 TinyGltf bounded_grid() {
   TinyGltf gltf = grid();
   const Json& attributes = gltf.root["meshes"][0]["primitives"][0]["attributes"];
@@ -277,7 +277,7 @@ TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles
 TEST(rewrite_streams, vertices_that_only_a_target_or_a_weight_tells_apart_stay) {
   TinyGltf gltf = grid_without_sparse();
   std::vector<float> dense(3 * (6 * kSide * kSide), 0.0f);
-  dense[3 * 700] = 1.0f;  // one corner of many at its place
+  dense[3 * 700] = 1.0f;  // moves one of the copies at this corner, so that they cannot be merged
   gltf.root["meshes"][0]["primitives"][0]["targets"][1]["POSITION"] = gltf.vec3(dense);
   EXPECT_EQ(first(recoded(gltf, how(true, false)).after).vertex_count(), (kSide + 1) * (kSide + 1) + 1);
 }

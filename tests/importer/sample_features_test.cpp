@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The features of the glTF sample models: each test makes a file with one of them, imports and evaluates it.
+// Features of the glTF sample models: each test builds a file with one of them, imports and evaluates it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ const Primitive& first_primitive(const ImportResult<ImportedFile>& file) {
   return file->scene.meshes.at(0).primitives.at(0);
 }
 
-/// A sparse accessor over zeros, or over the view of `base`.
+/// A sparse accessor that replaces zeros, or the elements of view `base`.
 template <class Index>
 std::size_t add_sparse(TinyGltf& file, const std::vector<Index>& at, int index_type, const std::vector<float>& values,
                        const char* type, std::size_t count, const std::optional<std::size_t>& base = {}) {
@@ -74,7 +74,7 @@ TEST(sample_features, G24_indices_may_be_sparse) {
   EXPECT_EQ(first_primitive(file.import()).indices, (Indices{0, 1, 2}));
 }
 
-/// Sparse replacements out of order and repeated, for vertices that the importer reorders.
+/// Sparse entries are out of order and repeated, and the importer reorders the vertices.
 TEST(sample_features, G24_G47_sparse_displacements_follow_their_vertices) {
   TinyGltf file;
   Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0},
@@ -158,7 +158,7 @@ TEST(sample_features, every_mode_reads_with_indices_of_any_size_and_without) {
   struct Case {
     int mode;
     Topology topology;
-    Indices of_four;  ///< for four vertices in their order
+    Indices of_four;  ///< expected indices for four vertices in order
   };
   const Case cases[] = {{0, Topology::points, {0, 1, 2, 3}},
                         {1, Topology::lines, {0, 1, 2, 3}},
@@ -212,7 +212,7 @@ TEST(sample_features, G17_colors_and_texture_coordinates_of_every_type_mean_the_
                                               : type == 5121
                                                   ? file.add(whole(std::uint8_t{255}, uv), "VEC2", type, 2, true)
                                                   : file.add(whole(std::uint16_t{65535}, uv), "VEC2", type, 2, true);
-      // Elements of three small components are not aligned as the format asks, but they are read.
+      // Elements of three one-byte components break the alignment rule of glTF, but the importer accepts them.
       const auto result = file.import();
       const Primitive& read = first_primitive(result);
       EXPECT_THAT(read.colors, ElementsAre(glm::vec4(1, 0, 1, 1), glm::vec4(1), glm::vec4(1)));
@@ -220,7 +220,6 @@ TEST(sample_features, G17_colors_and_texture_coordinates_of_every_type_mean_the_
     }
 }
 
-/// Several nodes share one mesh, one skin and one accessor.
 TEST(sample_features, everything_may_be_used_by_several) {
   TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0},
@@ -243,7 +242,6 @@ TEST(sample_features, everything_may_be_used_by_several) {
   EXPECT_EQ(result->scene.animations[1].bones[1].scale.values, result->scene.animations[0].bones[0].translation.values);
 }
 
-/// Skinned meshes below the joints that move them, and joints that carry meshes.
 TEST(sample_features, G29_skinned_meshes_may_hang_on_their_own_joints) {
   TinyGltf file;
   file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
@@ -354,7 +352,7 @@ TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_
     for (const bool with_uri : {true, false}) {
       SCOPED_TRACE(std::to_string(says_fallback) + std::to_string(with_uri));
       TinyGltf file;
-      // A valid stream would need an encoder. An unknown stream shows which rule is reported first.
+      // A valid stream would need an encoder. An unknown stream is enough to see which rule is reported first.
       const std::size_t view = file.add_view(std::vector<std::uint8_t>(16, 0));
       file.add_triangle();
       const Json whole = Json::parse(file.text());

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = FileFault::Kind;
 
-/// A folder `asset` with files, beside a file that must stay out of reach.
+/// A folder `asset` with files; the files beside it must stay out of reach.
 class sandboxed_files : public testing::Test {
  protected:
   void SetUp() override {
@@ -74,7 +74,7 @@ TEST(percent_decode, every_byte_has_two_digits_of_either_case_and_nothing_else_i
   EXPECT_EQ(percent_decode("a%20b%21"), "a b!");
 }
 
-/// RFC 3986: a letter, then letters, digits, "+", "-" and ".".
+/// RFC 3986: a scheme is a letter, then letters, digits, "+", "-" and ".".
 TEST_F(sandboxed_files, G64_a_scheme_is_what_the_standard_says) {
   for (const char* uri : {"a:b", "Z:b", "a9:b", "a+:b", "a-:b", "a.:b", "z1+-.Z:", "a%3Ab"})
     EXPECT_EQ(read(uri), "<forbidden>") << uri;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faults in parts of a file that the import never misses: a thorough import names them.
+// Faults in unused parts of a file: only a thorough import names them.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,7 +16,8 @@ ImportOptions thorough() {
   return options;
 }
 
-/// "rule at /pointer" of each warning of a thorough import, which must succeed; nothing is said otherwise.
+/// "rule at /pointer" of each warning of a thorough import, which must succeed. A plain import must not warn, if
+/// `silent_otherwise`.
 std::set<std::string> warnings_of(const TinyGltf& file, bool silent_otherwise = true) {
   std::set<std::string> out;
   const auto result = file.import(thorough()), plain = file.import();
@@ -130,7 +131,7 @@ TEST(spare_parts, positions_have_bounds) {
   EXPECT_TRUE(warnings_of(file, false).contains("mesh-position-bounds at /meshes/0/primitives/1/attributes/POSITION"));
 }
 
-/// Nodes 0 - (1 - 2, 3) and 4 alone.
+/// Nodes in the tree 0 - (1 - 2, 3), and node 4 alone.
 TinyGltf skinned(std::vector<int> joints, int skeleton) {
   TinyGltf file;
   file.root["nodes"] = Json::parse(R"([{"children": [1, 3]}, {"children": [2]}, {}, {}, {}])");
@@ -155,7 +156,7 @@ TEST(spare_parts, G30_the_skeleton_of_each_skin_is_looked_at) {
   EXPECT_EQ(warnings_of(file, false), Found{"skin-skeleton at /skins/2/skeleton"});
 }
 
-/// Places of reports of severity info.
+/// Places of the reports of severity info.
 Found infos_of(const TinyGltf& file) {
   Found out;
   const auto result = file.import(thorough()), plain = file.import();

@@ -18,7 +18,7 @@ bool is_joints(const std::string& semantic) { return semantic.starts_with("JOINT
 
 std::size_t vertex_count(const TriangleValues& values) { return values.at("POSITION").size() / 3; }
 
-/// The values of an attribute at all corners, in the type of the attribute.
+/// Sets the values of an attribute at all corners, converted to the attribute's type.
 template <class T>
 void set_values(draco::TriangleSoupMeshBuilder& builder, int attribute, const std::vector<float>& values,
                 std::size_t vertices, const std::vector<std::uint32_t>& corners) {

@@ -10,7 +10,7 @@
 
 namespace sinew::test {
 
-/// The values of one attribute: as many floats a vertex as the attribute has components.
+/// Vertex values by the name of their attribute: for each vertex as many floats as the attribute has components.
 using TriangleValues = std::map<std::string, std::vector<float>>;
 
 /// Encodes triangles as a Draco stream without quantization; the encoder chooses the vertex order.
@@ -19,10 +19,10 @@ using TriangleValues = std::map<std::string, std::vector<float>>;
 std::vector<std::byte> draco_stream(const TriangleValues& values, const std::vector<std::uint32_t>& corners,
                                     std::map<std::string, int>& ids);
 
-/// One triangle.
+/// Same, for one triangle.
 std::vector<std::byte> draco_triangle(const TriangleValues& values, std::map<std::string, int>& ids);
 
-/// A document with one primitive: the triangles under KHR_draco_mesh_compression. JOINTS_0 is of bytes.
+/// A document of one primitive with KHR_draco_mesh_compression. JOINTS_0 is stored as bytes.
 TinyGltf draco_document(const TriangleValues& values, const std::vector<std::uint32_t>& corners = {0, 1, 2});
 
 }  // namespace sinew::test

@@ -15,7 +15,7 @@ inline std::span<const std::byte> bytes_of(const std::string& text) { return std
 
 std::string base64(const std::vector<std::byte>& bytes);
 
-/// Builds a document: JSON that tests may change at will, and one buffer that becomes a data URI.
+/// Builds a document: JSON that tests may change, and one buffer, which is written as a data URI.
 class TinyGltf {
  public:
   Json root{{"asset", {{"version", "2.0"}}}};
@@ -39,13 +39,13 @@ class TinyGltf {
   /// Key times with min and max, which glTF demands.
   std::size_t times(const std::vector<float>& v);
 
-  /// One animation of one channel on node 0.
+  /// Adds an animation with one channel on node 0.
   void animate(const char* path, std::size_t input, std::size_t output, const char* interpolation = "LINEAR");
 
-  /// Node 0 with a mesh of one triangle.
+  /// Adds node 0 with a mesh of one triangle.
   Json& add_triangle();
 
-  /// The triangle moved by a skin of two joints (nodes 1 and 2); `joints` and `weights` have four entries a vertex.
+  /// Adds a triangle with a skin of two joints (nodes 1 and 2); `joints` and `weights` have four entries a vertex.
   Json& add_skinned_triangle(const std::vector<std::uint8_t>& joints, const std::vector<float>& weights);
 
   std::string text() const;
@@ -62,7 +62,7 @@ class TinyGltf {
 /// "rule at /pointer" of an error, or "ok".
 std::string outcome(const ImportResult<ImportedFile>& result);
 
-/// True when the import succeeded with this warning at this place.
+/// True if the import succeeded with this warning at this place.
 bool warns(const ImportResult<ImportedFile>& result, const std::string& rule, const std::string& json_pointer);
 
 }  // namespace sinew::test

@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// Triangles over the given positions; nothing else is filled in.
+/// Triangles over these positions, without other attributes.
 inline Primitive triangles(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) {
   Primitive p;
   p.positions = std::move(positions);
@@ -15,7 +15,7 @@ inline Primitive triangles(std::vector<glm::vec3> positions, std::vector<std::ui
   return p;
 }
 
-/// The unit square in the plane z = 0, facing +Z, texture upright as on a screen: u to the right, v down.
+/// The unit square in the plane z = 0, facing +Z. The texture is upright: u to the right, v down.
 inline Primitive upright_square() {
   Primitive p = triangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3});
   p.normals.assign(4, {0, 0, 1});
@@ -23,7 +23,7 @@ inline Primitive upright_square() {
   return p;
 }
 
-/// The cube from -1 to 1 with eight shared vertices, faces outwards.
+/// The cube from -1 to 1 with eight shared vertices and faces outwards.
 inline Primitive cube() {
   std::vector<glm::vec3> corners;
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What tinygltf makes of a file when it reads it alone, whole and without the checks before it, and what the importer's
-// document says, for which tinygltf reads slices of the core properties: the same of every model, and of what both
+// Compares two readings of each model: by tinygltf alone, without the checks before it, and by the importer. The
+// importer feeds tinygltf slices of the core properties. Both must agree on every model and on the outputs of both
+// writers.
 // writers make of it.
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, i
   return true;
 }
 
-/// Nothing where tinygltf refuses the file.
+/// std::nullopt if tinygltf refuses the file.
 std::optional<tinygltf::Model> read_alone(std::span<const std::byte> bytes, const std::string& folder) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(leave_image, nullptr);
@@ -51,7 +52,7 @@ gltf::Document read_checked(std::span<const std::byte> bytes) {
   return read_document(json->root);
 }
 
-std::uint32_t index_of(int number) { return static_cast<std::uint32_t>(number); }  // kNone of -1
+std::uint32_t index_of(int number) { return static_cast<std::uint32_t>(number); }  // -1 becomes kNone
 
 void expect_same(const tinygltf::Primitive& a, const gltf::Primitive& c) {
   EXPECT_EQ(a.attributes, c.attributes);
@@ -210,7 +211,7 @@ void expect_same(const std::vector<tinygltf::Animation>& alone, const std::vecto
       EXPECT_EQ(index_of(a.samplers[s].output), c.samplers[s].output) << i;
       EXPECT_EQ(a.samplers[s].interpolation, c.samplers[s].interpolation) << i;
     }
-    std::erase_if(c.channels, [](const auto& channel) { return channel.node == kNone; });  // as tinygltf does
+    std::erase_if(c.channels, [](const auto& channel) { return channel.node == kNone; });  // tinygltf drops them, too
     ASSERT_EQ(a.channels.size(), c.channels.size()) << i;
     for (std::size_t k = 0; k < a.channels.size(); ++k) {
       EXPECT_EQ(index_of(a.channels[k].sampler), c.channels[k].sampler) << i;
@@ -259,7 +260,8 @@ TEST(tinygltf_view, of_every_model_is_that_of_the_importer) {
       expect_same(*alone, read_checked(bytes));
       ++compared;
     } else {
-      ++refused;  // for what the importer reads past: primitives' indices without bytes, empty buffers
+      ++refused;  // tinygltf refuses some files that the importer reads: primitives' indices without bytes, empty
+                  // buffers
     }
   }
   EXPECT_GT(compared, 4 * refused);
@@ -272,7 +274,7 @@ TEST(tinygltf_view, of_what_both_writers_write_is_that_of_the_importer) {
   for (const fs::path& path : files_for_tests("models", {".gltf", ".glb"})) {
     SCOPED_TRACE(path.string());
     const auto file = import_gltf(path, carrying());
-    if (!file) continue;  // import_corpus says which may be refused
+    if (!file) continue;  // import_corpus_test checks refusals
     if (const auto glb = export_glb(file->scene))
       if (const auto alone = read_alone(*glb, "")) {
         expect_same(*alone, read_checked(*glb));

@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// A tube along +Y, four influences a vertex over `joints` joints with smooth random weights.
+/// A tube along +Y over `joints` joints. Each vertex has four influences with smooth random weights.
 Primitive tube(std::uint32_t columns, std::uint32_t rows, std::uint16_t joints, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(0.05f, 1.0f);
@@ -41,7 +41,7 @@ Primitive tube(std::uint32_t columns, std::uint32_t rows, std::uint16_t joints, 
   return out;
 }
 
-/// A tube whose two weights change only along its length: all vertices of a ring have the same weights.
+/// A tube with two joints whose weights change only along its length: all vertices of a ring have the same weights.
 Primitive two_bone_tube(std::uint32_t columns, std::uint32_t rows) {
   Primitive out = tube(columns, rows, 8, 1);
   out.influences = {};
@@ -55,7 +55,7 @@ Primitive two_bone_tube(std::uint32_t columns, std::uint32_t rows) {
   return out;
 }
 
-/// The equation in centers_of_rotation.h, computed directly over all triangles and all pairs of joints.
+/// Centers by the equation in centers_of_rotation.h, summed directly over all triangles and all pairs of joints.
 std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_count, double sigma) {
   const std::size_t count = p.vertex_count();
   std::vector<std::vector<double>> w(count, std::vector<double>(joint_count, 0.0));
@@ -87,7 +87,7 @@ std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_coun
   return centers;
 }
 
-/// Volume of the tube, closed by a fan at each end.
+/// Volume of the tube, closed by a fan of triangles at each end.
 double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
                  std::uint32_t columns) {
   const auto signed_volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -151,7 +151,7 @@ TEST(centers_of_rotation, N21_agree_with_the_definition_over_all_triangles) {
 }
 
 TEST(centers_of_rotation, N21_triangles_that_one_joint_moves_alike_and_another_not_are_told_apart) {
-  // The first joint takes half of every vertex; what the other two share changes from ring to ring.
+  // The first joint has half the weight of every vertex. The shares of the other two change from ring to ring.
   Primitive p = tube(6, 12, 3, 2);
   p.influences = {};
   for (std::size_t v = 0; v < p.vertex_count(); ++v) {

@@ -16,8 +16,8 @@ using testing::ElementsAre;
 
 glm::vec3 mark(std::size_t vertex) { return glm::vec3(static_cast<float>(vertex)); }
 
-/// Vertices with one, two or three influences, anyhow in triangles of their own, with every attribute. Values say which
-/// vertex they belong to.
+/// Separate triangles over vertices of one, two or three influences in random order, with every attribute. An
+/// attribute's value identifies its vertex.
 Primitive marked_triangles(FixedRandom& random, std::uint32_t triangle_count) {
   const std::uint32_t vertices = 3 * triangle_count + 2;  // two are in no triangle
   Primitive p;
@@ -53,7 +53,7 @@ Primitive marked_triangles(FixedRandom& random, std::uint32_t triangle_count) {
   return p;
 }
 
-/// The new vertices are copies of the old ones that `source_vertex` names, in every array.
+/// In every array, the new vertices are copies of the old ones that `source_vertex` names.
 void expect_whole_vertices(const Primitive& p) {
   for (std::size_t v = 0; v < p.vertex_count(); ++v) {
     const glm::vec3 old = mark(p.source_vertex[v]);

@@ -53,7 +53,7 @@ TEST(make_flat_normals, point_out_of_the_faces_of_a_cube) {
   for (std::size_t f = 0; f < 12; ++f) {
     glm::vec3 centre(0);
     for (std::size_t k = 0; k < 3; ++k) centre += p.positions[p.indices[3 * f + k]] / 3.0f;
-    const glm::vec3 outwards = glm::vec3(glm::ivec3(centre));  // the one coordinate that is +-1 survives
+    const glm::vec3 outwards = glm::vec3(glm::ivec3(centre));  // truncation keeps only the one coordinate that is +-1
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(p.normals[p.indices[3 * f + k]], outwards);
   }
 }

@@ -52,7 +52,7 @@ TEST(make_tangents, of_a_turned_texture_turn_with_it) {
 }
 
 TEST(make_tangents, split_vertices_on_a_mirror_seam) {
-  // Two squares side by side, texture mirrored about the shared edge x = 0.
+  // Two squares side by side; the texture is mirrored about the shared edge x = 0.
   Primitive p = test::triangles({{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}},
                                 {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2});
   p.normals.assign(6, {0, 0, 1});
@@ -87,7 +87,7 @@ TEST(make_tangents, are_shared_by_vertices_that_agree_in_position_normal_and_tex
 }
 
 TEST(make_tangents, weigh_faces_by_their_angle_at_the_vertex) {
-  // Two faces on the edge (0,0)-(0,1): in the first u rises along (1,0), in the second along (1,1).
+  // Two faces share the edge (0,0)-(0,1). In the first u rises along (1,0), in the second along (1,1).
   Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 0, 2, 3});
   p.normals.assign(4, {0, 0, 1});
   p.texcoords = {{{0, 0}, {1, 0}, {0, -1}, {-1, -2}}};
@@ -108,7 +108,7 @@ TEST(make_tangents, without_texture_area_are_still_perpendicular_units) {
     make_tangents(p, 0);
     EXPECT_TRUE(well_formed(p));
     for (const glm::vec4& tangent : p.tangents) EXPECT_EQ(tangent.w, 1.0f) << "nothing is mirrored";
-    // The cross product with the axis that the normal is farthest from, of unit length.
+    // The expected tangent is the cross product of the normal with the axis farthest from it.
     const glm::vec3 axis = n.x == 0.0f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     EXPECT_TRUE(is_near(glm::vec3(p.tangents[0]), glm::cross(n, axis), kEps)) << n.x;
   }
@@ -142,7 +142,7 @@ TEST(make_tangents, need_normals_texcoords_and_triangles) {
   EXPECT_TRUE(no_normals.tangents.empty());
 }
 
-/// A torus: tangents of u are known in closed form everywhere.
+/// The tangents along u of a torus are known in closed form.
 TEST(make_tangents, of_a_torus_follow_its_circles) {
   Primitive p;
   constexpr std::uint32_t kRound = 48, kTube = 24;
@@ -166,7 +166,8 @@ TEST(make_tangents, of_a_torus_follow_its_circles) {
   make_tangents(p, 0);
   ASSERT_EQ(p.vertex_count(), circle.size());
   EXPECT_TRUE(well_formed(p));
-  // At the seam the fan is open to one side: half a step of 7.5 degrees off there, far less inside.
+  // At the seam the fan of faces is open on one side, so the tangent is half a step of 7.5 degrees off. Elsewhere the
+  // error is far smaller.
   for (std::size_t v = 0; v < circle.size(); ++v) {
     EXPECT_GT(glm::dot(glm::vec3(p.tangents[v]), circle[v]), std::cos(0.07)) << v;
     EXPECT_EQ(p.tangents[v].w, 1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every type of every attribute and displacement, against the tables of glTF 2.0 and KHR_mesh_quantization.
+// Every type of every attribute and displacement, compared with the tables of glTF 2.0 and KHR_mesh_quantization.
 #include "importer/read/vertex_formats.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ const Row kRows[] = {
     {Attribute::texcoord, true, {ElementType::vec2}, {"f32", "i8n", "u8n", "i16n", "u16n"}, {"i8", "i16"}},
     {Attribute::color, true, {ElementType::vec3, ElementType::vec4}, {"f32", "i8n", "u8n", "i16n", "u16n"}, {}}};
 
-/// "fits", the rule that is warned of, or "no".
+/// "fits" if the format is allowed, the rule of the warning, or "no".
 std::string fit_of(const Row& row, ElementType element, ComponentType component, bool normalized, bool declared) {
   gltf::Document document;
   document.accessors.resize(1);
@@ -71,7 +71,7 @@ TEST(vertex_formats, are_those_of_the_tables) {
       for (const auto& [component, name] : kComponents)
         for (const bool normalized : {false, true}) {
           const std::string type = name + std::string(normalized ? "n" : "");
-          // A float or a whole 32-bit number is never normalised.
+          // glTF never normalises floats and 32-bit integers.
           if (normalized && (component == ComponentType::f32 || component == ComponentType::u32)) continue;
           const bool right = row.elements.contains(element);
           const std::string context = std::to_string(static_cast<int>(row.attribute)) + ' ' + type + ' ' +

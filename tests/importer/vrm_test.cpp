@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Nodes 0 to 3 in a chain, node 4 with a mesh of one morph target.
+/// Nodes 0 to 3 in a chain, and node 4 with a mesh of one morph target.
 TinyGltf character() {
   TinyGltf file;
   Json& primitive = file.add_triangle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files are written in the order of the file that a primitive came from, where each copy of a vertex is the same.
+// Files are written in the vertex order of the primitive's original file, if all copies of a vertex are equal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

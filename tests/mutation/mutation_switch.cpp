@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace hwy {
-// Not linked by programs without kernels.
+// Weak, because programs without kernels do not link it.
 [[gnu::weak]] void DisableTargets(decltype(SupportedTargets()) targets);
 }  // namespace hwy
 
@@ -29,19 +29,19 @@ namespace {
 constexpr int kMutantLimit = 1 << 16;
 struct Reached {
   std::bitset<kMutantLimit> mutants;
-  std::set<std::string> shaders;  // the stages that were loaded
+  std::set<std::string> shaders;  // shader stages that were loaded
 };
 Reached reached;
 
-// Before other static objects are made, which may already run mutated code.
+// Runs before other static constructors, which may already run mutated code.
 [[gnu::constructor(101)]] void read_environment() {
   if (const char* number = std::getenv("SINEW_MUTANT")) sinew_mutant = std::atoi(number);
-  // Mutated kernels are compiled for AVX2 and the plainest set only (mutated_build.py); the others keep to the same.
+  // Mutated kernels are compiled only for AVX2 and the basic set (mutated_build.py), so the other sets are disabled.
   if (hwy::DisableTargets != nullptr) hwy::DisableTargets(HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL);
 }
 
-/// Writes one line a test: its name, its milliseconds, the numbers of the mutants that it reached and the shaders that
-/// it loaded.
+/// Writes one line per test: its name, its milliseconds, the numbers of the mutants it reached and the shaders it
+/// loaded.
 class Recorder : public testing::EmptyTestEventListener {
  public:
   explicit Recorder(const char* path) : out_(path) {}
@@ -51,7 +51,7 @@ class Recorder : public testing::EmptyTestEventListener {
     in_suite_ = false;
   }
 
-  /// What a suite sets up once is reached by each of its tests.
+  /// Every test of a suite also reaches what its suite's setup reached.
   void OnTestStart(const testing::TestInfo&) override {
     if (!in_suite_) of_suite_ = reached;
     in_suite_ = true;
@@ -68,7 +68,7 @@ class Recorder : public testing::EmptyTestEventListener {
     out_ << std::endl;
   }
 
-  /// A record without this line is that of a program that did not come to its end.
+  /// If this line is missing, the program did not run to its end.
   void OnTestProgramEnd(const testing::UnitTest&) override { out_ << kEnd << std::endl; }
 
  private:
@@ -78,7 +78,8 @@ class Recorder : public testing::EmptyTestEventListener {
   bool in_suite_ = false;
 };
 
-/// Tests that run under a mutant passed without it: one that is skipped, for example without a device, has noticed it.
+/// Fails skipped tests. Only tests that pass without a mutant run under it, so a skip, for example without a device,
+/// means that it noticed the mutant.
 class SkipFails : public testing::EmptyTestEventListener {
  public:
   void OnTestEnd(const testing::TestInfo& test) override {
@@ -94,7 +95,7 @@ const bool recording = [] {
     return false;
   }
   testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
-  ::unsetenv("SINEW_MUTATION_RECORD");  // programs that tests start would begin the file again
+  ::unsetenv("SINEW_MUTATION_RECORD");  // else programs that tests start would overwrite the file
   return true;
 }();
 
@@ -102,7 +103,7 @@ const bool recording = [] {
 
 extern "C" void sinew_mutant_is_reached(int number) noexcept { reached.mutants.set(static_cast<std::size_t>(number)); }
 
-/// The SPIR-V of a mutated shader from the folder SINEW_MUTANT_SHADERS; empty when the shader is as it was written.
+/// The SPIR-V of a mutated shader from the folder SINEW_MUTANT_SHADERS; empty if the shader is not mutated.
 std::span<const std::uint32_t> mutated_shader(const char* name) {
   const char* folder = std::getenv("SINEW_MUTANT_SHADERS");
   if (folder == nullptr) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a scene that nothing calls for change neither the work of a frame nor its bits nor its memory.
+// Parts of a scene that a frame does not need change neither its work nor its bits nor its memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// A joint of the deepest level but one that no clip moves; kNone = clips move all of them.
+/// A joint of the last level but one that no clip moves; kNone if clips move all of them.
 std::uint32_t unmoved_parent(const Scene& scene) {
   const std::vector<std::uint32_t>& begin = scene.skeleton.level_begin;
   const Plan plan = compile_plan(lend(scene), {});
@@ -23,7 +23,7 @@ std::uint32_t unmoved_parent(const Scene& scene) {
   return kNone;
 }
 
-/// Adds nodes that no clip moves at the end of the deepest level.
+/// Adds nodes that no clip moves, at the end of the deepest level.
 void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
   Skeleton& skeleton = scene.skeleton;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -40,7 +40,7 @@ void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
   finish_scene(scene);
 }
 
-/// A random scene of which only every third joint, and not the root, has tracks.
+/// A random scene in which only every third joint has tracks; the root has none.
 Scene sparsely_moved_scene(std::uint32_t seed) {
   Scene scene = random_scene(seed);
   for (Animation& animation : scene.animations)
@@ -50,7 +50,7 @@ Scene sparsely_moved_scene(std::uint32_t seed) {
   return scene;
 }
 
-/// Adds targets to the first primitive that stay at weight zero.
+/// Adds morph targets with weight zero to the first primitive.
 void add_targets(Scene& scene, std::uint32_t count) {
   Primitive& primitive = scene.meshes[0].primitives[0];
   MorphTarget target;
@@ -64,7 +64,7 @@ void add_targets(Scene& scene, std::uint32_t count) {
   finish_scene(scene);
 }
 
-/// A face whose weights keep their rest values; one of them is not zero.
+/// A face whose weights stay at their rest values, one of which is not zero.
 Scene resting_face() {
   Scene scene = face_scene();
   scene.animations.clear();
@@ -73,7 +73,7 @@ Scene resting_face() {
   return scene;
 }
 
-/// Work of the second and later frames of a clip.
+/// Work of all frames of a clip but the first.
 WorkCounters work_of_frames(const Scene& scene, FrameBuffer& frame, const Plan& plan) {
   EXPECT_EQ(check(scene), ErrorCode::ok);
   WorkCounters work;

@@ -7,7 +7,7 @@
 
 namespace sinew::test {
 
-/// A copy of the plan in which `change(CompiledPlan&)` changed something that compile_plan decides.
+/// A copy of the plan that `change(CompiledPlan&)` has edited.
 template <class Change>
 Plan changed(const Plan& plan, const Change& change) {
   auto copy = std::make_shared<CompiledPlan>(*plan.compiled());
@@ -15,7 +15,7 @@ Plan changed(const Plan& plan, const Change& change) {
   return Plan(std::move(copy));
 }
 
-/// The plan with every vertex blending for itself.
+/// A copy of the plan without shared blended matrices: every vertex blends its own.
 inline Plan without_combinations(const Plan& plan) {
   return changed(plan, [](CompiledPlan& copy) {
     for (std::vector<CombinedInfluences>& of_skin : copy.combined) of_skin.clear();

@@ -379,7 +379,7 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   }
 }
 
-/// The scene with the other instances hidden: their skins stay where they are.
+/// The scene with all other instances hidden. Their skins keep their indices.
 Scene only_instance(Scene scene, std::size_t kept) {
   const MeshInstance instance = scene.instances[kept];
   const Skin skin = scene.skins[instance.skin];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Corrective shapes as a stage of the plan: when it runs, what it adds to, and what it costs when it does not run.
+// Correctives as a stage of the plan: when it runs, what it adds, and its cost when it does not run.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace sinew::test {
 namespace {
 
-/// The face. Its only joint drives "lift" by 0 at rest and by 1 when it is turned by 90 degrees about z.
+/// The face of hand_scenes.h. A turn of its only joint by 90 degrees about z drives "lift" from 0 to 1.
 Scene face_that_bends() {
   Scene scene = face_scene();
   PoseSamples samples;
@@ -84,7 +84,7 @@ TEST(correctives, a_scene_with_a_bad_index_is_refused) {
   EXPECT_EQ(check(scene), ErrorCode::index_out_of_range);
 }
 
-// Bounds: poses are off by 3e-7 rad, correctives here have slopes of up to ten per radian and there are two.
+// Reason of the bounds: poses are off by 3e-7 rad, correctives have slopes of up to ten per radian, and there are two.
 TEST(correctives, agree_with_plain_double_loops) {
   for (std::uint64_t seed = 300; seed < 312; ++seed) {
     RandomSceneOptions options;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Characters kilometres from the origin: what FrameInput::root in float keeps of them, and the rule that keeps all.
+// Characters kilometres from the origin: the precision that a float FrameInput::root leaves, and the way to keep all of
+// it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 using Vec3d = Vec3<double>;
 using Vertices = std::vector<Vec3d>;
 
-constexpr double kOut_m = 16384.0, kGrid_m = 0x1p-9;  // the distance, and what float resolves there
+constexpr double kOut_m = 16384.0, kGrid_m = 0x1p-9;  // distance from the origin, and the spacing of floats there
 constexpr double kTime_s = 0.31;
 const ClipLayer kWalking[] = {{.clip = 0, .time_s = kTime_s}};
 const glm::vec3 kPlace(kOut_m, 12.0, -kOut_m);

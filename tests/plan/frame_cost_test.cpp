@@ -153,7 +153,7 @@ TEST(frame_cost, a_frame_allocates_nothing) {
 
 TEST(frame_cost, the_counter_of_allocations_counts) {
   const AllocationCounter counter;
-  // Calls by name: a compiler may leave out what a new-expression takes and nothing reads.
+  // The operators are called by name, because a compiler may remove an unused new-expression.
   constexpr std::align_val_t kAlignment{64};
   ::operator delete(::operator new(10));
   ::operator delete(::operator new(640, kAlignment), kAlignment);
@@ -176,10 +176,10 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
     EXPECT_TRUE(std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end()));
     EXPECT_TRUE(std::equal(a.normals.begin(), a.normals.end(), b.normals.begin(), b.normals.end()));
   }
-  EXPECT_LE(used.result().work.vertices_skinned_linear, fresh.result().work.vertices_skinned_linear);  // P19
+  EXPECT_LE(used.result().work.vertices_skinned_linear, fresh.result().work.vertices_skinned_linear);
 }
 
-/// Whether each stage did work, in the order of the stages.
+/// For each stage in order: true if it did work.
 std::vector<bool> worked(const WorkCounters& w) {
   return {w.tracks_sampled > 0,
           w.poses_mirrored > 0,
@@ -220,7 +220,7 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
     const std::vector<PlanStage> stages = plan.stages();
     ASSERT_EQ(frame.result().stage_ns.size(), stages.size());
     for (std::size_t s = 0; s < stages.size(); ++s) {
-      if (stages[s].stage == "bounds" || stages[s].stage == "properties") continue;  // their counters are of a part
+      if (stages[s].stage == "bounds" || stages[s].stage == "properties") continue;  // counters cover only a part
       EXPECT_EQ(frame.result().stage_ns[s] > 0, expected[s]) << stages[s].stage << " seed " << seed;
     }
     ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);

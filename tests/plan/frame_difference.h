@@ -31,10 +31,11 @@ inline std::vector<glm::vec3> world_vertices(const Plan& plan, const FrameResult
 
 struct Difference {
   double worst_m = 0.0;
-  double far_m = 0.0;  ///< of any vertex from the origin, for rounding
+  double far_m = 0.0;  ///< largest distance of a vertex from the origin; bounds the rounding error
 };
 
-/// The largest distance between vertices of frames with and without the joints left out, at times all over a clip.
+/// Largest distance between vertices of frames with all joints and frames without the left-out joints, over `times`
+/// times of a clip.
 inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, std::uint32_t clip, int times,
                                 Skinning skinning = Skinning::linear) {
   const Plan full = compile_plan(lend(scene), needs_with({}, skinning)),

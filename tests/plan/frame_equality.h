@@ -24,8 +24,8 @@ inline bool same_instance(const InstanceResult& a, const InstanceResult& b) {
          a.from_cache == b.from_cache && a.late == b.late;
 }
 
-/// The first part in which two frames differ, bit by bit, such as "instances[2]"; empty when they are the same. Numbers
-/// of frames and counters of work do not count.
+/// Name of the first part in which two frames differ in any bit, such as "instances[2]"; empty if they are equal. Frame
+/// numbers and work counters are not compared.
 inline std::string first_difference(const FrameResult& a, const FrameResult& b) {
   if (!same_bits<Affine>(a.model, b.model)) return "model";
   if (!same_bits<float>(a.weights, b.weights)) return "weights";

@@ -4,7 +4,7 @@
 
 namespace sinew::test {
 
-/// All numbers that a frame shows, bit by bit.
+/// Hash of all numbers of a frame, bit by bit.
 inline std::uint64_t hash_of(const FrameResult& frame) {
   const std::uint64_t parts[] = {hash_pose(frame), hash_vertices(frame)};
   BitHash hash;

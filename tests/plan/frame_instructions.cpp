@@ -15,8 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// Clips that do not play, meshes that hang nowhere with morph targets of their own, materials, lights, cameras,
-/// variants.
+/// Adds unused parts: clips that never play, meshes without an instance, materials, lights, cameras, variants.
 void add_unused(Scene& scene, std::uint32_t count) {
   const Scene face = face_scene();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -30,7 +29,7 @@ void add_unused(Scene& scene, std::uint32_t count) {
   finish_scene(scene);
 }
 
-/// Joints below the last one, which the clip moves.
+/// Adds joints below the last joint, which the clip moves.
 void add_joints(Scene& scene, std::uint32_t count) {
   Skeleton& skeleton = scene.skeleton;
   const auto first = static_cast<std::uint32_t>(skeleton.joint_count());
@@ -48,7 +47,7 @@ void add_joints(Scene& scene, std::uint32_t count) {
   if (count > 0) skeleton.level_begin.push_back(first + count);
 }
 
-/// Nodes beside the arm, that no clip moves.
+/// Adds nodes beside the arm that no clip moves.
 void add_static_nodes(Scene& scene, std::uint32_t count) {
   Skeleton& skeleton = scene.skeleton;
   const auto first = static_cast<std::uint32_t>(skeleton.joint_count());
@@ -94,7 +93,7 @@ int main(int argc, char** argv) {
   add_unused(scene, count);
   const sinew::Plan plan = sinew::compile_plan(lend(scene), without_joints(joints, count));
   sinew::FrameBuffer frame(plan);
-  play(plan, frame, 0, 3);  // the kernels have chosen their instruction set
+  play(plan, frame, 0, 3);  // warms up: afterwards the kernels have chosen their instruction set
   CALLGRIND_START_INSTRUMENTATION;
   play(plan, frame, 3, 50);
   CALLGRIND_STOP_INSTRUMENTATION;

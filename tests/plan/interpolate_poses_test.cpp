@@ -150,11 +150,11 @@ TEST(interpolate_poses, N27_frames_do_not_depend_on_those_before) {
     }
 }
 
-/// Of inputs that differ in one thing alone, and of poses at rest beside others: what a frame keeps of the last one is
-/// never that of another input.
+/// Each input differs from the others in one part only; some poses are at rest. A frame must never reuse a result that
+/// belongs to another input.
 TEST(interpolate_poses, N27_any_frame_may_follow_any_other) {
   Scene scene = random_scene(9);
-  const auto still = static_cast<std::uint32_t>(scene.animations.size());  // moves nothing: joints stay at rest
+  const auto still = static_cast<std::uint32_t>(scene.animations.size());  // its joints stay at rest
   scene.animations.push_back({"still", 1.0, {}, {}});
   finish_scene(scene);
   Needs needs = between();

@@ -43,12 +43,12 @@ TEST(joint_scales, P07_kinds_come_from_rest_constants_and_keys_and_reach_what_is
   const Scene even = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}});
   expect_scale(scale_of(even, 0), ScaleKind::even, 1, false);
   expect_scale(scale_of(even, 2), ScaleKind::even, 1, false);
-  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);  // beside it
+  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);  // not below it
   const Scene below = arm_scaled_by(2, {Interpolation::step, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, 1.5f)}});
   expect_scale(scale_of(below, 2), ScaleKind::uneven, 1, false);
   expect_scale(scale_of(below, 0), ScaleKind::none, 1, false);
   expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(2), glm::vec3(2)}}), 2),
-               ScaleKind::even, 1, false);  // folded
+               ScaleKind::even, 1, false);  // the constant track became part of the rest pose
   Scene rest = arm_scene();
   rest.skeleton.rest[0].scale = glm::vec3(1, 2, 3);
   finish_scene(rest);
@@ -102,7 +102,7 @@ TEST(joint_scales, P07_P09_look_at_every_axis_of_rest_constants_and_keys) {
       expect_scale(scale_of(rest, 2), ScaleKind::uneven, sign, false);
       const Scene folded = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {scale, scale}}),
                   keyed = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), scale}});
-      expect_scale(scale_of(folded, 2), ScaleKind::uneven, 1, sign != 1);  // the rest pose has another sign
+      expect_scale(scale_of(folded, 2), ScaleKind::uneven, 1, sign != 1);  // the sign of the rest pose differs
       expect_scale(scale_of(keyed, 2), ScaleKind::uneven, 1, sign != 1);
       const Scene first = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {scale, glm::vec3(1)}});
       expect_scale(scale_of(first, 2), ScaleKind::uneven, 1, sign != 1);
@@ -110,7 +110,7 @@ TEST(joint_scales, P07_P09_look_at_every_axis_of_rest_constants_and_keys) {
   }
 }
 
-/// Two joints that are each other's mirror image, with these scales at rest.
+/// Scale of the first of two joints that are each other's mirror partners, with these scales at rest.
 JointScale mirrored_scale(const glm::vec3& own, const glm::vec3& of_partner, bool copies) {
   Scene scene = arm_scene();
   scene.skeleton.rest[0].scale = own;
@@ -134,7 +134,8 @@ TEST(joint_scales, P07_mirrored_layers_bring_those_of_the_partner) {
   expect_scale(mirrored_scale(two, flipped, true), ScaleKind::even, 1, true);
   expect_scale(mirrored_scale(one, uneven, true), ScaleKind::uneven, 1, true);
   expect_scale(mirrored_scale(uneven, one, true), ScaleKind::uneven, 1, true);
-  expect_scale(mirrored_scale(one, one, false), ScaleKind::none, 1, false);  // whatever is a sum of ones
+  expect_scale(mirrored_scale(one, one, false), ScaleKind::none, 1,
+               false);  // 0.5 + 0.5 = 1
   expect_scale(mirrored_scale(one, two, false), ScaleKind::uneven, 1, true);
   expect_scale(mirrored_scale(two, two, false), ScaleKind::uneven, 1, true);
 }
@@ -155,7 +156,7 @@ Affine root_of(bool mirrored) {
 }
 
 /// Expects the windings that determinants give.
-/// out  how many instances were mirrored; `known` counts those that no frame had to test
+/// out  the number of mirrored instances; `known` += those whose winding no frame had to test
 std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& needs, std::size_t& known) {
   const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<JointScale>& scales = plan.compiled()->instance_scales;
@@ -190,7 +191,7 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
     options.flat_normals = seed % 2 == 0;
     options.instances = 6;
     Scene scene = random_scene(seed, options);
-    if (seed % 3 != 0)  // else whatever tracks there are
+    if (seed % 3 != 0)  // every third scene keeps its tracks
       for (Animation& animation : scene.animations)
         for (BoneAnimation& bone : animation.bones) bone.scale = {};
     if (seed % 4 == 1)

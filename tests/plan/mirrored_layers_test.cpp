@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers that play the other side. Frames of random layers beside frames from scratch are in remembering_frames.
+// Mirrored layers. The test remembering_frames compares frames of random layers with fresh ones.
 #include <gtest/gtest.h>
 
 #include "runtime/animation/mirror_animation.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kClip = 0, kMirroredClip = 1;
 
-/// A body whose second clip is the first one mirrored, key by key.
+/// A body with two clips; the second is the first mirrored key by key.
 struct TwoClips {
   scenes::TwoSided body;
   std::shared_ptr<const MirrorMap> map;
@@ -27,7 +27,7 @@ struct TwoClips {
     FixedRandom random(4);
     scene.skeleton = body.skeleton;
     Animation animation{"move", 1.0, {}, {}};
-    for (const std::uint32_t j : {0u, 2u, 5u, 9u, 11u}) {  // the left side alone
+    for (const std::uint32_t j : {0u, 2u, 5u, 9u, 11u}) {  // only the left side
       BoneAnimation& bone = animation.bones.emplace_back();
       bone.joint = j;
       const Transform& rest = scene.skeleton.rest[j];
@@ -117,8 +117,8 @@ TEST(mirrored_layers, joints_that_only_the_other_side_moves_are_moved) {
   EXPECT_NE(kept.result().model[12], two.model(plan, std::span(&plain, 1))[12]) << "the right hand";
 }
 
-/// A scene of two clips, one that moves and one that rests, morph weights that rest unlike those of their partners,
-/// and a mirror about another pose than the rest pose, so that it moves joints that rest.
+/// A scene with one moving and one resting clip. The rest weights of partner targets differ. The mirror's reference
+/// pose is not the rest pose, so mirroring also moves joints at rest.
 struct LopsidedRest {
   Scene scene;
   Needs needs;
@@ -154,7 +154,7 @@ TEST(mirrored_layers, a_clip_that_rests_adds_nothing_on_the_other_side_either) {
 TEST(mirrored_layers, joints_that_the_mirror_alone_moves_are_moved) {
   const LopsidedRest lopsided;
   Scene scene = lopsided.scene;
-  scene.animations.erase(scene.animations.begin());  // all that is left rests
+  scene.animations.erase(scene.animations.begin());  // the remaining clip rests
   scene.clips.clear();
   finish_scene(scene);
   const Plan plan = compile_plan(lend(scene), lopsided.needs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an engine may do with scenes, plans and frame buffers, and what it is answered where it may not.
+// Contracts of scenes, plans and frame buffers: what an engine may do, and the error codes for what it may not.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 namespace sinew::test {
 namespace {
 
-/// A caller's block for one frame, with bytes behind it that nobody may write.
+/// A caller's memory block for one frame. Guard bytes behind it show writes beyond its end.
 class GuardedBlock {
  public:
   explicit GuardedBlock(std::size_t byte_count) : lines_(byte_count / sizeof(Line) + kGuardLines), bytes_(byte_count) {
@@ -77,7 +77,7 @@ TEST(plan_contracts, a_buffer_does_not_follow_one_of_another_plan) {
   EXPECT_EQ(run_plan(plan, {}, frame), ErrorCode::wrong_plan);
 }
 
-/// Bits of frames all over two clips.
+/// Hashes of frames at several times of two clips.
 std::vector<std::uint64_t> hashes_of_frames(const Plan& plan, FrameBuffer& frame) {
   std::vector<std::uint64_t> hashes;
   for (const double time_s : {0.0, 0.3, 0.7, 1.4}) {
@@ -89,7 +89,7 @@ std::vector<std::uint64_t> hashes_of_frames(const Plan& plan, FrameBuffer& frame
   return hashes;
 }
 
-/// Adds clips and animations until their arrays have moved.
+/// Adds clips and animations until their arrays are reallocated.
 void grow_clips(Scene& scene) {
   const Clip* const clips_before = scene.clips.data();
   const Animation* const animations_before = scene.animations.data();

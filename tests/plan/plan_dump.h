@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// A plan as golden text: one line per stage.
+/// A plan as text for golden files: one line per stage.
 inline std::string dump(const Plan& plan) {
   std::string text;
   for (const PlanStage& stage : plan.stages())

@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// A random scene of which every mesh instance may play.
+/// A random scene in which every mesh instance may play a vertex source.
 class play_geometry : public testing::Test {
  protected:
   play_geometry() : scene_(random_scene(31)), waves_(scene_) {
@@ -32,7 +32,7 @@ class play_geometry : public testing::Test {
     geometry_.assign(needs_.cached_instances.size(), {});
   }
 
-  /// All instances play at a time, a clip poses them meanwhile.
+  /// Input in which all instances play at a time, while a clip poses them.
   FrameInput input_at(double time_s, float weight, double clip_time_s = 0.4) {
     layer_ = {.clip = 0, .time_s = clip_time_s};
     for (GeometryInput& input : geometry_) input = {waves_.source(), time_s, weight};
@@ -307,7 +307,7 @@ TEST_F(play_geometry, instances_with_copies_play_in_their_own_space_only) {
 TEST_F(play_geometry, in_the_space_of_meshes_turns_over_where_the_joint_mirrors_and_nowhere_else) {
   waves_.space = VertexSpace::mesh;
   for (const float height : {1.0f, -1.0f, 0.0f}) {
-    root_.row[1].y = height;  // of the whole scene: 0 is flat, which mirrors nothing
+    root_.row[1].y = height;  // scales the whole scene; height 0 makes it flat, which is not mirrored
     const FrameResult& shown = play(0.5, 1.0f);
     bool any = false;
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {

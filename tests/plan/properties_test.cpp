@@ -44,7 +44,7 @@ Scene lit_scene() {
   return scene;
 }
 
-/// The arm of hand_scenes.h; a clip shows its holder from `on_s` on.
+/// The arm of hand_scenes.h; a clip makes its holder visible from `on_s` on.
 Scene blinking_arm(float on_s) {
   Scene scene = arm_scene();
   scene.animations[0].properties = {{{kVisible, 1}, numbers(Interpolation::step, {0, on_s}, {0, 1})}};

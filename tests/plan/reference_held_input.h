@@ -5,7 +5,7 @@
 
 namespace sinew::test {
 
-/// Reference implementation of HeldInput, from the description in its header. Layers play from whole clips.
+/// Reference implementation of HeldInput, written from the description in its header. Layers play whole clips.
 class ReferenceHeldInput {
  public:
   explicit ReferenceHeldInput(const RandomInputs& inputs) : held_(inputs), now_(inputs) {}
@@ -17,7 +17,7 @@ class ReferenceHeldInput {
     now_ = now;
   }
 
-  /// The input to show; valid until the next one.
+  /// The input to run; valid until next().
   FrameInput view() const {
     FrameInput input = held_.view();
     input.out_of_view = now_.view().out_of_view;

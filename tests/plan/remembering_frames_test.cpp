@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames keep what has not changed since earlier ones. Whatever a character was driven through, each of its frames has
-// the bits of a fresh buffer that saw only the last input, and the frame numbers of results tell what really changed.
+// Frames reuse unchanged results of earlier frames. After any sequence of inputs each frame must have the bits of a
+// fresh buffer that saw only the last input. The since_frame numbers must tell what really changed.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,13 +18,13 @@
 namespace sinew::test {
 namespace {
 
-/// One seed a frame.
+/// One random seed a frame.
 using Steps = std::vector<std::uint32_t>;
 
 rc::Gen<Steps> some_steps() { return rc::gen::resize(200, rc::gen::arbitrary<Steps>()); }
 
-/// A hash of what the vertices of an instance are made of: joints, morph weights, winding and what plays in their
-/// place. 0 where it is not known: the plan gives no joints or weights, or the source has nothing yet.
+/// Hash of everything that determines the vertices of an instance: joints, morph weights, winding and a played vertex
+/// source. 0 = unknown, because the plan does not output joints or weights, or because the source is late.
 std::uint64_t causes_of(const Plan& plan, const FrameResult& result, std::uint32_t i, const FrameInput& input) {
   const Scene& scene = plan.scene();
   const std::uint32_t skin = scene.instances[i].skin, first = scene.first_weight[i];
@@ -44,12 +44,12 @@ std::uint64_t causes_of(const Plan& plan, const FrameResult& result, std::uint32
   return hash.add(std::span(played)).add(result.model).add(std::span(&input.root, 1)).value();
 }
 
-/// The numbers of frames since which results hold, beside the results of all frames that gave any.
+/// Checks the since_frame numbers of results against the history of all earlier frames.
 class StampHistory {
  public:
   explicit StampHistory(const Plan& plan) : plan_(plan), row_(plan.primitives().size()), hash_of_frame_(row_.size()) {}
 
-  /// in   same_input   the frame before of the character had this input
+  /// in   same_input   the character's last frame had this input, too
   void check(const FrameResult& now, const FrameInput& input, bool same_input) {
     RC_ASSERT(now.since_frame == (same_input ? last_since_ : now.frame));
     last_since_ = now.since_frame;
@@ -61,12 +61,12 @@ class StampHistory {
   }
 
  private:
-  /// The unbroken row of frames that showed a primitive made of the same.
+  /// The latest frames in a row whose vertices have the same causes.
   struct Row {
     std::uint64_t causes = 0, first_frame = 0;
   };
 
-  /// No vertices are new that are made of what those of the frame before were made of.
+  /// since_frame must not change while the causes stay the same.
   void check_row(Row& row, const FrameResult& now, const DeformedPrimitive& shape, const FrameInput& input) const {
     const std::uint64_t causes = shape.since_frame == 0 ? 0 : causes_of(plan_, now, shape.instance, input);
     if (causes == 0 || causes != row.causes) row = {causes, now.frame};
@@ -78,7 +78,7 @@ class StampHistory {
     std::uint64_t since_frame = 0;
   };
 
-  /// Vertices are those of every frame since the number, and a frame of the same input does not count as a change.
+  /// A shape must have kept its bits since since_frame, and a repeated input must not change since_frame.
   void check_shape(std::size_t p, const DeformedPrimitive& shape, std::uint64_t frame, bool same_input) {
     std::map<std::uint64_t, std::uint64_t>& hashes = hash_of_frame_[p];
     if (same_input) RC_ASSERT(shape.since_frame == since_of_shape_[p]);
@@ -90,7 +90,7 @@ class StampHistory {
       RC_ASSERT(seen->second == hash);
   }
 
-  /// The number of a palette is exactly the first of the unbroken row of frames that gave its bits.
+  /// A palette's since_frame must be the first of the latest frames in a row with these bits.
   void check_palette(std::size_t s, const SkinPalette& palette, std::uint64_t frame) {
     Palette& last = palettes_[s];
     const bool unchanged = last.since_frame != 0 && same_bits<JointMatrix>(palette.matrices, last.matrices);
@@ -107,7 +107,7 @@ class StampHistory {
   std::uint64_t last_since_ = 0;
 };
 
-/// A character that shows a scene by one of several plans, in blocks of memory that the plans share.
+/// A character that shows a scene by several plans in turn. The plans share the same blocks of memory.
 class Character {
  public:
   Character(std::uint64_t seed, std::size_t plan_count, std::size_t buffer_count) : scene_(busy_scene(seed)) {
@@ -133,7 +133,7 @@ class Character {
     std::byte bytes[FrameBuffer::kAlignment];
   };
 
-  /// The first plan has all joints, others leave some out.
+  /// Plans with an even index have all joints, other plans leave some out.
   Needs needs(std::uint64_t seed, std::size_t plan) const {
     Needs needs = busy_needs(seed, scene_);
     if (plan % 2 == 0) return needs;
@@ -143,7 +143,7 @@ class Character {
     return needs;
   }
 
-  /// New buffers, over memory as the last plan left it.
+  /// Makes new buffers over the memory in which the last plan's data still lies.
   void take_plan(std::size_t plan) {
     plan_ = plans_[plan];
     buffers_.clear();
@@ -154,7 +154,7 @@ class Character {
     stamps_.emplace(plan_);
   }
 
-  /// An input that is refused leaves the last good frame as it is.
+  /// A refused input must leave the last good frame unchanged.
   void refuse(std::size_t buffer) {
     const ClipLayer none{.clip = 1000};
     FrameInput bad = inputs_->view();
@@ -170,7 +170,7 @@ class Character {
     for (std::size_t p = 0; p < before.size(); ++p) RC_ASSERT(hash_shape(result.primitives[p]) == before[p]);
   }
 
-  /// Layers beyond those that the plan was asked to make room for are not kept.
+  /// True if the frame keeps this input. It cannot keep more layers than the plan has room for.
   bool is_remembered(const FrameInput& input) const {
     const std::size_t room = plan_.needs().layer_room();
     return input.asleep ||
@@ -193,7 +193,7 @@ class Character {
     stamps_->check(frame.result(), input,
                    last_inputs_ && is_remembered(input) && means_the_same(*last_inputs_, *inputs_));
     last_inputs_ = inputs_;
-    if (is_late(frame.result())) last_inputs_.reset();  // whatever comes next may show more
+    if (is_late(frame.result())) last_inputs_.reset();  // the next frame may show more without a change of input
   }
 
   static bool is_late(const FrameResult& result) {
@@ -230,7 +230,7 @@ RC_GTEST_PROP(remembering_frames, P19_plans_that_take_turns_in_one_memory_rememb
   for (const std::uint32_t step : steps) character.step(step);
 }
 
-/// A character whose inputs are held between updates, in buffers that take turns, by one of two plans.
+/// A character with held inputs and several buffers in turn, shown by one of two plans.
 class HeldCharacter {
  public:
   explicit HeldCharacter(std::uint64_t seed) : scene_(busy_scene(seed)), phase_(static_cast<std::uint32_t>(seed % 5)) {

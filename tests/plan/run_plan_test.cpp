@@ -69,7 +69,7 @@ TEST(run_plan, dual_quaternions_keep_the_radius_where_linear_blending_cuts_the_c
   needs.skinning = Skinning::dual_quaternion;
   const Frame frame(scene, needs, {.layers = {&layer, 1}, .weights = {}, .root = {}});
   const glm::vec3 p = frame.result().primitives[0].positions[2];
-  const float r = 0.25f * std::sqrt(0.5f);  // 45 degrees around (0 1)
+  const float r = 0.25f * std::sqrt(0.5f);  // 45 degrees about the elbow at (0 1)
   EXPECT_TRUE(is_near(p, glm::vec3(r, 1 + r, 0), 1e-6));
   EXPECT_EQ(frame.result().work.vertices_skinned_dual_quaternion, 4u);
   EXPECT_EQ(frame.result().work.palette_entries_split, 2u);
@@ -117,7 +117,7 @@ TEST(run_plan, G43_weights_come_from_the_clip_else_from_rest_and_the_caller_over
   EXPECT_EQ(weights(frame.run({.layers = {&layer, 1}, .weights = {}, .root = {}})), (std::vector<float>{0.5f, 1.0f}));
   const std::vector<float> own = {-1.0f, 3.0f};
   EXPECT_EQ(weights(frame.run({.layers = {&layer, 1}, .weights = own, .root = {}})), own);
-  EXPECT_EQ(frame.result().work.tracks_sampled, 0u);  // the clip has nothing but weights, and they are not wanted
+  EXPECT_EQ(frame.result().work.tracks_sampled, 0u);  // the clip only has weights, and the plan does not output them
 }
 
 TEST(run_plan, morph_weights_below_zero_and_above_one_are_legal) {
@@ -164,7 +164,7 @@ TEST(run_plan, N26_weights_too_small_to_see_count_as_zero) {
 TEST(run_plan, P06_one_layer_of_full_weight_has_the_bits_of_sample_clip) {
   const Scene scene = random_scene(11);
   for (const double time_s : {0.0, 0.37, 1.1, 2.0, 9.0}) {
-    const ClipLayer layers[] = {{1, 0.3, 0.0f}, {0, time_s, 1.0f}};  // a layer of weight 0 is as good as absent
+    const ClipLayer layers[] = {{1, 0.3, 0.0f}, {0, time_s, 1.0f}};  // a layer of weight 0 counts as absent
     const Frame frame(scene, {}, {.layers = layers, .weights = {}, .root = {}});
     std::vector<float> weights(scene.weight_count());
     alignas(64) float memory[PoseSpan::floats_for(16)];
@@ -228,7 +228,7 @@ TEST(run_plan, G48_mirrored_follows_the_sign_of_the_determinant_every_frame) {
     return frame.run({.layers = {&layer, 1}, .weights = {}, .root = root}).instances[0].mirrored;
   };
   EXPECT_FALSE(mirrored_at(0.25, {}));
-  EXPECT_FALSE(mirrored_at(0.5, {}));  // scale 0: no side is the front
+  EXPECT_FALSE(mirrored_at(0.5, {}));  // with scale 0 no winding is right
   EXPECT_TRUE(mirrored_at(0.75, {}));
   Affine small = {{{-1e-15f, 0, 0, 0}, {0, 1e-15f, 0, 0}, {0, 0, 1e-15f, 0}}};  // the product underflows in float
   EXPECT_TRUE(mirrored_at(0.25, small));
@@ -237,7 +237,7 @@ TEST(run_plan, G48_mirrored_follows_the_sign_of_the_determinant_every_frame) {
 
 TEST(run_plan, G48_a_skinned_mesh_is_mirrored_with_the_first_joint_of_its_skin) {
   Scene scene = arm_scene();
-  scene.skeleton.rest[1].scale.x = -1.0f;  // the node that carries the mesh: of no effect
+  scene.skeleton.rest[1].scale.x = -1.0f;  // the node of a skinned mesh has no effect
   finish_scene(scene);
   EXPECT_FALSE(Frame(scene, {}, {}).result().instances[0].mirrored);
   scene.skeleton.rest[0].scale.z = -1.0f;
@@ -308,7 +308,7 @@ TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_the
   const ClipLayer alone[] = {{0, 1.0, 1.0f}};
   const std::vector<float> played(frame.run({.layers = alone, .weights = {}, .root = {}}).weights.begin(),
                                   frame.result().weights.end());
-  EXPECT_EQ(on_top, played);  // what the clip adds to rest, on rest, is the clip
+  EXPECT_EQ(on_top, played);  // adding the clip's difference from rest to the rest pose gives the clip
   frame.run({});
   EXPECT_EQ(frame.result().model[0], rest);
 }

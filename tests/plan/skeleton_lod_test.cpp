@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plans that leave joints out, compared with plans of all joints.
+// Plans that leave out joints, compared with plans of all joints.
 #include "runtime/plan/needs.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::vector<float> some_mask(const Scene& scene, std::uint64_t seed) {
   return mask;
 }
 
-/// The same scene with the left-out joints at their held transforms as rest pose, and without their tracks.
+/// The scene in which the left-out joints have their held transforms as rest pose, and no tracks.
 Scene held_scene(Scene scene, const PlanAssets& assets, const SkeletonLod& detail) {
   for (std::size_t j = 0; j < assets.joint_map.size(); ++j)
     if (!assets.joint_map[j].is_kept && scene.skeleton.fixed_matrix_of[j] == kNone)
@@ -155,7 +155,7 @@ void add_moved_joints(Scene& scene, std::uint32_t parent, std::uint32_t count) {
     bone.translation = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(0), glm::vec3(1)}};
     for (Animation& animation : scene.animations) animation.bones.push_back(bone);
   }
-  scene.skeleton.level_begin.clear();  // of no use to plans, and no longer in order
+  scene.skeleton.level_begin.clear();  // clears the levels: plans do not need them, and they are no longer in order
   scene.clips.clear();
   finish_scene(scene);
 }

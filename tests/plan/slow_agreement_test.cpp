@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random scenes: the plan and its jobs compared with plain double-precision loops over the authoring form.
+// The plan and its jobs, compared with plain double-precision loops over the animations of random scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,9 +63,9 @@ struct Case {
 
 class SlowAgreement : public ::testing::TestWithParam<Case> {};
 
-// Bounds: chains of up to ten joints of scale up to 1.25 at distances up to ten metres; measured over 60 seeds the
-// worst is about a third of each bound. A normal of a sliver or of a blend that nearly cancels loses more digits: its
-// bound is wider.
+// Reason of the bounds: chains have up to ten joints of scale up to 1.25, at distances up to ten metres. Over 60 seeds
+// the largest error is about a third of each bound. A normal of a sliver or of a blend that nearly cancels loses more
+// digits, so its bound is wider.
 TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
   const Case& c = GetParam();
   for (std::uint64_t seed = 100; seed < 112; ++seed) {
@@ -170,7 +170,7 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
   }
 }
 
-/// Layers, masks, added layers, updates, given weights and roots in any combination.
+/// Combines layers, masks, additive layers, interpolated updates, given weights and roots at random.
 TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
   std::size_t between = 0, with_properties = 0;
   for (std::uint64_t seed = 300; seed < 330; ++seed) {
@@ -199,7 +199,7 @@ TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
   EXPECT_GT(with_properties, 100u);
 }
 
-/// Every mesh plays, at any weight, from sources in either space, with and without normals.
+/// Every mesh plays a vertex source, at any weight, in either space, with and without normals.
 TEST(slow_agreement, instances_that_play_show_what_plain_double_loops_give) {
   for (std::uint64_t seed = 400; seed < 424; ++seed) {
     RandomSceneOptions options;
@@ -237,7 +237,7 @@ TEST(slow_agreement, instances_that_play_show_what_plain_double_loops_give) {
   }
 }
 
-// The slow path must share no code with plans, clips and jobs, else agreement proves nothing.
+// The slow path shares no code with plans, clips and jobs. This test shows that its result depends on its input.
 TEST(slow_frame, differs_when_its_input_differs) {
   const Scene scene = random_scene(7);
   const ClipLayer a{0, 0.5, 1.0f}, b{0, 0.6, 1.0f};

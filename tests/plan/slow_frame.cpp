@@ -60,7 +60,7 @@ double total_weight(const FrameInput& input) {
 }
 
 /// eq   mean over the layers, the rest pose with weight max(0, 1 - total); rotations by normalised sum, aligned to the
-/// rest
+///      rest
 Transformd blended_joint(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
   const Transformd rest = to_double(scene.skeleton.rest[joint]);
   double total = 0.0;
@@ -81,7 +81,7 @@ Transformd blended_joint(const Scene& scene, const Needs& needs, const FrameInpu
 
 ClipLayer start_of(const ClipLayer& layer) { return {.clip = layer.clip, .mirrored = layer.mirrored}; }
 
-/// The equations of add_pose.h on top of the blended joint.
+/// Adds additive layers to the blended joint by the equations of add_pose.h.
 Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
   Transformd sum = blended_joint(scene, needs, input, joint);
   for (const ClipLayer& layer : input.layers) {
@@ -105,7 +105,7 @@ FrameInput at_next_update(const FrameInput& input) {
   return next;
 }
 
-/// eq   (1 - f) a + f b of the numbers of a joint at both updates; rotations on the short side, normalised
+/// eq   (1 - f) a + f b of a joint's numbers at both updates; rotations on the short side, normalised
 Transformd joint_between(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
   const Transformd a = posed_joint(scene, needs, input, joint);
   const double f = static_cast<double>(input.interpolation_factor);
@@ -116,7 +116,7 @@ Transformd joint_between(const Scene& scene, const Needs& needs, const FrameInpu
           (1.0 - f) * a.scale + f * b.scale};
 }
 
-/// `numbers(input)` at both updates, mixed.
+/// `numbers(input)` at both updates, interpolated.
 template <class Numbers>
 std::vector<double> numbers_between(const FrameInput& input, const Numbers& numbers) {
   std::vector<double> sum = numbers(input);
@@ -136,7 +136,7 @@ std::vector<double> properties_at(const Scene& scene, const ClipLayer& layer) {
   return values;
 }
 
-/// The mean over layers that blend, filled up by the rest. Layers that add have no part in it.
+/// Mean over the blend layers, plus the rest values if their weights are below 1. Additive layers do not count.
 std::vector<double> all_properties(const Scene& scene, const FrameInput& input) {
   const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
   std::vector<double> sum(scene.properties.rest.begin(), scene.properties.rest.end());
@@ -185,7 +185,7 @@ std::vector<double> all_weights(const Scene& scene, const Needs& needs, const Fr
   return sum;
 }
 
-/// Adds what correctives call for, to weights that are given or sampled.
+/// Adds the correctives' weights to the given or sampled weights.
 void correct_weights(const Scene& scene, const Needs& needs, const FrameInput& input, std::vector<double>& weights) {
   for (const PoseCorrective& corrective : scene.correctives) {
     reference::Pose pose;
@@ -272,7 +272,7 @@ struct SplitJoint {
   std::vector<Mat3<double>> stretches;
 };
 
-/// `skin(split, position, normal)` answers a reference::SkinnedT.
+/// Skins a vertex with `skin(split, position, normal)`, which returns a reference::SkinnedT.
 template <class Skin>
 void skin_turned(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, const Skin& skin) {
   const SplitJoint split(joint);
@@ -298,7 +298,7 @@ void skin_center_of_rotation(SlowPrimitive& shape, std::size_t v, const VertexJo
   });
 }
 
-/// eq   n = (b - a) x (c - a), on the outside
+/// eq   n = (b - a) x (c - a), pointing outwards
 void flatten(SlowPrimitive& shape, const Primitive& primitive, double sign) {
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1], c = primitive.indices[i + 2];
@@ -337,7 +337,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
   return shape;
 }
 
-/// The entry of an instance that is seen playing, or null.
+/// The geometry input of an instance, if it is in view and plays; else null.
 const GeometryInput* playing(const Needs& needs, const FrameInput& input, std::uint32_t instance) {
   if (!input.out_of_view.empty() && input.out_of_view[instance] != 0) return nullptr;
   for (std::size_t slot = 0; slot < input.geometry.size(); ++slot)
@@ -345,7 +345,7 @@ const GeometryInput* playing(const Needs& needs, const FrameInput& input, std::u
   return nullptr;
 }
 
-/// What the source of a primitive gives, with the normals and tangents that it lacks.
+/// Vertices of a primitive from its source. Missing normals and tangents are computed.
 SlowPrimitive sourced(const GeometryInput& input, std::uint32_t instance, std::uint32_t p, const Primitive& primitive,
                       bool turned) {
   const VertexSource& source = input.source;
@@ -363,7 +363,7 @@ SlowPrimitive sourced(const GeometryInput& input, std::uint32_t instance, std::u
   return out;
 }
 
-/// eq   (1 - w) A x + w B y; directions unit before and after
+/// eq   (1 - w) A x + w B y; directions are normalised before and after
 SlowPrimitive blended(const SlowPrimitive& pose, const Affined& a, const SlowPrimitive& source, const Affined& b,
                       double w) {
   SlowPrimitive out = pose;
@@ -380,7 +380,7 @@ SlowPrimitive blended(const SlowPrimitive& pose, const Affined& a, const SlowPri
   return out;
 }
 
-/// Puts what an instance plays in the place of its pose.
+/// Replaces the posed vertices of an instance by those of its source.
 void play(const Scene& scene, const FrameInput& input, const GeometryInput& geometry, std::uint32_t i,
           std::size_t first_primitive, SlowFrame& frame) {
   const MeshInstance& instance = scene.instances[i];

@@ -11,13 +11,13 @@ struct SlowPrimitive {
   std::vector<Vec4<double>> colors;
 };
 
-/// One frame in double precision by plain loops over the authoring form, without plan, clip or jobs: the truth for
-/// run_plan. Vertices of skinned instances are in world space, others in mesh space.
+/// One frame in double precision, by plain loops over the animations, without plan, clips or jobs. It is the truth for
+/// run_plan(). Vertices of skinned instances are in world space, others in mesh space.
 struct SlowFrame {
   std::vector<Affined> model;
   std::vector<double> weights;
   std::vector<double> properties;
-  std::vector<SlowPrimitive> primitives;  ///< all instances in order
+  std::vector<SlowPrimitive> primitives;  ///< those of all instances, in order
   std::vector<bool> mirrored;             ///< [instances]
   std::vector<Affined> world_from_mesh;   ///< [instances]
 };

@@ -7,8 +7,8 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/needs.h"
 
-/// What mirrored layers do, in plain double loops over the rows of a MirrorMap; mirror_map_test holds these to their
-/// definition.
+/// Mirroring of layers in plain double loops over the rows of a MirrorMap. The test mirror_map_test checks the rows
+/// against their definition.
 namespace sinew::test {
 
 template <std::size_t kCount>
@@ -30,7 +30,7 @@ inline Transformd mirrored_plainly(const MirroredJoint& to, const Transformd& fr
           vector(to.scale, from.scale)};
 }
 
-/// Morph weights as the layer plays them.
+/// The morph weights of a layer, mirrored if the layer is.
 inline std::vector<double> on_side(const Needs& needs, const ClipLayer& layer, const std::vector<double>& weights) {
   if (!layer.mirrored || needs.mirror->weight_source.empty()) return weights;
   std::vector<double> mirrored;

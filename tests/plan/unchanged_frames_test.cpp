@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has not changed since the frame before is neither done again nor reported as new, and the bits are those of a
-// frame from scratch.
+// Results that have not changed since the last frame are neither computed again nor reported as new. Their bits are
+// those of a fresh frame.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -66,7 +66,7 @@ Scene scene_by_seed(std::uint32_t seed) {
   options.skins = seed % 3;
   options.targets = seed % 2 * 2;
   options.clips = 2;
-  if (seed % 7 == 6) return face_scene();  // no clip of it moves a joint
+  if (seed % 7 == 6) return face_scene();  // none of its clips moves a joint
   options.flat_normals = seed % 2 == 0;
   options.correctives = options.targets > 0 ? seed % 3 : 0;
   Scene scene = random_scene(seed, options);
@@ -129,9 +129,8 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_are_composed_once) {
 
 TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_and_between_updates) {
   Scene scene = arm_scene();
-  scene.skeleton.rest[0] = {{0.1f, -0.7f, 0.3f},
-                            quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f),
-                            glm::vec3(1.1f, 0.9f, 1.3f)};  // N26: clips leave 3e-19 out
+  scene.skeleton.rest[0] = {
+      {0.1f, -0.7f, 0.3f}, quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f), glm::vec3(1.1f, 0.9f, 1.3f)};  // clips drop the 3e-19
   scene.skeleton.rest[1].rotation = glm::normalize(glm::quat(0.7f, 0.1f, -0.4f, 0.5f));
   finish_scene(scene);
   Needs needs;
@@ -157,7 +156,6 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   }
 }
 
-/// Whatever pose the memory holds, the next frame has the bits of a fresh one.
 TEST(unchanged_frames, P01_poses_of_one_clip_after_another_are_those_of_fresh_ones) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = random_scene(seed);
@@ -221,10 +219,10 @@ TEST(unchanged_frames, P19_a_moved_face_is_not_morphed_again) {
   input.root.row[0].w = 2.0f;
   ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().primitives[0].since_frame, 1u);
-  EXPECT_EQ(frame.result().instances[0].bounds.lower.x, left + 2.0f);  // the box moved all the same
+  EXPECT_EQ(frame.result().instances[0].bounds.lower.x, left + 2.0f);  // the bounds moved all the same
 }
 
-/// One character takes turns with several buffers; each frame is compared with one in a fresh buffer.
+/// One character uses several buffers in turn; each frame is compared with one in a fresh buffer.
 /// out  how many shapes were unchanged since an earlier frame
 std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   const Scene scene = scene_by_seed(seed);
@@ -233,7 +231,7 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
   FewInputs inputs(scene, seed);
   std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame(
-      plan.primitives().size());  // of those that gave vertices
+      plan.primitives().size());  // [primitives], by frame number
   FixedRandom random(seed + 1000);
   std::size_t at = 0, kept = 0;
   for (std::uint64_t number = 1; number <= 40; ++number) {

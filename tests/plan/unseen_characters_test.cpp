@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes out of view are not deformed and characters that sleep cost nothing. When they are seen again their bits are
+// Meshes out of view are not deformed, and sleeping characters cost nothing. When they are seen again, their bits are
 // those of a fresh frame.
 #include <gtest/gtest.h>
 
@@ -27,9 +27,9 @@ bool is_nothing(const DeformedPrimitive& shape) {
          shape.since_frame == 0;
 }
 
-/// All work on vertices and palettes.
+/// The work counters of vertices and palettes; all others are set to 0.
 WorkCounters mesh_work(WorkCounters work) {
-  work.windings_tested = 0;  // where the mesh is, and how it is turned, is told all the same
+  work.windings_tested = 0;  // the placement and the winding of a mesh are computed even out of view
   work.tracks_sampled = work.properties_sampled = work.poses_mirrored = work.poses_blended = work.poses_added =
       work.poses_interpolated = work.poses_compared = work.joints_composed = 0;
   return work;
@@ -48,7 +48,7 @@ TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_n
     options.mirrored_joints = seed % 3 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
-    needs.hidden_meshes = seed % 4 == 0;  // says nothing of views
+    needs.hidden_meshes = seed % 4 == 0;  // independent of the view
     needs.skinning = seed % 5 == 0 ? Skinning::dual_quaternion : Skinning::linear;
     const Plan plan = compile_plan(lend(scene), needs);
     const ClipLayer layer{0, 0.6};

@@ -14,10 +14,12 @@
 namespace sinew::reference {
 namespace {
 
-/// Cosine to the normal of the half vector that a share `s` of all lies closer to it than.
+/// Cosine between the normal and the half vector at quantile `s`: the share s of all half vectors lies closer to the
+/// normal.
 double half_vector_cosine(double s, double alpha) { return std::sqrt((1.0 - s) / (1.0 + (alpha * alpha - 1.0) * s)); }
 
-/// Both ends of the share s are of one kind each: s = u^2 (3 - 2 u) puts more samples there.
+/// Sample of the quantile s in [0, 1]. The integrand changes fastest at both ends, so s = u^2 (3 - 2 u) puts more
+/// samples there; `weight` = ds.
 struct Share {
   double s, weight;
 };
@@ -44,7 +46,7 @@ Layer layer(const glm::dvec3& f0, double f90, const glm::dvec2& sums) {
 
 glm::dvec2 reflected_once(double n_v, double roughness) {
   constexpr int angles = 96, turns = 16;
-  static const auto turned = [] {  // each sum has the same turns, and a picture has a sum for each sample
+  static const auto turned = [] {  // kept between calls: a picture calls this once per sample
     std::array<double, turns> cosines;
     for (int j = 0; j < turns; ++j) cosines[j] = std::cos(std::numbers::pi * (j + 0.5) / turns);
     return cosines;
@@ -82,13 +84,12 @@ double reflected_cosine(double roughness) {
 
 namespace {
 
-/// The gradient around a direction, of which the part `left` is left.
+/// Light of the gradient around a direction; `left` scales its contrast, 0 = even light from everywhere.
 glm::dvec3 from(const AmbientGradient& light, const glm::dvec3& d, double left) {
   const double t = 0.5 + 0.5 * left * glm::dot(d, light.up);
   return light.ground * (1.0 - t) + light.sky * t;
 }
 
-/// Light around the mirror direction.
 glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm::dvec3& v, double roughness) {
   return light_around(light, 2.0 * glm::dot(n, v) * n - v, roughness);
 }
@@ -96,7 +97,7 @@ glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm
 }  // namespace
 
 glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& direction, double roughness) {
-  static std::map<double, double> cosines;  // by roughness: most pictures have few
+  static std::map<double, double> cosines;  // by roughness; most pictures have few different ones
   const auto [known, is_new] = cosines.try_emplace(roughness, 0.0);
   if (is_new) known->second = reflected_cosine(roughness);
   return from(light, direction, known->second);

@@ -41,7 +41,7 @@ bool are_one(const VisibilitySurface& a, std::size_t i, const VisibilitySurface&
   return a.positions[i] == b.positions[j] && a.normals[i] == b.normals[j];
 }
 
-/// The faces of all vertices that are one with this one.
+/// The faces at a vertex and at all vertices that count as the same point (are_one()).
 std::vector<Face> faces_of(std::span<const VisibilitySurface> surfaces, const VisibilitySurface& of,
                            std::size_t vertex) {
   std::vector<Face> faces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The equation of BlockMotion point by point, in 64-bit integers that are cut to 32 bits at the end.
+// The equation of BlockMotion, point by point. It uses 64-bit integers and cuts the result to 32 bits.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace sinew::reference {
 
 inline std::int32_t cut(std::int64_t number) { return static_cast<std::int32_t>(static_cast<std::uint64_t>(number)); }
 
-/// Value `index` of a row of numbers of `width` bits, lowest bits first.
+/// Value `index` of an array of integers of `width` bits each, lowest bits first.
 inline std::uint32_t packed_value(std::span<const std::uint8_t> bytes, unsigned width, std::size_t index) {
   std::uint32_t value = 0;
   for (unsigned bit = 0; bit < width; ++bit) {
@@ -22,7 +22,7 @@ inline std::uint32_t packed_value(std::span<const std::uint8_t> bytes, unsigned 
   return value;
 }
 
-/// One block.
+/// Decodes one block.
 /// in   payload  of this block;   out  x[192]
 inline void move_block(const BlockMotion& motion, std::span<const std::uint8_t> payload,
                        std::span<const std::uint8_t> corners, std::span<const std::int32_t> x1,
@@ -32,7 +32,7 @@ inline void move_block(const BlockMotion& motion, std::span<const std::uint8_t> 
     const auto row = [&](std::span<const std::int32_t> state, std::size_t i) {
       return std::int64_t{state[axis * kBlockPoints + i]};
     };
-    std::vector<std::int64_t> missed;  // by the motion, of each point
+    std::vector<std::int64_t> missed;  // per point: the residual that the motion does not predict
     for (std::size_t i = 0; i < kBlockPoints; ++i) {
       const std::uint32_t turned = packed_value(payload, motion.width[axis], i);
       missed.push_back((turned & 1) != 0 ? -std::int64_t{turned / 2} - 1 : turned / 2);

@@ -10,7 +10,7 @@
 namespace sinew::reference {
 namespace {
 
-/// Of texels -1 to 2 from the one before a point; f = how far the point is from that one to the next.
+/// Weights of four texels, -1 to 2 from the texel before the point; f = position between texels 0 and 1.
 std::array<double, 4> spline_weights(double f) {
   const double g = 1.0 - f;
   return {g * g * g / 6.0, (4.0 - 6.0 * f * f + 3.0 * f * f * f) / 6.0, (4.0 - 6.0 * g * g + 3.0 * g * g * g) / 6.0,

@@ -11,9 +11,10 @@
 
 namespace sinew::reference {
 
-/// Distance of a clip from its animation, in long double, from the equations only. Certificates are held to it.
+/// Distance of a clip from its animation, in long double, straight from the equations. Tests hold certified errors to
+/// it.
 
-/// Three rows of four.
+/// Rows of an affine matrix: three of four numbers.
 using Matrix = std::array<std::array<Real, 4>, 3>;
 
 inline Matrix product(const Matrix& a, const Matrix& b) {
@@ -26,7 +27,7 @@ inline Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-/// eq   p' = q (s p) q* + t, column by column, by the triple product
+/// eq   p' = q (s p) q* + t, one column a basis vector; q rotates by cross products (Rodrigues)
 inline Matrix matrix_of(const Numbers& t, const Numbers& q, const Numbers& s) {
   Matrix m{};
   const auto cross = [](const Numbers& a, const Numbers& b) {

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A slice through the line of sight: angles are 0 towards the viewer and grow towards `aside`.
+/// A plane through the line of sight. Its angles are 0 towards the viewer and grow towards `aside`.
 struct Slice {
   glm::dvec3 to_viewer, aside;
 
   double angle_of(const glm::dvec3& d) const { return std::atan2(glm::dot(d, aside), glm::dot(d, to_viewer)); }
 };
 
-/// Greatest share of the half circle on one side that is covered: the angle of its horizon from the line of sight.
-/// in   free  the angle without anything in the way
+/// Angle between the line of sight and the highest horizon on one side of a slice.
+/// in   free  the angle of a free horizon: the tangent plane's
 double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, const glm::dvec2& way,
                      double jitter, const glm::dvec3& to_viewer, double free) {
   const glm::dvec3 p = image.point(x, y), n = image.normals[static_cast<std::size_t>(y * image.width + x)];
@@ -42,13 +42,13 @@ double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int
   return least;
 }
 
-/// Light, and the sum of its directions.
+/// An amount of light, and the sum of its directions weighted by amount.
 struct Light {
   double amount = 0.0;
   glm::dvec3 directed{0.0};
 };
 
-/// Adds the light of a slice between two angles, weighted by the cosine to the normal: the midpoint rule.
+/// Adds the light of a slice between two angles, weighted by the cosine to the normal, by the midpoint rule.
 void add_light(const Slice& slice, double from, double to, double normal_angle, double weight, Light& light) {
   constexpr int kParts = 2000;
   for (int i = 0; i < kParts; ++i) {
@@ -60,7 +60,7 @@ void add_light(const Slice& slice, double from, double to, double normal_angle, 
   }
 }
 
-/// What horizons hide.
+/// Light that the horizons around a pixel hide.
 Light hidden_at(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, double turn, double jitter) {
   const glm::dvec3 p = image.point(x, y), n = image.normals[static_cast<std::size_t>(y * image.width + x)];
   const double radius_pixels = s.radius * 0.5 * image.cot_y * image.height / -p.z;

@@ -9,13 +9,13 @@
 namespace sinew::reference {
 namespace {
 
-/// Share of a light of limited range that is left at this distance.
+/// Attenuation at this distance by the light's range; range 0 = unlimited.
 double range_share(double range_m, double distance_m) {
   if (range_m == 0.0) return 1.0;
   return std::clamp(1.0 - std::pow(distance_m / range_m, 4.0), 0.0, 1.0);
 }
 
-/// Share of a spot light that is left at this angle from its axis.
+/// Attenuation of a spot light at this angle from its axis.
 double cone_share(const Light& light, double angle_rad) {
   const double inner = std::cos(static_cast<double>(light.inner_cone_rad)),
                outer = std::cos(static_cast<double>(light.outer_cone_rad));

@@ -5,12 +5,13 @@
 
 namespace sinew::reference {
 
-/// Light that reaches a point: where it comes from, and what a surface that faces it receives.
+/// Light at a point: its direction, and the irradiance of a surface that faces it.
 struct ArrivingLight {
   glm::dvec3 to_light{0.0, 1.0, 0.0};  ///< unit
   glm::dvec3 irradiance{0.0};
 };
 
+/// Light that `light` sends to a point.
 /// eq   KHR_lights_punctual: colour * intensity, along -z of the node whatever its scale; for points and spots
 ///      over distance^2, times clamp(1 - (distance / range)^4), for spots times
 ///      clamp((cos(angle) - cos(outer)) / max(0.001, cos(inner) - cos(outer)))^2

@@ -12,9 +12,9 @@
 namespace sinew::reference {
 namespace {
 
-constexpr double kLeastRoughness = 0.045;  // the viewer keeps the highlight of a mirror visible
+constexpr double kLeastRoughness = 0.045;  // the viewer uses the same limit, so that mirrors keep a visible highlight
 
-/// The texel of a use of a texture at a point; `otherwise` without one.
+/// Colour of a texture at a point; `otherwise` if the material has no such texture.
 glm::dvec4 looked_up(const Scene& scene, const SurfacePoint& point, const TextureUse& use, bool srgb,
                      const glm::dvec4& otherwise = glm::dvec4(1.0)) {
   if (!use.used()) return otherwise;
@@ -48,7 +48,7 @@ glm::dvec3 dielectric_f0(const Scene& scene, const SurfacePoint& point) {
 }
 
 SheenLayer sheen_at(const Scene& scene, const SurfacePoint& point) {
-  constexpr double least = 5.0 / 63.0;  // as the viewer
+  constexpr double least = 5.0 / 63.0;  // the viewer's limit
   const Sheen& sheen = point.material.sheen;
   return {glm::dvec3(sheen.color) * glm::dvec3(looked_up(scene, point, sheen.color_texture, true)),
           std::max(least,

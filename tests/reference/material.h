@@ -8,7 +8,7 @@
 
 namespace sinew::reference {
 
-/// Light around a scene.
+/// The light that reaches a surface point.
 struct Surroundings {
   std::span<const ArrivingLight> lights;  ///< at the point
   AmbientGradient ambient;
@@ -21,7 +21,7 @@ glm::dvec4 base_color(const Scene& scene, const SurfacePoint& point);
 /// The normal on the seen side: that of the vertices, reversed on back sides.   (glTF 2.0, 3.9.6)
 glm::dvec3 seen_normal(const SurfacePoint& point);
 
-/// The normal that light and occlusion have: that of the normal map, else the seen one.
+/// The normal for lighting and occlusion: from the normal map where there is one, else seen_normal().
 glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point);
 
 /// Linear light from a surface point to the viewer.
@@ -31,16 +31,16 @@ glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point);
 ///      KHR_materials_sheen (sheen.h) between it and the coat.
 ///      KHR_materials_clearcoat: share * coat + (1 - share) * all of this.
 ///      KHR_materials_unlit: the base colour alone. Where there is no normal: base colour + emission.
-///      KHR_materials_transmission: what passes through is taken from the diffuse term.
+///      KHR_materials_transmission: the light that passes through is subtracted from the diffuse term.
 glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around);
 
-/// Light passes through the surface of this material.
+/// True if light passes through the surface of this material (KHR_materials_transmission).
 bool transmits(const SurfacePoint& point);
 
-/// Of the material and its texture, 0 to 1.
+/// Roughness of the material times its texture, 0 to 1.
 double roughness_at(const Scene& scene, const SurfacePoint& point);
 
-/// Share of the light behind the surface that reaches the viewer: below sheen and coat.
+/// Share of the light behind the surface that reaches the viewer, after the losses in sheen and coat.
 glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point);
 
 }  // namespace sinew::reference

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflections of floors beside walls, by cones around the bent normal, beside rays and paths of light.
+// Reflections of floors beside walls: cones around the bent normal, compared with traced rays and light paths.
 #include "tests/reference/mirrored_visibility.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ std::vector<FloorPoint> floor_points(test::FixedRandom& random) {
   return points;
 }
 
-/// A direction that nothing is in.
+/// A random direction from the point that no triangle blocks.
 glm::dvec3 viewer_of(const FloorPoint& point, test::FixedRandom& random) {
   for (;;) {
     const double y = random.in(0.1, 1.0), turn = random.in(0.0, 2.0 * std::numbers::pi), out = std::sqrt(1.0 - y * y);
@@ -66,7 +66,7 @@ struct Errors {
   double cone = 0.0, visibility = 0.0, lagarde = 0.0;
 };
 
-/// Root mean square errors of light that floors of this roughness reflect, for one share that all surfaces scatter.
+/// Root mean square errors of the light that floors of this roughness reflect, one per albedo of the surfaces.
 std::vector<Errors> errors_of(double roughness, const std::vector<double>& albedos) {
   test::FixedRandom random(3);
   std::vector<Errors> sums(albedos.size());
@@ -92,7 +92,7 @@ std::vector<Errors> errors_of(double roughness, const std::vector<double>& albed
 
 TEST(mirrored_visibility, is_nearer_to_rays_and_to_paths_of_light_than_visibility_alone_and_than_lagarde) {
   struct Bounds {
-    double roughness, in_black;  // error where surfaces scatter nothing
+    double roughness, in_black;  // error limit where surfaces scatter nothing
   };
   for (const Bounds& bounds : {Bounds{0.1, 0.34}, {0.3, 0.26}, {0.5, 0.17}, {0.7, 0.09}}) {
     const std::vector<double> albedos = {0.0, 0.2, 0.5, 0.8};
@@ -117,7 +117,8 @@ TEST(mirrored_visibility, is_all_where_nothing_is_in_the_way_and_visibility_wher
 }
 
 TEST(mirrored_visibility, is_less_on_the_side_of_the_wall) {
-  const Openness open{.visibility = 0.6, .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // a wall at -x
+  const Openness open{.visibility = 0.6,
+                      .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // bent away from a wall at -x
   const glm::dvec3 from_wall = glm::normalize(glm::dvec3(-0.8, 0.6, 0.0)), towards = {-from_wall.x, from_wall.y, 0.0};
   for (const double roughness : {0.1, 0.5}) {
     EXPECT_GT(mirrored_visibility(open, kUp, from_wall, roughness), 0.7);
@@ -125,7 +126,8 @@ TEST(mirrored_visibility, is_less_on_the_side_of_the_wall) {
   }
 }
 
-/// Share of random points on the sphere that lie in both circles, times 2, since areas are parts of the half sphere.
+/// Estimates the overlap by random points on the sphere: the share in both circles, times 2 because areas are parts of
+/// the half sphere.
 TEST(mirrored_visibility, circles_overlap_as_much_as_points_that_lie_in_both) {
   test::FixedRandom random(5);
   for (int i = 0; i < 40; ++i) {

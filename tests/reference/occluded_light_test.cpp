@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that surroundings scatter, beside paths of light, on floors in white light with walls around them.
+// Scattered ambient light on floors with walls under a white sky: the fitted cubic, compared with traced light paths.
 #include "tests/reference/occluded_light.h"
 
 #include <cmath>

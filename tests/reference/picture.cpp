@@ -24,7 +24,7 @@ using viewer::Show;
 using viewer::View;
 
 glm::dvec3 into_world(const View& view, const glm::dvec3& direction) {
-  return glm::transpose(linear_part(view.view_from_world)) * direction;  // of a rotation, the inverse
+  return glm::transpose(linear_part(view.view_from_world)) * direction;  // the transpose of a rotation is its inverse
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<SurfacePoint> layers(const PictureOf& picture, double x, double y) {
 }
 
 std::vector<ArrivingLight> lights_at(const PictureOf& picture, const glm::dvec3& point) {
-  constexpr std::size_t most = 16;  // as the viewer
+  constexpr std::size_t most = 16;  // the viewer's limit
   const Lighting& lighting = picture.options.lighting;
   std::vector<ArrivingLight> arrived;
   if (lighting.scene_lights)
@@ -105,14 +105,14 @@ glm::dvec3 displayed(const Lighting& lighting, const glm::dvec3& light) {
   }
 }
 
-/// The light of the gradient behind a pixel.
+/// The environment's light that the line of sight through a point of the picture meets.
 glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   const double t = 0.5 + 0.5 * glm::normalize(sight_line(picture, x, y).direction).y;
   const glm::dvec3 light = glm::dvec3(picture.ambient.ground) * (1.0 - t) + glm::dvec3(picture.ambient.sky) * t;
   return light * static_cast<double>(picture.options.lighting.environment_intensity);
 }
 
-/// Without an environment the background is a plain colour whatever is asked for.
+/// True if the background shows the environment. Without ambient light the background is a plain colour in any case.
 bool environment_is_seen(const RenderOptions& options) {
   return options.backdrop == viewer::Backdrop::sharp && options.lighting.ambient();
 }
@@ -125,7 +125,7 @@ glm::dvec3 tone_of(const PictureOf& picture, const SurfacePoint& point) {
   return each(gooch_tone(base, normal, lights_at(picture, point.position)[0].to_light, point.to_viewer), srgb_decoded);
 }
 
-/// How black the outlines are at a point of the picture: the pixels around it are those around its own middle.
+/// Darkness of the outlines at a point of the picture. The neighbours are whole pixels away from this point.
 double outline_at(const PictureOf& picture, double x, double y) {
   if (depth_at(picture, x, y).normal == glm::dvec3(0.0)) return 0.0;
   const View& view = picture.view;
@@ -146,8 +146,9 @@ double outline_at(const PictureOf& picture, double x, double y) {
   return line;
 }
 
-/// Puts the colour of a thin surface before what is behind it. Before an environment it covers what it is seen before;
-/// before anything else it covers what it keeps back in every colour.
+/// Puts the colour of a thin surface before what is already in `behind`. If the environment shows behind it, the
+/// surface filters that too. Before any other background, the surface adds coverage for the light it blocks in every
+/// colour.
 void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, double x, double y, Layered& behind) {
   const glm::dvec3 colour = glm::dvec3(1.0 - alpha) + alpha * passed;
   const double most = std::max({colour.r, colour.g, colour.b}), unlit = (behind.coverage - behind.lit) * most;
@@ -162,8 +163,9 @@ void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, do
   behind.lit = behind.coverage - unlit;
 }
 
-/// Puts what a rough surface shows of the opaque surfaces behind it over all that is behind it.
-/// in   passed  share of the light behind
+/// Puts a rough transmitting surface before what is already in `behind`: it shows the blurred opaque surfaces behind
+/// it.
+/// in   passed  share of the light behind that passes through
 void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3& passed, double alpha, double x,
            double y, Layered& behind) {
   const double roughness = roughness_at(picture.scene, point), most = std::max({passed.r, passed.g, passed.b});
@@ -181,13 +183,13 @@ void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3
            (1.0 - alpha) * behind;
 }
 
-/// Whether a surface blends in any order.
+/// True if the surface blends in any order, by weights (Transparency::weighted).
 bool is_weighted(const PictureOf& picture, const SurfacePoint& point) {
   return picture.options.transparency == viewer::Transparency::weighted &&
          point.material.alpha_mode == AlphaMode::blend && !transmits(point);
 }
 
-/// Adds the colour of a surface, all that it covers of a pixel.
+/// Adds the colour and the coverage of one surface to a pixel.
 void add_surface(const PictureOf& picture, const SurfacePoint& point, double alpha, double x, double y, Layered& sum) {
   const bool gooch = picture.options.shading == viewer::Shading::gooch;
   if (gooch && !point.material.unlit)
@@ -198,9 +200,9 @@ void add_surface(const PictureOf& picture, const SurfacePoint& point, double alp
   if (!gooch && !point.material.unlit) sum.lit += alpha;
 }
 
-/// Lays the surfaces that blend in any order over what is behind all of them.
+/// Lays all surfaces that blend by weights over everything behind them.
 /// eq   McGuire and Bavoil (2013), eqs. 6 and 7: sum(w a c) / sum(w a) * (1 - product(1 - a)); the weight falls by 2^5
-///      from the nearest to the farthest distance at which such surfaces are
+///      from the nearest to the farthest distance of any such surface
 void lay_weighted_over(const PictureOf& picture, const std::vector<SurfacePoint>& seen, double x, double y,
                        Layered& behind) {
   double nearest_m = 1e9, farthest_m = 0.0;

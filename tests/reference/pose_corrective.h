@@ -10,8 +10,8 @@
 
 namespace sinew::reference {
 
-/// Pose-space deformation from its equations only, in long double, solved anew for every pose. It shares no code with
-/// the runtime: rotations are matrices here, so lengths and signs of quaternions cannot matter.
+/// Pose-space deformation straight from its equations, in long double, solved anew for every pose. It shares no code
+/// with the runtime. Rotations are matrices, so the length and sign of a quaternion cannot matter.
 
 using Real = long double;
 using Row = std::vector<Real>;
@@ -63,8 +63,8 @@ inline Row axis_of(const PoseDriver& driver) {
   return a;
 }
 
-/// Twist: the signed angle about the axis that is left of a rotation after removing its swing, the shortest rotation
-/// that carries the axis to its new place.
+/// Twist: the signed angle about the axis that remains of a rotation once its swing is removed. The swing is the
+/// shortest rotation that carries the axis to its new place.
 /// eq   R = Swing(a -> R a) Twist; Rodrigues for the swing
 inline Real twist_of(const Rotation& r, const Row& a) {
   const Row b = turned(r, a), v = cross(a, b);
@@ -171,7 +171,7 @@ inline Row shares_at(const PoseSamples& samples, const std::vector<Pose>& poses,
   return x;
 }
 
-/// The amount that the corrective adds to each of its weights at a pose of its drivers.
+/// The amounts that the corrective adds to its weights at a pose of its drivers.
 inline Row correct_pose(const PoseSamples& samples, const Pose& pose) {
   const std::size_t drivers = samples.drivers.size(), count = samples.rotations.size() / drivers;
   std::vector<Pose> poses(count);

@@ -4,9 +4,10 @@
 
 namespace sinew::reference {
 
-// Interpolation of normals as quaternions (Hast 2005): what viewer/shaders/quaternion_normal.glsl does where the viewer
-// is asked for it. Each normal is represented by the unit vector half way between it and the axis +z. The interpolated
-// normal has unit length without slerp, but its path leaves the great arc, the more the nearer the normals are to -z.
+// Interpolation of normals as quaternions (Hast 2005), as viewer/shaders/quaternion_normal.glsl does when the viewer's
+// option is on. Each normal is represented by the unit vector half way between it and the axis +z. The interpolated
+// normal has unit length without slerp. Its path leaves the great arc, and the more so the nearer the normals are to
+// -z.
 
 /// The unit vector half way between n and +z.
 /// eq   q = (n.x / 2z, n.y / 2z, z), z = sqrt((n.z + 1) / 2)   (Hast 2005, eq. 16). Below the equator n.z + 1 cancels,

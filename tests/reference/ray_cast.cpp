@@ -12,7 +12,7 @@
 namespace sinew::reference {
 namespace {
 
-/// Axes such that the ray runs along the third one, and the shear that makes it so.
+/// Permutes and shears the axes so that the ray runs along the third one.
 struct Shear {
   int x, y, z;
   glm::dvec3 factor;
@@ -30,11 +30,10 @@ struct Shear {
   }
 };
 
-/// Twice the signed area of (0, a, b): of two triangles that share an edge one gets exactly the negative of the
-/// other's.
+/// Twice the signed area of (0, a, b). Two triangles that share an edge get exactly opposite values for it.
 double edge(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }
 
-/// Whether the edges span more than their own rounding.
+/// True if the area exceeds the rounding error of the edges.
 bool has_area(const RayTriangle& triangle) {
   const glm::dvec3 e1 = triangle.corners[1] - triangle.corners[0], e2 = triangle.corners[2] - triangle.corners[0];
   const glm::dvec3 n = glm::cross(e1, e2);
@@ -62,7 +61,7 @@ std::optional<RayHit> cast(const std::vector<RayTriangle>& triangles, const glm:
 }
 
 glm::dvec3 leave_surface(const glm::dvec3& point, const glm::dvec3& normal, double roundoff) {
-  // Each coordinate is off by roundoff times itself, the normal by a few units in its last place: in all less than
+  // Each coordinate is off by roundoff times itself, the normal by a few units in its last place. In all that is below
   // 2 * roundoff * (|x| + |y| + |z|). Twice that also covers the roundings of the intersection.
   const glm::dvec3 size = glm::abs(point);
   return point + normal * (4.0 * roundoff * (size.x + size.y + size.z));

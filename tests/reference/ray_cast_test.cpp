@@ -21,8 +21,8 @@ RayTriangle triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
 
 glm::dvec3 rounded_to_float(const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)); }
 
-/// A tilted square of 8 x 8 cells of `cell` metres each around `center`, corners rounded to float; its normal in exact
-/// arithmetic is nearly `normal`.
+/// A tilted square of 8 x 8 cells of `cell` metres each around `center`, with corners rounded to float. Its exact
+/// normal is nearly `normal`.
 std::vector<RayTriangle> tilted_floor(const glm::dvec3& center, const glm::dvec3& normal, double cell) {
   const glm::dvec3 u = glm::normalize(glm::cross(normal, {0.3, 0.1, 0.9})), v = glm::cross(normal, u);
   const auto corner = [&](int i, int j) { return rounded_to_float(center + (i - 4) * cell * u + (j - 4) * cell * v); };
@@ -35,8 +35,8 @@ std::vector<RayTriangle> tilted_floor(const glm::dvec3& center, const glm::dvec3
   return floor;
 }
 
-/// Points of `t`, rounded to float, from which some ray upwards meets t itself, of `count`. It is a sheet with two
-/// sides: rays that start below it meet it from behind.
+/// Counts the points of `t`, of `count` random ones rounded to float, from which some upward ray hits t itself. The
+/// back of t is tested too, because a ray may start below it.
 int self_hits(const RayTriangle& t, bool leave, int count, test::FixedRandom& random) {
   const std::vector<RayTriangle> own{t, triangle(t.corners[0], t.corners[2], t.corners[1])};
   const glm::dvec3 n = glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
@@ -113,7 +113,7 @@ TEST(ray_cast, N36_triangles_without_area_block_nothing_and_give_no_NaN) {
   std::vector<RayTriangle> flat{triangle(a, b, a), triangle(a, a, a), triangle(a, b, a + (b - a) * 0.7),
                                 triangle(a, b, 0.5 * (a + b))};
   for (RayTriangle& t : flat)
-    for (glm::dvec3& n : t.normals) n = glm::dvec3(kNan);  // what normalising their zero normal gives
+    for (glm::dvec3& n : t.normals) n = glm::dvec3(kNan);  // normalising a zero normal gives NaN
   for (int k = 0; k <= 100; ++k) EXPECT_FALSE(cast(flat, glm::dvec3(0), glm::mix(a, b, k / 100.0))) << k;
   flat.push_back(triangle({-5, 2, -5}, {5, 2, -5}, {0, 2, 5}));
   const auto hit = cast(flat, glm::dvec3(0), glm::mix(a, b, 0.5));
@@ -122,7 +122,7 @@ TEST(ray_cast, N36_triangles_without_area_block_nothing_and_give_no_NaN) {
 }
 
 TEST(ray_cast, N36_directions_are_a_fixed_cosine_weighted_sequence) {
-  // A wall that fills the half x > 0 of the hemisphere, then the far part of it: shares known in closed form.
+  // A wall fills the half x > 0 of the hemisphere, so the share is known in closed form.
   const glm::dvec3 up(0, 0, 1);
   const std::vector<RayTriangle> wall{triangle({0.001, -1e6, -1e6}, {0.001, 0, 1e9}, {0.001, 1e6, -1e6})};
   const double share = open_share(wall, glm::dvec3(0), up, 1e300, 4096);

@@ -10,8 +10,8 @@
 
 namespace sinew::reference {
 
-/// Sampling and blending from the equations only, in long double with linear scans. Tracks, clips and the blend job are
-/// held to it. It shares no code with the runtime.
+/// Sampling and blending straight from the equations, in long double, with linear scans. Tests hold tracks, clips and
+/// the blend job to it. It shares no code with the runtime.
 
 using Real = long double;
 using Numbers = std::vector<Real>;  ///< components of one value
@@ -64,7 +64,7 @@ inline Numbers product(const Numbers& a, const Numbers& b) {
           a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
 }
 
-/// eq   log(conj(from) to) of unit quaternions: half the turn from one to the other about its axis
+/// eq   log(conj(from) to) of unit quaternions: the axis times half the angle of the rotation between them
 inline Numbers log_between(const Numbers& from, const Numbers& to) {
   const Numbers q = product({-from[0], -from[1], -from[2], from[3]}, to), v{q[0], q[1], q[2]};
   const Real sine = std::sqrt(inner_product(v, v));
@@ -79,9 +79,10 @@ inline Numbers turned(const Numbers& q, const Numbers& v) {
 
 /// Squad from key k to key k + 1 of a rotation track.
 /// eq   slerp(slerp(q0, q1, s), slerp(a0, a1, s), 2 s (1 - s)), arcs as given   (Shoemake 1987; Real-Time Rendering,
-///      eq. 4.55). With l- and l+ the logarithms from a key to its neighbours, h- and h+ seconds away, the parabola
-///      through the three has the slope v = (l+ h- / h+ - l- h+ / h-) / (h- + h+) at the key, and squad has it on both
-///      sides for a0 = q0 exp((v h+ - l+) / 2), a1 = q1 exp((-l- - v h-) / 2); a key without a neighbour is its own a
+///      eq. 4.55). l- and l+ are the logarithms from a key to its neighbours, h- and h+ seconds away. The parabola
+///      through the three keys has the slope v = (l+ h- / h+ - l- h+ / h-) / (h- + h+) at the middle one. Squad has
+///      that slope on both sides with a0 = q0 exp((v h+ - l+) / 2), a1 = q1 exp((-l- - v h-) / 2). At an end key, a =
+///      q.
 inline Numbers squad(const QuatTrack& track, std::size_t k, Real s) {
   const auto seconds = [&](std::size_t i) { return Real(track.times_s[i + 1]) - Real(track.times_s[i]); };
   const auto near = [&](const Numbers& to, std::size_t i) {
@@ -131,7 +132,7 @@ Numbers sample(const Track<V>& track, double time_s) {
   return rotation ? slerp_short(v0, value(k + 1), s) : mix(v0, 1 - s, value(k + 1), s);
 }
 
-/// All weights of a track at `time_s`; squad is not for weights.
+/// All weights of a track at `time_s`. Weight tracks never use squad.
 inline Numbers sample(const WeightTrack& track, double time_s) {
   const std::size_t k = key_before(track.times_s, time_s), n = track.target_count;
   const bool is_cubic = track.interpolation == Interpolation::cubic_spline;

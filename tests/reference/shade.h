@@ -9,9 +9,9 @@ struct ShadedPoint {
   glm::dvec3 base_color{1.0};
   double metallic = 0.0, roughness = 1.0;
   glm::dvec3 normal{0.0, 1.0, 0.0}, to_viewer{0.0, 1.0, 0.0};
-  glm::dvec3 dielectric_f0{0.04};  ///< what the dielectric reflects along its normal
-  double dielectric_f90 = 1.0;     ///< and at grazing angles
-  double transmission = 0.0;       ///< share of what enters the dielectric that passes through
+  glm::dvec3 dielectric_f0{0.04};  ///< reflectance of the dielectric along its normal
+  double dielectric_f90 = 1.0;     ///< its reflectance at grazing angles
+  double transmission = 0.0;       ///< share of the light that enters the dielectric and passes through
 };
 
 /// A clear layer over a surface (KHR_materials_clearcoat).
@@ -20,11 +20,11 @@ struct Coat {
   glm::dvec3 normal{0.0, 1.0, 0.0};
 };
 
-/// Share of the light that the layer reflects, and what is below does not get.
+/// Share of the light that the layer reflects; the surface below does not get it.
 /// eq   KHR_materials_clearcoat: weight * (0.04 + 0.96 * (1 - |n.v|)^5)
 double coat_share(const Coat& coat, const glm::dvec3& to_viewer);
 
-/// D V n.l of GGX with height-correlated Smith visibility; 0 where the light is behind.
+/// D V n.l of GGX with height-correlated Smith visibility; 0 if the light is behind the surface.
 double ggx(const glm::dvec3& normal, const glm::dvec3& to_viewer, const glm::dvec3& to_light, double roughness);
 
 /// Radiance towards the viewer from light of one direction.

@@ -27,7 +27,7 @@ double lambda(double cosine, double alpha) {
 double greatest(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
 
 double known_albedo(double n_v, double roughness) {
-  static std::map<std::pair<double, double>, double> known;  // at each light and pixel again
+  static std::map<std::pair<double, double>, double> known;  // cached: every light and every pixel asks again
   const auto [at, is_new] = known.try_emplace({n_v, roughness}, 0.0);
   if (is_new) at->second = sheen_albedo(n_v, roughness);
   return at->second;

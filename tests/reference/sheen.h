@@ -10,7 +10,8 @@ struct SheenLayer {
   double roughness = 0.0;
 };
 
-/// eq   D V of Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), with their fit of Lambda and
+/// Fibre distribution D times visibility V.
+/// eq   Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), with their fit of Lambda and
 ///      alpha = roughness^2
 double sheen_lobe(double n_v, double n_l, double n_h, double roughness);
 
@@ -18,9 +19,9 @@ double sheen_lobe(double n_v, double n_l, double n_h, double roughness);
 /// midpoint rule.
 double sheen_albedo(double n_v, double roughness);
 
-/// What the layer adds of one light, and what it leaves to the surface below.
-/// eq   KHR_materials_sheen: color D V n.l, divided by E(n.v) where that is above 1; 1 - max(color) min(1, max(E(n.v),
-///      E(n.l)))
+/// Light that the layer adds, and the share it leaves to the surface below.
+/// eq   KHR_materials_sheen: added = color D V n.l, divided by E(n.v) where that is above 1;
+///      left = 1 - max(color) min(1, max(E(n.v), E(n.l))), with E = sheen_albedo()
 struct SheenShare {
   glm::dvec3 added{0.0};
   double left = 1.0;
@@ -28,7 +29,7 @@ struct SheenShare {
 SheenShare sheen_of_light(const SheenLayer& sheen, const glm::dvec3& normal, const glm::dvec3& to_viewer,
                           const glm::dvec3& to_light);
 
-/// The same of ambient light: color E(n.v) of the light of the half sphere, E at most 1.
+/// Same for ambient light: color E(n.v) of the light of the half sphere, with E limited to 1.
 SheenShare sheen_of_ambient(const SheenLayer& sheen, const glm::dvec3& normal, const glm::dvec3& to_viewer);
 
 }  // namespace sinew::reference

@@ -7,8 +7,9 @@
 
 namespace sinew::reference {
 
-/// Plain skinning of one vertex, from the equations only. With T = double it is the truth that the jobs are held to;
-/// with T = float it shows what careful single precision reaches. Weights may have any positive sum: it divides by it.
+/// Skinning of one vertex straight from the equations. With T = double it is the truth that tests hold the jobs to. T =
+/// float shows how close careful single precision can get. Weights may have any positive sum: the functions divide by
+/// it.
 
 template <class T>
 T weight_sum(std::span<const T> weights) {
@@ -34,7 +35,7 @@ Vec3<T> skin_linear(std::span<const AffineT<T>> matrices, std::span<const T> wei
   return transform_point(blend_matrices(matrices, weights), p);
 }
 
-/// The influence whose sign the others are aligned with: the largest weight, the lowest index on ties (N17, N18).
+/// The influence whose sign the others are aligned with: the largest weight, the lowest index on ties.
 template <class T>
 std::size_t pivot_of(std::span<const T> weights) {
   std::size_t pivot = 0;
@@ -43,16 +44,16 @@ std::size_t pivot_of(std::span<const T> weights) {
   return pivot;
 }
 
-/// A rigid motion blended from several; `length` is that of the real part before it was normalised (weights of sum 1).
+/// A rigid motion blended from several. `length`: of its real part before normalising, for weights of sum 1.
 template <class T>
 struct BlendT {
   DualQuatT<T> motion;
   T length = T(1);
 };
 
+/// Weighted mean of rigid motions. Where the real part cancels (squared length below 1e-12), the result follows the
+/// pivot. Positive weights never cancel.
 /// eq   d = sum(w sign(r_i . r_pivot) d_i), divided by the length of its real part; sign(0) = +1   (Kavan et al. 2008)
-/// A blend whose real part cancels (squared length below 1e-12: only with weights that are not positive) follows the
-/// pivot.
 template <class T>
 BlendT<T> blend_motions(std::span<const DualQuatT<T>> motions, std::span<const T> weights) {
   const DualQuatT<T>& pivot = motions[pivot_of(weights)];
@@ -68,7 +69,7 @@ BlendT<T> blend_motions(std::span<const DualQuatT<T>> motions, std::span<const T
   return {{sum.real / length, sum.dual / length}, length / total};
 }
 
-/// eq   S = sum(w S_i) / sum(w): phase one of dual-quaternion skinning, stretch in bind space (N19)
+/// eq   S = sum(w S_i) / sum(w): phase one of dual-quaternion skinning, stretch in bind space
 template <class T>
 Mat3<T> blend_stretches(std::span<const Mat3<T>> stretches, std::span<const T> weights) {
   Mat3<T> sum(T(0));
@@ -83,7 +84,7 @@ struct SkinnedT {
 };
 
 /// eq   p1 = S p;  p' = d p1 d*;  n' = rotate(d, normalise(sign(det S) cof(S) n))   with the blended S and d
-/// in   stretches  empty = none of the motions has one
+/// in   stretches  empty = no joint stretches
 template <class T>
 SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::span<const Mat3<T>> stretches,
                                  std::span<const T> weights, const Vec3<T>& p, const Vec3<T>& n) {
@@ -95,8 +96,8 @@ SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::spa
 }
 
 /// eq   p' = R S (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of
-///      rotation (Le and Hodgins 2016, algorithm 1); S the blended stretch, with which one joint alone is its matrix
-/// in   stretches  empty = none of the motions has one
+///      rotation (Le and Hodgins 2016, algorithm 1); S the blended stretch, so that one joint alone gives its matrix
+/// in   stretches  empty = no joint stretches
 template <class T>
 SkinnedT<T> skin_center_of_rotation(std::span<const DualQuatT<T>> motions, std::span<const AffineT<T>> matrices,
                                     std::span<const T> weights, const Vec3<T>& p, const Vec3<T>& n,

@@ -68,7 +68,7 @@ TEST(reference_skinning, N18_pivot_is_the_heaviest_and_the_first_of_equals) {
 }
 
 TEST(reference_skinning, N17_aligned_blend_never_cancels_and_without_weight_it_follows_its_pivot) {
-  // Every aligned motion has sum . pivot >= w_pivot > 0, so positive weights leave at least the pivot's share of
+  // Every aligned motion has sum . pivot >= w_pivot > 0, so positive weights keep at least the pivot's share of the
   // length.
   test::FixedRandom random(3);
   std::vector<DualQuatd> motions(4);
@@ -118,7 +118,7 @@ TEST(reference_skinning, half_turns_both_ways_are_accepted_at_180_degrees) {
   EXPECT_NEAR(std::abs(p.position.z), 1, 1e-15);
 }
 
-/// Steps of a sweep through 720 degrees after which a vertex between the two bones jumped, in degrees of the joint.
+/// Angles of a sweep through 720 degrees, in degrees, at which a vertex between the two bones jumped.
 template <class Skin>
 std::vector<double> jumps_of(Skin skin) {
   constexpr double kStep = kPi / 360;  // half a degree: a vertex 1 m from the axis may move 9 mm
@@ -142,7 +142,7 @@ TEST(reference_skinning, N17_skin_moves_continuously_through_720_degrees_but_for
     const auto about_center = jumps_of([&](const Twist& t) {
       return skin_center_of_rotation<double>(t.rigid(), t.affine(), weights, p, n, center).position;
     });
-    // The documented exception: past a half turn between the bones the other way round is the shorter one.
+    // The documented exception: past a half turn between the bones, the shorter way round is the other one.
     ASSERT_EQ(dual.size(), 2u);
     EXPECT_NEAR(dual[0], 180, 0.5);
     EXPECT_NEAR(dual[1], 540, 0.5);

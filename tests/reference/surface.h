@@ -9,7 +9,7 @@ namespace sinew::reference {
 
 using Point = glm::dvec3;
 
-/// Vertices that have the position and the normal of a vertex at rest.
+/// Vertices that share the rest position and rest normal of this vertex.
 inline std::vector<std::size_t> joined_with(const Primitive& rest, std::size_t vertex) {
   std::vector<std::size_t> joined;
   for (std::size_t v = 0; v < rest.positions.size(); ++v)
@@ -30,7 +30,8 @@ inline Point vector_area(const Primitive& rest, std::span<const Point> moved, st
   return sum;
 }
 
-/// Smooth normal of each vertex of a surface that has moved; that of rest where the area is 0.
+/// Smooth normal of each vertex of a moved surface. A vertex without area keeps its normal at rest. `turned` reverses
+/// them.
 inline std::vector<Point> surface_normals(const Primitive& rest, std::span<const Point> moved, bool turned) {
   std::vector<Point> normals;
   for (std::size_t v = 0; v < moved.size(); ++v) {
@@ -41,8 +42,8 @@ inline std::vector<Point> surface_normals(const Primitive& rest, std::span<const
   return normals;
 }
 
-/// The tangent at rest after its triangle has moved: t = x (b - a) + y (c - a) nearest to it in the plane of the
-/// triangle at rest, by the normal equations, and the same x and y along the edges that moved.
+/// The rest tangent after its triangle has moved. In the plane of the rest triangle, x (b - a) + y (c - a) is nearest
+/// to the tangent; x and y come from the normal equations. The result applies x and y to the moved edges.
 inline Point moved_tangent(const Point& tangent, const Point& ab, const Point& ac, const Point& moved_ab,
                            const Point& moved_ac) {
   const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac), determinant = bb * cc - bc * bc;

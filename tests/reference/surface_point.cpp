@@ -23,7 +23,7 @@ struct Triangle {
   std::array<glm::dvec3, 3> corner;
 };
 
-/// The sum of a vertex attribute over the corners of the triangle.
+/// Weighted sum of a vertex attribute over the corners of the triangle.
 template <class Values, class Convert>
 auto mixed(const Triangle& triangle, const glm::dvec3& share, const Values& values, const Convert& convert) {
   return convert(values[triangle.vertex[0]]) * share[0] + convert(values[triangle.vertex[1]]) * share[1] +
@@ -42,7 +42,7 @@ glm::dvec3 normal_at(const Triangle& triangle, const glm::dvec3& share) {
       mixed(triangle, share, triangle.deformed.normals.empty() ? own : triangle.deformed.normals, turned));
 }
 
-/// From the tangents of the mesh.
+/// Tangent frame from the mesh's stored tangents.
 TangentFrame stored_frame(const Triangle& triangle, const glm::dvec3& share, const glm::dvec3& normal) {
   const auto moved = [&](const glm::vec4& t) {
     return glm::dvec4(transform_vector(triangle.world_from_mesh, glm::dvec3(t)), t.w);
@@ -52,8 +52,8 @@ TangentFrame stored_frame(const Triangle& triangle, const glm::dvec3& share, con
   return {tangent, t.w * glm::cross(normal, tangent) * (triangle.mirrored ? -1.0 : 1.0)};
 }
 
-/// From positions and a set of texture coordinates: as from a stored tangent along dP/du, with the w that
-/// puts the bitangent on the side where v falls.
+/// Tangent frame from positions and texture coordinates. The tangent runs along dP/du; w puts the bitangent on the side
+/// where v falls.
 /// eq   [edge 1, edge 2] = [dP/du, dP/dv] * [duv 1, duv 2]
 TangentFrame derived_frame(const Triangle& triangle, std::size_t set, const glm::dvec3& normal) {
   if (triangle.primitive.texcoords.size() <= set) return {};
@@ -67,7 +67,7 @@ TangentFrame derived_frame(const Triangle& triangle, std::size_t set, const glm:
   return {tangent, glm::dot(aside, along_v) < 0.0 ? aside : -aside};
 }
 
-/// Shares of the corners and t where the line meets the plane of the triangle.
+/// Where the line meets the plane of a triangle: weights of the corners, and t along the line.
 struct Meeting {
   glm::dvec3 share;
   double t;

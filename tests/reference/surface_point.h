@@ -14,7 +14,7 @@ struct SightLine {
   glm::dvec3 from{0.0}, direction{0.0, 0.0, -1.0};
 };
 
-/// The axes of a normal map on a surface, beside its normal.
+/// Tangent and bitangent of a surface: the axes of its normal map.
 struct TangentFrame {
   glm::dvec3 tangent{0.0}, bitangent{0.0};
 };
@@ -23,19 +23,19 @@ struct TangentFrame {
 struct SurfacePoint {
   Material material;
   double distance_m = 0.0;  ///< from the eye plane
-  bool front = true;        ///< its counter-clockwise side is seen
+  bool front = true;        ///< the viewer sees the counter-clockwise side
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0.0};  ///< unit, towards the outside; zero if the primitive has none
   std::array<glm::dvec2, 2> uv{};
-  std::array<TangentFrame, 2> frames{};  ///< of each set of texture coordinates; with tangents they are the same
-  glm::dvec4 color{1.0};                 ///< of the vertices
+  std::array<TangentFrame, 2> frames{};  ///< one per set of texture coordinates; stored tangents serve all sets
+  glm::dvec4 color{1.0};                 ///< vertex colour
   glm::dvec3 to_viewer{0.0};
 };
 
-/// All triangles of the scene that the line meets, the nearest first; back sides of one-sided materials are not drawn.
-/// Every triangle is tried. Copies, points and lines are not known here.
-/// eq   n' = inverse transpose of M * n, t' = M * t, bitangent = w * cross(n', t'), the other way where M mirrors
-///      (runtime/math/conventions.h). Without tangents: along u, and w so that v falls.
+/// All triangles of the scene that the line meets, the nearest first. Every triangle is tried. Back sides of one-sided
+/// materials are left out. Instance copies, points and lines are not supported.
+/// eq   n' = inverse transpose of M * n, t' = M * t, bitangent = w * cross(n', t'), reversed where M mirrors
+///      (runtime/math/conventions.h). Without stored tangents: t along u, and w so that v falls along the bitangent.
 std::vector<SurfacePoint> surfaces_along(const Scene& scene, const FrameResult& frame, const SightLine& line);
 
 }  // namespace sinew::reference

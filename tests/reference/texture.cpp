@@ -12,7 +12,7 @@
 namespace sinew::reference {
 namespace {
 
-/// Index of the texel that shows index i of the endless row.
+/// Index of the texel that an index outside the image repeats, mirrors or clamps to.
 long wrapped(Wrap wrap, long i, long size) {
   const auto modulo = [](long a, long b) { return (a % b + b) % b; };
   if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0L, size - 1);
@@ -59,10 +59,10 @@ glm::dvec4 texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv
 
 namespace {
 
-/// In which one texel is left along a side of so many.
+/// The last mip level of a side of `size` texels: one texel is left of it.
 double last_level(std::uint32_t size) { return std::floor(std::log2(static_cast<double>(size))); }
 
-/// Mean of the texels of the image that one texel of a level stands for.
+/// Mean of the texels of the image that one texel of a level covers.
 glm::dvec4 level_texel(const Image& image, const glm::ivec2& level, long x, long y, bool srgb) {
   const long columns = 1L << level.x, rows = 1L << level.y;
   glm::dvec4 sum(0.0);

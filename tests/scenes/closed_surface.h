@@ -7,7 +7,7 @@
 
 namespace sinew::test {
 
-/// Edges of triangles, each in its direction, and how many triangles have it.
+/// The directed edges of all triangles, with the number of triangles that have each.
 inline std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const Primitive& primitive) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
@@ -15,7 +15,7 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(con
   return edges;
 }
 
-/// Edges without as many triangles on their other side; none where the surface is closed.
+/// Counts the directed edges whose opposite edge does not occur as often. A closed surface has none.
 inline std::size_t open_edges(const Primitive& primitive) {
   const auto edges = directed_edges(primitive);
   std::size_t open = 0;
@@ -26,7 +26,7 @@ inline std::size_t open_edges(const Primitive& primitive) {
   return open;
 }
 
-/// eq   vertices - edges + triangles: 2 for a sphere, 0 for a torus, and the sum of both for two surfaces
+/// eq   vertices - edges + triangles: 2 for a sphere, 0 for a torus; for two surfaces the sum
 inline long euler_number(const Primitive& primitive) {
   return static_cast<long>(primitive.positions.size()) - static_cast<long>(directed_edges(primitive).size() / 2) +
          static_cast<long>(primitive.indices.size() / 3);

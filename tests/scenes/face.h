@@ -5,8 +5,8 @@
 
 namespace sinew::scenes {
 
-/// A head-sized sphere of `vertex_count` vertices with `target_count` expressions. Each expression moves one vertex in
-/// `sparsity`, in one connected patch, positions and normals.
+/// A head-sized sphere of `vertex_count` vertices with `target_count` expressions. Each expression moves the positions
+/// and normals of one connected patch: one vertex in `sparsity`.
 inline Primitive face(std::uint32_t vertex_count, std::uint32_t target_count, std::uint32_t sparsity = 4) {
   test::FixedRandom random(target_count);
   Primitive p;

@@ -29,7 +29,7 @@ inline void keep_samples(PoseSamples& samples, std::size_t count) {
   samples.values.resize(count * samples.weights.size());
 }
 
-/// Poses of `drivers` joints, at random but well apart: every one is a fresh rotation of each driver within 120
+/// Random poses of `drivers` joints that lie well apart: each pose gives every driver a new rotation within 120
 /// degrees.
 inline PoseSamples random_samples(FixedRandom& random, std::uint32_t drivers, std::size_t count,
                                   std::uint32_t weights) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostLayers = 5;
 
-/// Among them both zeros, times before and behind the clips, and the same instant again and again.
+/// Includes both zeros, times before and after the clips, and repeated instants.
 double some_time(FixedRandom& random) {
   constexpr double kTimes[] = {0.0, -0.0, 0.25, 0.5, 0.5, 0.75, 1.0, 1.9, 2.0, 3.0, -1.0};
   return kTimes[random.below(std::size(kTimes))];
@@ -32,7 +32,7 @@ WeightTrack random_numbers(FixedRandom& random, Interpolation interpolation, std
   return track;
 }
 
-/// A material that changes its colour, and a joint that is shown for a while only.
+/// A material whose colour and roughness change, and a joint that is visible only part of the time.
 void animate_properties(Scene& scene, FixedRandom& random) {
   scene.materials.resize(1);
   for (Animation& animation : scene.animations)
@@ -46,7 +46,7 @@ void animate_properties(Scene& scene, FixedRandom& random) {
 
 constexpr double kPage_s = 0.4;
 
-/// Pages of all clips; none for plans whose clips have fewer joints than the scene's.
+/// All clips cut into pages; empty if the clips have fewer joints than the scene (skeleton LOD).
 std::vector<std::vector<Clip>> cut_pages(const Plan& plan) {
   std::vector<std::vector<Clip>> pages;
   if (!plan.needs().skeleton_lod.kept.empty()) return pages;
@@ -116,7 +116,7 @@ void RandomInputs::change_layers(Layers& layers, FixedRandom& random) {
   }
 }
 
-/// As a character that is evaluated now and then moves: on to the next update, to another one, or between the two.
+/// Moves as a character that is not evaluated each frame: to the next update, to a new next update, or between both.
 void RandomInputs::move_between_updates(FixedRandom& random) {
   constexpr float kFactors[] = {0.0f, 0.25f, 0.5f, 1.0f};
   switch (random.below(5)) {
@@ -155,7 +155,7 @@ void RandomInputs::change_view(FixedRandom& random) {
   flag = flag == 0 ? 1 : 0;
 }
 
-/// The first and the last source are of the same content: one may take the place of the other.
+/// The first and the last source have the same content, so swapping them must change nothing.
 void RandomInputs::change_geometry(FixedRandom& random) {
   constexpr float kWeights[] = {0.0f, 0.25f, 0.5f, 1.0f, 1.0f, 1.0f};
   if (playing_.empty()) return;
@@ -201,7 +201,7 @@ void RandomInputs::change_one_part(FixedRandom& random) {
   }
 }
 
-/// A plan without blending plays one clip in full; others blend as many as they have memory for.
+/// A plan without blending plays one clip in full; other plans blend up to max_layers.
 void RandomInputs::make_valid(Layers& layers) const {
   const Needs& needs = plan_.needs();
   std::uint32_t active = 0;

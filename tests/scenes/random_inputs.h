@@ -12,25 +12,25 @@
 
 namespace sinew::test {
 
-/// The input of a character that an engine drives: each step changes few parts of it, so that frames in a row share
-/// layers, weights, the root or all of it, in every combination. Always valid for its plan.
+/// The changing input of a character, as an engine would drive it. Each step changes few parts, so that successive
+/// frames share layers, weights, the root or everything, in any combination. Always valid for its plan.
 class RandomInputs {
  public:
-  /// in   plan  of a scene with two clips or more
+  /// in   plan  of a scene with at least two clips
   explicit RandomInputs(const Plan& plan);
 
-  /// Changes none to three parts. The same seeds give the same inputs on every machine.
+  /// Changes up to three parts. The same seeds give the same inputs on every machine.
   void step(std::uint32_t seed);
 
   /// Views of this object, valid until the next step.
   FrameInput view() const;
 
-  /// The same with every layer from its whole clip instead of a page of it.
+  /// A copy in which every layer samples its whole clip instead of a page of it.
   RandomInputs without_pages() const;
 
-  /// Whether frames cannot tell the inputs apart: numbers by their bits, a character asleep is asleep, layers that
-  /// are not reached do not count, an empty list of what is out of view says that all is in view, and what is out of
-  /// view plays nothing.
+  /// True if frames must come out equal for both inputs. Numbers are compared by their bits. Two sleeping characters
+  /// are equal. With an interpolation factor of 0 the next layers do not count.
+  /// An empty out-of-view list equals one in which everything is in view. Instances out of view play no geometry.
   friend bool means_the_same(const RandomInputs& a, const RandomInputs& b);
 
  private:
@@ -49,7 +49,7 @@ class RandomInputs {
   void make_valid(Layers& layers) const;
   ClipLayer some_layer(FixedRandom& random) const;
 
-  /// What a mesh instance plays: a source, none or one that weighs nothing.
+  /// The geometry that a mesh instance plays: a source, no source, or a source of weight zero.
   struct Playing {
     std::uint32_t source = kNone;
     float weight = 1.0f;
@@ -58,7 +58,7 @@ class RandomInputs {
   bool is_seen_playing(std::size_t slot) const;
 
   Plan plan_;
-  std::shared_ptr<const std::vector<std::vector<Clip>>> pages_;  ///< [clips][pages]; empty where pages may not play
+  std::shared_ptr<const std::vector<std::vector<Clip>>> pages_;  ///< [clips][pages]; empty without paging
   std::shared_ptr<Sources> sources_;                             ///< copies of the inputs share them, as characters do
   std::array<double, 3> source_times_{};
   std::vector<Playing> playing_;  ///< [cached instances]
@@ -71,15 +71,15 @@ class RandomInputs {
   bool asleep_ = false, paged_ = false;
 };
 
-/// A scene of every kind of data that frames evaluate: joints, some of which no clip moves, morph targets, materials
-/// and visibility that clips animate, correctives, flat normals. What it has of these depends on the seed.
+/// A scene with every kind of data that frames evaluate: morph targets, correctives, flat normals, animated materials
+/// and visibility, and joints that no clip moves. The seed decides which of these it has.
 Scene busy_scene(std::uint64_t seed);
 
-/// A mirror of a scene that is not symmetric: neighbours under one parent are partners, and so are the first and the
-/// last morph target of each instance.
+/// A mirror map for an asymmetric scene. Siblings are partners, and so are the first and the last morph target of each
+/// instance.
 MirrorMap some_mirror(const Scene& scene);
 
-/// What a consumer may ask of a busy scene; depends on the seed.
+/// Random needs that a busy scene can satisfy; they depend on the seed.
 Needs busy_needs(std::uint64_t seed, const Scene& scene);
 
 }  // namespace sinew::test

@@ -28,7 +28,7 @@ class Maker {
   }
 
  private:
-  /// Parents never decrease: that is breadth-first order.
+  /// Parents never decrease from joint to joint: that is breadth-first order.
   void make_skeleton() {
     Skeleton& skeleton = scene_.skeleton;
     std::vector<std::uint32_t> depth;
@@ -121,7 +121,7 @@ class Maker {
     }
   }
 
-  /// Adds a vertex with the influences of the `index`-th one of the last group.
+  /// Adds a vertex with the same influences as vertex `index` of the last group.
   static void repeat_vertex(VertexInfluences& influences, std::uint32_t index) {
     const InfluenceGroup& group = influences.groups.back();
     for (std::uint32_t i = 0; i < group.influence_count; ++i) {
@@ -180,7 +180,7 @@ class Maker {
     return animation;
   }
 
-  /// Driven by joints that clips turn, with samples around their rest poses.
+  /// A corrective whose drivers are joints that clips turn, with samples around their rest poses.
   PoseCorrective make_corrective() {
     PoseSamples samples = random_samples(random_, 1 + random_.below(3), 6, 2);
     for (PoseDriver& driver : samples.drivers) driver.joint = random_.below(options_.joints);
@@ -203,7 +203,8 @@ class Maker {
     return times;
   }
 
-  /// Step, linear or cubic in turn. Cubic keys have no in-tangent, and a tenth of their value as out-tangent.
+  /// Interpolation is step, linear and cubic in turn. Cubic keys have zero in-tangents, and out-tangents of a tenth of
+  /// their value.
   template <class T, class Value>
   T make_track(Value value) {
     T track;

@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// Contents of a random scene: one switch for each feature that a plan can call for or leave out.
+/// Contents of a random scene: one switch for each optional feature of a plan.
 struct RandomSceneOptions {
   std::uint32_t joints = 14;
   std::uint32_t clips = 2;
@@ -16,19 +16,20 @@ struct RandomSceneOptions {
   std::uint32_t instances = 4;   ///< every other one is skinned, if there are skins
   std::uint32_t triangles = 40;  ///< of each primitive
   std::uint32_t most_influences = 6;
-  std::uint32_t combinations = 0;  ///< of joints and weights that vertices share; 0 = each vertex has its own
+  std::uint32_t combinations = 0;  ///< sets of joints and weights to share; 0 = none are shared
   bool normals = true, tangents = true, colors = true;
-  bool flat_normals = false;  ///< every second primitive
-  bool centers = false;       ///< of rotation, for skinned meshes
+  bool flat_normals = false;  ///< on every second primitive
+  bool centers = false;       ///< centers of rotation for skinned meshes
   bool mirrored_joints = false;
   std::uint32_t correctives = 0;  ///< needs targets
 };
 
-/// A valid, finished scene with every kind of track, from random numbers that are the same on every machine.
-/// Its rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
+/// A valid, finished scene with every kind of track. The same seed gives the same scene on every machine. Rotations
+/// stay within 60 degrees of the rest pose, so that a blend has only one shortest way.
 Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
-/// Leaves tracks on every third joint. The first clip holds some of the others elsewhere than at rest.
+/// Removes the tracks of two joints in three. In the first clip some of these joints are held away from their rest
+/// pose.
 void move_few_joints(Scene& scene);
 
 }  // namespace sinew::test

@@ -8,7 +8,7 @@
 /// Skeletons of typical shapes, built in code for tests and benchmarks alike.
 namespace sinew::scenes {
 
-/// A breadth-first skeleton from parents in any order in which parents come before children.
+/// A breadth-first skeleton. In `parents` each parent must come before its children.
 inline Skeleton breadth_first(const std::vector<std::uint32_t>& parents, const std::vector<glm::vec3>& offsets) {
   const auto count = static_cast<std::uint32_t>(parents.size());
   std::vector<std::uint32_t> depth(count, 0), order(count), place(count);
@@ -50,8 +50,8 @@ inline Skeleton wide_tree(std::uint32_t joint_count, std::uint32_t fan = 4) {
   return breadth_first(parents, offsets);
 }
 
-/// A biped of 67 joints: spine and head of 8, two legs of 5, two arms of 4 with hands of 5 fingers, 4 joints each, and
-/// a jaw.
+/// A biped of 67 joints: spine and head have 8, each leg 5, each arm 4, each hand 5 fingers of 4 joints, and there is a
+/// jaw.
 inline Skeleton biped() {
   std::vector<std::uint32_t> parents;
   std::vector<glm::vec3> offsets;

@@ -8,7 +8,7 @@
 
 namespace sinew::scenes {
 
-/// Rest matrices of all joints, computed in double.
+/// Model-space matrices of all joints at rest, computed in double.
 inline std::vector<Affine> rest_matrices(const Skeleton& skeleton) {
   std::vector<Affined> model(skeleton.joint_count());
   std::vector<Affine> out;
@@ -33,7 +33,7 @@ inline Skin skin_of_all_joints(const Skeleton& skeleton) {
   return skin;
 }
 
-/// The order of vertices: those of the same joints in a row, as the importer has them, or in turns.
+/// Order of the vertices: grouped by their joints, as the importer writes them, or alternating between joints.
 enum class VertexOrder : unsigned char { by_joints, in_turns };
 
 /// `vertex_count` vertices around the joints, each moved by `influence_count` neighbouring joints.

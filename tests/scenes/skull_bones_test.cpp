@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skull of the showcase: its bones and its teeth.
+// Tests of the showcase's skull: its bones and its teeth.
 #include "samples/showcase/skull_bones.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace showcase;
 
-/// Where light from the front, parallel to -Z, meets the cranium.
+/// z at which a ray parallel to -Z at (x, y) meets the front of the cranium.
 float front_at(float x, float y) {
   float z = 12.0f;
   while (z > -12.0f && cranium({x, y, z}) > 0.0f) z -= 0.02f;

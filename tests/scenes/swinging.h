@@ -6,8 +6,8 @@
 
 namespace sinew::scenes {
 
-/// A clip in which every joint swings about its own axis with its own phase, the roots also travel: all rotations and
-/// the roots' translations share `key_count` evenly spaced key times, as exporters write them.
+/// A clip in which every joint swings about its own axis with its own phase; the roots also travel. All tracks share
+/// `key_count` evenly spaced key times, as exporters write them.
 inline Animation swinging(const Skeleton& skeleton, std::size_t key_count, double keys_per_s = 30.0) {
   Animation animation;
   animation.name = "swinging";

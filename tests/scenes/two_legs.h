@@ -10,14 +10,14 @@
 #include "tests/scenes/skeletons.h"
 #include "tests/support/fixed_random.h"
 
-// Hips with two legs, of several builds, and how they move.
+// Bodies of hips and two legs in several proportions, and their motions.
 
 namespace sinew::scenes {
 
 using Vec3d = Vec3<double>;
 using Quatd = Quat<double>;
 
-/// Lengths of a body: of both bones of the legs, of the feet from ankle to toes, and how high ankles are.
+/// Lengths of a body in metres: both leg bones, the foot from ankle to toes, and the height of the ankles.
 struct Build {
   double thigh = 0.5, shank = 0.45, foot = 0.15, ankle = 0.1, width = 0.1, knee_back = 0.0;
 };
@@ -25,7 +25,7 @@ inline constexpr Build kSmall{0.3, 0.4, 0.1, 0.08, 0.07};
 
 enum Joint : std::uint32_t { hips, left_thigh, right_thigh, left_shank, right_shank, left_foot, right_foot, left_toes };
 
-/// Hips and two legs that stand straight, with joints of any axes.
+/// Hips and two straight legs. The joints' axes are random.
 inline Skeleton body(const Build& build, std::uint64_t seed) {
   test::FixedRandom random(seed);
   const double knee = build.ankle + build.shank, hip = knee + build.thigh;
@@ -55,7 +55,8 @@ inline Skeleton body(const Build& build, std::uint64_t seed) {
   return skeleton;
 }
 
-/// Rotation of a joint in model space that turns it by `turn` from its rest, as a local one below `above`, turned.
+/// Local rotation with which a joint is turned by `turn` from rest in model space, when its parent is turned by
+/// `above_turn`.
 inline Quatd local_of(const Skeleton& skeleton, std::uint32_t joint, const Quatd& above_turn, const Quatd& turn) {
   Quatd rest = quat_identity<double>(), above = rest;
   for (std::uint32_t j = joint; j != kNone; j = skeleton.parents[j]) {
@@ -67,12 +68,12 @@ inline Quatd local_of(const Skeleton& skeleton, std::uint32_t joint, const Quatd
 
 inline Quatd about_x(double angle_rad) { return quat_xyzw(std::sin(angle_rad / 2), 0.0, 0.0, std::cos(angle_rad / 2)); }
 
-/// Both legs by angles about x: how far the thigh goes forward, the knee bends, and the heel goes up.
+/// Angles of both legs about x: thigh forward, bend of the knee, lift of the heel.
 struct LegAngles {
   double thigh = 0.0, knee = 0.0, heel = 0.0;
 };
 
-/// Adds one key to the hips, which go from their place at rest by `offset`, and to both legs.
+/// Adds one key: the hips at rest plus `offset`, and both legs at `angles`.
 inline void add_key(const Skeleton& skeleton, double time_s, const Vec3d& offset, const LegAngles& angles,
                     Animation& animation) {
   animation.bones.resize(7);
@@ -100,7 +101,7 @@ struct Bodies {
   FeetMap feet = make_feet_map(map, source, target);
 };
 
-/// A pose of the source with its left foot `up` higher than at rest, and the target's.
+/// A pose of the source whose left foot is `up` higher than at rest, and the retargeted pose of the target.
 struct LiftedFoot {
   std::vector<Transformd> pose, held;
 
@@ -114,7 +115,7 @@ struct LiftedFoot {
   }
 };
 
-/// The same body below a root that turns and scales by a hundredth, as exporters add one.
+/// The same body below an extra root that rotates and scales by 0.01, as some exporters add.
 inline Skeleton below_a_root(const Skeleton& skeleton) {
   constexpr float kScale = 0.01f;
   std::vector<std::uint32_t> parents = {kNone};

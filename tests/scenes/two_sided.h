@@ -7,14 +7,14 @@
 #include "tests/scenes/skeletons.h"
 #include "tests/support/fixed_random.h"
 
-/// A body with a left and a right side across the plane x = 0, whose joints have the axes that rigs give them.
+/// A body that is symmetric about the plane x = 0. Its right joints' axes relate to the left ones as in common rigs.
 namespace sinew::scenes {
 
 enum class RightSide : std::uint8_t {
-  mirrored_axes,   ///< axes are mirror images but for x, as in Blender
-  opposite_axes,   ///< axes are mirror images, all three negated, as in Unreal and Maya
-  any_axes,        ///< no relation; the places are mirror images
-  another_posture  ///< no relation, and bones of other lengths and directions
+  mirrored_axes,   ///< axes are mirror images except that x is reversed, as in Blender
+  opposite_axes,   ///< axes are mirror images with all three reversed, as in Unreal and Maya
+  any_axes,        ///< axes are unrelated; positions are mirror images
+  another_posture  ///< axes are unrelated, and bones have other lengths and directions
 };
 
 struct TwoSided {
@@ -22,8 +22,8 @@ struct TwoSided {
   std::vector<std::uint32_t> partner;
 };
 
-/// 14 joints: hips, spine, head, and on each side a leg, a foot, an arm, a forearm and a hand that lies in all of
-/// these; `tail` hangs on the left hand alone.
+/// 14 joints: hips, spine and head; on each side a leg, a foot, an arm, a forearm and a hand. `sword.l` is a child of
+/// the left hand and its own partner.
 inline TwoSided two_sided(RightSide right, std::uint64_t seed = 1) {
   test::FixedRandom random(seed);
   struct Bone {
@@ -46,7 +46,7 @@ inline TwoSided two_sided(RightSide right, std::uint64_t seed = 1) {
   std::vector<Vec3<double>> places;
   for (std::uint32_t j = 0; j < bones.size(); ++j) {
     const std::uint32_t p = made.partner[j];
-    // A center joint turns about x only, so that its axes are their own mirror image but for x.
+    // A center joint turns about x only. Its axes are then their own mirror image, except that x is reversed.
     Quat<double> own =
         p == j && j != 13 ? quat_xyzw(std::sin(0.1 * j), 0.0, 0.0, std::cos(0.1 * j)) : random.rotation<double>();
     if (p < j && right == RightSide::mirrored_axes) own = quat_xyzw(axes[p].x, -axes[p].y, -axes[p].z, axes[p].w);
@@ -66,7 +66,7 @@ inline TwoSided two_sided(RightSide right, std::uint64_t seed = 1) {
   return made;
 }
 
-/// Local transforms some way from the rest pose.
+/// Local transforms at a moderate random distance from the rest pose.
 inline std::vector<Transform> moved_from_rest(const Skeleton& skeleton, std::uint64_t seed) {
   test::FixedRandom random(seed);
   std::vector<Transform> local;
@@ -81,7 +81,7 @@ inline std::vector<Transform> moved_from_rest(const Skeleton& skeleton, std::uin
 inline constexpr RightSide kRightSides[] = {RightSide::mirrored_axes, RightSide::opposite_axes, RightSide::any_axes,
                                             RightSide::another_posture};
 
-/// Partners are mirror images of each other at rest, so that mirroring copies and negates.
+/// True if partners are mirror images of each other at rest. Mirroring then only copies and negates numbers.
 inline constexpr bool is_symmetric(RightSide right) {
   return right == RightSide::mirrored_axes || right == RightSide::opposite_axes;
 }

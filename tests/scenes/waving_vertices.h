@@ -10,8 +10,8 @@
 
 namespace sinew::test {
 
-/// A source of vertices that needs no file: the mesh at rest, turned, stretched and waved by its time. Counts what it
-/// is asked for, and may be late: times after `there_until` show that one.
+/// A vertex source without a file: the rest mesh, rotated, stretched and waved as a function of time. It counts its
+/// calls. It can be late: times after `there_until` show the vertices of `there_until`.
 class WavingVertices {
  public:
   explicit WavingVertices(const Scene& scene, std::uint64_t content = 1) : scene_(scene), content_(content) {}
@@ -19,7 +19,7 @@ class WavingVertices {
   VertexSpace space = VertexSpace::scene;
   bool has_normals = false;
   double there_until = 1e9;
-  std::set<std::uint32_t> without;  ///< instances that it does not play
+  std::set<std::uint32_t> without;  ///< instances that this source does not play
   std::uint64_t shows = 0, writes = 0;
 
   VertexSource source() noexcept {
@@ -40,7 +40,7 @@ class WavingVertices {
     return out;
   }
 
-  /// Where a vertex is.
+  /// Position of a vertex at a time.
   glm::vec3 position(std::uint32_t instance, std::uint32_t primitive, std::size_t v, double time_s) const {
     const glm::vec3 x = of(instance, primitive).positions[v];
     const auto t = static_cast<float>(time_s);
@@ -68,7 +68,7 @@ class WavingVertices {
     ShownVertices shown;
     shown.is_late = time_s > there_until;
     const double before = time_s_;
-    time_s_ = (shown.is_late ? there_until : time_s) + 0.0;  // one zero
+    time_s_ = (shown.is_late ? there_until : time_s) + 0.0;  // + 0.0 turns -0.0 into +0.0
     shown.is_there = there_until > -1e9;
     shown.moment = static_cast<std::uint64_t>(std::llround(time_s_ * 1024.0));
     shown.bounds = bounds(instance, time_s_);

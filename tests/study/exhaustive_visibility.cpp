@@ -12,7 +12,7 @@ namespace sinew::viewer {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSlices = 16;      // two directions each
+constexpr int kSlices = 16;      // each has two directions
 constexpr double kLevel = 0.02;  // least sine above the tangent plane, as in gtao.frag
 
 struct Search {
@@ -42,7 +42,7 @@ double horizon(const Search& s, int x, int y, const glm::dvec2& step, int reach,
   return highest;
 }
 
-/// Light of a slice from the line of sight to the angle h on one side, where the normal is at the angle g.
+/// Light of a slice from the line of sight to the angle h on one side; g = the angle of the normal.
 /// eq   integral of cos(t - g) sin t over t from 0 to h
 double light_up_to(double h, double g) { return 0.25 * (std::cos(g) + 2.0 * h * std::sin(g) - std::cos(2.0 * h - g)); }
 

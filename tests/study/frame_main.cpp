@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew-frame-study measures what pictures take on this machine's Vulkan device: many draws without and with ambient
+// sinew-frame-study measures GPU times of pictures on this machine's Vulkan device: many draws without and with ambient
 // occlusion, and whole frames of built-in scenes and of files.
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +18,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// Negative without times.
+/// The least time; -1 if there are no times.
 double least(const std::vector<double>& milliseconds) {
   return milliseconds.empty() ? -1.0 : *std::min_element(milliseconds.begin(), milliseconds.end());
 }
@@ -34,7 +34,7 @@ void print(const FrameTrial& t) {
               static_cast<unsigned long long>(t.triangles), base, full, full / base);
 }
 
-/// The middle of the first clip of a file. False with a message where it cannot be read.
+/// Measures the middle of the first clip of a file. Returns false, with a message, if the file cannot be read.
 bool study_file(Device& device, const std::string& file, const FrameEffort& effort) {
   Options options;
   options.file = file;

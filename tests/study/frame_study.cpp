@@ -8,7 +8,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// A picture that is drawn in one way, repeatedly.
+/// Draws one picture with fixed options, repeatedly.
 class Drawing {
  public:
   Drawing(Device& device, const Scene& scene, const FrameResult& frame, const ClipExtent& bounds,
@@ -33,7 +33,7 @@ class Drawing {
   Headless headless_;
 };
 
-/// Both in turns, after one picture of each.
+/// Draws one picture of each to warm up, then both alternately.
 void take_turns(Drawing& one, PictureTimes& of_one, Drawing& other, PictureTimes& of_other, int repetitions) {
   PictureTimes first;
   one.draw(first);

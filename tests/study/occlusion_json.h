@@ -6,7 +6,7 @@
 
 namespace sinew::viewer {
 
-/// The study as `sinew cost` reads it: each number as it was measured, rows in the order of the study.
+/// The study in the format that `sinew cost` reads: unrounded numbers, rows in the order of the study.
 nlohmann::ordered_json json_of(const OcclusionStudy& study);
 
 }  // namespace sinew::viewer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew-occlusion-study measures the time of ambient occlusion on this machine's Vulkan device and its difference from
-// ray casting, and prints JSON. `sinew cost` runs it, so that the tool does not need Vulkan and the viewer not Embree.
+// ray casting, and prints JSON. `sinew cost` starts this program, so that the tool does not need Vulkan and the viewer
+// not Embree.
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -48,8 +49,7 @@ OcclusionStudy study_of(Device& device, const LoadedScene& loaded, std::uint32_t
 }
 
 /// Runs the study.
-/// out  the study as JSON, or {"left_out": why}; returns an exit code other than 0 when the command line or the file is
-///      at fault
+/// out  the study as JSON, or {"left_out": reason}; returns a nonzero exit code for a faulty command line or file
 int answer(const Options& options, bool quick, Json& out) {
   auto loaded_scenes = load_scenes(options, [](const std::string&) {}, {});
   if (!loaded_scenes) {

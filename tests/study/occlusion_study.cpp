@@ -79,7 +79,7 @@ double root_mean_square(const std::vector<double>& visibility, const std::vector
   return pixels > 0 ? std::sqrt(squares / static_cast<double>(pixels)) : 0.0;
 }
 
-/// Renders with one set of options, repeatedly.
+/// Draws with one set of options, repeatedly.
 class Drawing {
  public:
   Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial,
@@ -108,7 +108,7 @@ struct Difference {
   double root_mean() const { return pixels > 0 ? std::sqrt(squares / static_cast<double>(pixels)) : 0.0; }
 };
 
-/// Compares the pixels that show a surface both in the picture and to the rays; at outlines the two may differ.
+/// Compares the pixels that show a surface both in the picture and to the rays. At outlines the two may differ.
 template <class Visibility>
 Difference difference_of(const Picture& picture, const std::vector<double>& truth, const Visibility& visibility) {
   Difference d;
@@ -133,7 +133,7 @@ double difference_of(const MeshVisibility& a, const MeshVisibility& b) {
   return d.root_mean();
 }
 
-/// Bakes with several numbers of rays that reach as far as those of the pixels.
+/// Bakes with several numbers of rays. These rays have the same reach as those of the pixels.
 std::vector<VertexTrial> study_vertices(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
                                         const AmbientOcclusion& settings, const OcclusionEffort& effort,
                                         const std::vector<double>& truth) {

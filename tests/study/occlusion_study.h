@@ -16,7 +16,7 @@ namespace sinew::viewer {
 
 struct PassTime;
 
-/// One way to compute ambient occlusion, measured.
+/// Measurements of one way to compute ambient occlusion.
 struct OcclusionTrial {
   std::string name, note;
   OcclusionMethod method = OcclusionMethod::ssao;
@@ -27,25 +27,26 @@ struct OcclusionTrial {
   std::vector<double> milliseconds;  ///< GPU time of its passes, one for each repetition; empty without timestamps
 };
 
-/// Rays cast at vertices before any picture is drawn (OcclusionMethod::rays), measured.
+/// Measurements of rays cast at vertices, before any picture is drawn (OcclusionMethod::rays).
 struct VertexTrial {
-  std::uint32_t rays = 0;     ///< a vertex
+  std::uint32_t rays = 0;     ///< per vertex
   double vertex_error = 0.0;  ///< root mean square difference of ambient visibility from 4,096 rays, over the vertices
-  double error = 0.0;         ///< as OcclusionTrial::error: of the picture, in which triangles interpolate
-  double seconds = 0.0;       ///< to bake all vertices once
+  double error = 0.0;         ///< as OcclusionTrial::error: for the picture, in which triangles interpolate
+  double seconds = 0.0;       ///< time to bake all vertices once
 };
 
-/// Horizons with nothing overlooked (exhaustive_visibility()), measured: what remains is what a picture does not show.
+/// Measurements of a complete search for horizons (exhaustive_visibility()). Its remaining error comes from surfaces
+/// that the picture does not show.
 struct ExhaustiveTrial {
-  double thickness = 0.0;  ///< that bodies are taken to have, in radii
+  double thickness = 0.0;  ///< assumed thickness of bodies, in radii
   double error = 0.0;      ///< as OcclusionTrial::error
 };
 
 struct OcclusionStudy {
   std::string device;
   std::uint32_t width = 0, height = 0;
-  std::uint64_t pixels = 0;    ///< that show a surface; only these are compared
-  double error_without = 0.0;  ///< of a picture without ambient occlusion
+  std::uint64_t pixels = 0;    ///< pixels that show a surface; only these are compared
+  double error_without = 0.0;  ///< error of a picture without ambient occlusion
   double radius_m = 0.0;
   std::vector<OcclusionTrial> trials;
   std::vector<ExhaustiveTrial> exhaustive;  ///< empty without OcclusionEffort::exhaustive
@@ -57,8 +58,8 @@ struct OcclusionEffort {
   std::uint32_t width = 640, height = 400;
   int rays = 128;  ///< per pixel of the reference
   int repetitions = 15;
-  bool every_way = true;   ///< false = a short list, because the driver compiles shaders for each
-  bool exhaustive = true;  ///< also horizons with nothing overlooked, which takes seconds
+  bool every_way = true;   ///< false = only a few, because the driver compiles shaders for each
+  bool exhaustive = true;  ///< also search for horizons completely, which takes seconds
 
   static OcclusionEffort quick() { return {320, 200, 64, 7, false, false}; }
 };
@@ -70,10 +71,10 @@ struct OcclusionEffort {
 OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
                                const AmbientOcclusion& settings, const OcclusionEffort& effort);
 
-/// Time of the passes of ambient occlusion in a picture; nothing without timestamps.
+/// Time of a picture's ambient occlusion passes; std::nullopt without timestamps.
 std::optional<double> occlusion_time_ms(std::span<const PassTime> times);
 
-/// Ambient visibility of every pixel by ray casting; negative where nothing is visible.
+/// Ambient visibility of every pixel by ray casting; negative where no surface is visible.
 std::vector<double> true_visibility(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count);
 
 }  // namespace sinew::viewer

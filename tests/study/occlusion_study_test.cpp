@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares rays with the plain reference that tests every triangle, and checks what the study must find on every
-// device.
+// Compares rays with the plain reference that tests every triangle, and checks results that the study must give on
+// every device.
 #include "tests/study/occlusion_study.h"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ TEST(ray_caster, N36_rays_leave_their_own_triangle_a_kilometre_and_ten_from_the_
     BuiltScene built;
     Affine placed;
     placed.row[0].w = placed.row[2].w = out_m;
-    placed.row[0].y = 0.3f;  // sheared and tilted: heights are no round numbers
+    placed.row[0].y = 0.3f;  // sheared and tilted, so that heights are not round numbers
     placed.row[1].x = 0.7f;
     built.add(square(2.0f), built.add_material(matte({1, 1, 1})), placed);
     const RayCaster rays(built.scene, built.frame());
@@ -105,7 +105,7 @@ TEST(ray_caster, N36_no_ray_slips_through_edges_and_corners_and_slivers_stop_non
   Material both_sides = matte({1, 1, 1});
   both_sides.double_sided = true;
   Primitive ball = showcase::sphere({0, 0, 0}, 1.0f, 12, 6);
-  ball.indices.insert(ball.indices.end(), {0, 0, 1, 2, 2, 2});  // without area
+  ball.indices.insert(ball.indices.end(), {0, 0, 1, 2, 2, 2});  // triangles without area
   built.add(ball, built.add_material(both_sides));
   const RayCaster rays(built.scene, built.frame());
   for (const glm::vec3& corner : ball.positions) {
@@ -208,7 +208,7 @@ TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_devic
       << "there is something beside the scene";
 }
 
-/// A floor that fills the picture, seen from above, with a wall on it or without.
+/// A floor that fills the picture, seen from above. `wall` adds a wall on it.
 BuiltScene floor_and(bool wall) {
   BuiltScene built;
   const std::uint32_t material = built.add_material(matte({1, 1, 1}));
@@ -235,7 +235,7 @@ TEST(exhaustive_visibility, is_what_is_open_beside_a_wall_and_thicker_bodies_hid
       const auto i = static_cast<std::size_t>(y * kWidth + x);
       const glm::dvec3 p = seen.pixels[i]->point;
       if (std::abs(p.y) > 0.01 || p.x < 0.1 || p.x > 0.9) continue;
-      // rays that meet the wall within a metre, weighted by the cosine
+      // Rays that meet the wall within a metre, weighted by the cosine.
       const double open = 1.0 - (std::acos(p.x) - p.x * std::sqrt(1.0 - p.x * p.x)) / std::numbers::pi;
       off += std::abs(visibility[i] - open);
       hidden_more += visibility[i] - thick[i];
@@ -263,7 +263,7 @@ TEST(exhaustive_visibility, holes_between_surfaces_hide_nothing) {
   EXPECT_GT(holes, 100);
 }
 
-/// Root mean square difference where a surface is seen.
+/// Root mean square difference over the pixels that show a surface.
 double error_of(const std::vector<double>& visibility, const std::vector<double>& truth) {
   double squares = 0.0, pixels = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i)

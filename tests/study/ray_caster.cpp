@@ -24,7 +24,7 @@ using CornerNormals = std::array<glm::vec3, 3>;
 struct RayCaster::State {
   explicit State(const std::vector<PlacedSurface>& surfaces) : triangles(triangles_of(surfaces)), scene(triangles) {}
 
-  /// Fills `normals` beside the triangles that it returns.
+  /// Converts surfaces to triangles, and fills `normals` with the corner normals of each.
   std::vector<RayTriangle> triangles_of(const std::vector<PlacedSurface>& surfaces) {
     std::vector<RayTriangle> all;
     for (const auto& [mesh, primitive, surface] : surfaces)
@@ -70,7 +70,7 @@ std::optional<RayCaster::Seen> RayCaster::seen(const glm::dvec3& from, const glm
 }
 
 double RayCaster::open_share(const Seen& at, double radius_m, int ray_count) const {
-  // Coordinates are floats: the start is moved off its triangle by more than their rounding errors.
+  // Coordinates are floats, so the start is moved off its triangle by more than their rounding errors.
   const double off = 0x1p-20 * (std::abs(at.point.x) + std::abs(at.point.y) + std::abs(at.point.z)) + 1e-5 * radius_m;
   const glm::dvec3 from = at.point + off * at.geometric;
   const VisibilityRays rays(at.normal, static_cast<std::uint32_t>(ray_count), {0.5, 0.0});

@@ -14,7 +14,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// A square of 2 by 2 in the plane y = 0, far away from any edge for rays of some metres when it is scaled by 100.
+/// A square floor in the plane y = 0. At the default size its edges are out of reach for rays of a few metres.
 BuiltScene floor_scene(float half_size = 100.0f) {
   BuiltScene built;
   built.add(square(half_size), built.add_material(matte({1, 1, 1})));
@@ -40,7 +40,8 @@ std::optional<RayCaster::Seen> below(const RayCaster& rays, double x = 0.1, doub
 }
 
 TEST(ray_caster_forms, N34_under_a_ceiling_the_rays_that_reach_it_are_those_within_a_cone) {
-  // Directions have density cos / pi, so that cos^2 is uniform: a ceiling at h stops cos > h / radius, 1 - (h / r)^2.
+  // Directions have density cos / pi, so cos^2 is uniform. A ceiling at height h stops rays with cos > h / r, the share
+  // 1 - (h / r)^2.
   for (const float height : {0.5f, 1.0f, 1.5f}) {
     BuiltScene built = floor_scene();
     built.add(square(100.0f), 0, ceiling_at(height));
@@ -56,7 +57,7 @@ TEST(ray_caster_forms, N34_under_a_ceiling_the_rays_that_reach_it_are_those_with
 TEST(ray_caster_forms, N34_at_the_foot_of_a_wall_half_of_the_light_arrives) {
   for (int axis = 0; axis < 4; ++axis) {
     BuiltScene built = floor_scene();
-    Affine wall;  // x = 0 or z = 0, facing the side that is looked at
+    Affine wall;  // x = 0 or z = 0, facing the viewed side
     const float side = axis < 2 ? 1.0f : -1.0f;
     const int across = axis % 2 == 0 ? 0 : 2;
     wall.row[across] = {0, side, 0, 0};
@@ -214,7 +215,7 @@ TEST(ray_caster_forms, copies_stand_in_the_space_of_their_instance_and_mirror_by
   FrameResult frame = built.frame();
   std::vector<InstanceResult> placed(frame.instances.begin(), frame.instances.end());
   placed[0].world_from_mesh = translation({0, 1, 0});
-  placed[0].mirrored = true;  // says nothing of copies
+  placed[0].mirrored = true;  // does not apply to copies
   frame.instances = placed;
   const RayCaster rays(built.scene, frame);
   EXPECT_FALSE(below(rays)) << "the mesh itself is not drawn";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew-shading-study measures texture filters and interpolations of normals on this machine's Vulkan device: tables,
-// or JSON for `sinew cost`.
+// sinew-shading-study measures texture filters and interpolations of normals on this machine's Vulkan device. It prints
+// tables, or JSON for `sinew cost`.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Negative without times.
+/// The least time; -1 if there are no times.
 double least(const std::vector<double>& milliseconds) {
   return milliseconds.empty() ? -1.0 : *std::min_element(milliseconds.begin(), milliseconds.end());
 }

@@ -21,7 +21,7 @@ RenderOptions plain_options(NormalInterpolation normals = NormalInterpolation::i
   return options;
 }
 
-/// A scene that is drawn in one way, repeatedly.
+/// Draws one scene with fixed options, repeatedly.
 class Drawing {
  public:
   Drawing(Device& device, const Still& still, const View& view, std::uint32_t width, std::uint32_t height,
@@ -38,7 +38,7 @@ class Drawing {
     return picture;
   }
 
-  /// The first picture does not count: the driver compiles shaders for it.
+  /// Discards the first picture's time, in which the driver compiled shaders.
   void forget_times() noexcept { milliseconds_.clear(); }
   const std::vector<double>& milliseconds() const noexcept { return milliseconds_; }
   std::uint64_t texel_bytes() const { return headless_.texel_bytes(); }
@@ -53,7 +53,7 @@ class Drawing {
 
 using Light = std::vector<double>;  ///< [3 * pixels] linear
 
-/// Means of samples x samples pixels.
+/// Means of blocks of samples x samples pixels.
 Light means(const Picture& fine, std::uint32_t samples) {
   const SrgbCodes& codes = srgb_codes();
   const std::uint32_t width = fine.width / samples, height = fine.height / samples;
@@ -95,7 +95,7 @@ void take_turns(std::vector<std::unique_ptr<Drawing>>& drawings, int repetitions
     for (auto& drawing : drawings) drawing->draw();
 }
 
-/// Errors of all filters on the plane, and their times.
+/// Adds the errors and times of all filters on the plane.
 void study_plane(Device& device, const ShadingEffort& effort, bool turned, std::vector<FilterTrial>& trials) {
   const Still still(patterned_plane(turned));
   const View view = look_at({0.0, 1.0, 0.0}, {0.0, 0.55, -1.0}, 0.9, 0.05);

@@ -7,25 +7,25 @@
 
 namespace sinew::viewer {
 
-/// One filter on a tilted plane, measured.
+/// Measurements of one texture filter on a tilted plane.
 struct FilterTrial {
   std::string name;
   double error = 0.0;                ///< root mean square difference of light from the supersampled plane, in [0, 1]
-  double error_turned = 0.0;         ///< the same with the texture turned by 45 degrees on the plane
-  std::vector<double> milliseconds;  ///< GPU times of the pass that shades the plane; none without timestamps
-  std::uint64_t texel_bytes = 0;     ///< of the texture with all its levels
+  double error_turned = 0.0;         ///< same, with the texture turned by 45 degrees on the plane
+  std::vector<double> milliseconds;  ///< GPU times of the pass that shades the plane; empty without timestamps
+  std::uint64_t texel_bytes = 0;     ///< size of the texture with all its levels
 };
 
-/// One way to interpolate normals, measured on a sphere that fills the picture.
+/// Times of one way to interpolate normals, on a sphere that fills the picture.
 struct NormalTrial {
   std::string name;
   std::vector<double> milliseconds;         ///< as FilterTrial::milliseconds
-  std::vector<double> milliseconds_mapped;  ///< the same with a normal map
+  std::vector<double> milliseconds_mapped;  ///< same, with a normal map
 };
 
 struct ShadingStudy {
   std::string device;
-  float max_anisotropy = 1.0f;  ///< of the device; filters that ask for more got this
+  float max_anisotropy = 1.0f;  ///< limit of the device for all filters
   std::vector<FilterTrial> filters;
   std::vector<NormalTrial> normals;
 };
@@ -35,7 +35,7 @@ struct ShadingEffort {
   std::uint32_t width = 320, height = 200, samples = 16;
   int repetitions = 15;
 
-  /// A first impression within seconds.
+  /// A fast setting, for first results within seconds.
   static ShadingEffort quick() noexcept { return {96, 64, 8, 3}; }
 };
 

@@ -14,7 +14,7 @@
 namespace sinew::viewer {
 namespace {
 
-/// Balls of `columns` x `rows` quads, a draw and a material each.
+/// A scene of balls of `columns` x `rows` quads, each with its own draw and material.
 class Balls {
  public:
   Balls(std::uint32_t columns, std::uint32_t rows) : columns_(columns), rows_(rows) {}
@@ -33,7 +33,7 @@ class Balls {
   std::uint32_t columns_, rows_, count_ = 0;
 };
 
-/// Squares of black and white in three sizes, and colours that tell them apart.
+/// Black and white squares in three sizes, in regions of different colours.
 Image pattern() {
   Image image;
   image.width = image.height = 256;

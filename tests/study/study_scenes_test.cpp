@@ -23,7 +23,7 @@ struct Ball {
   std::size_t triangles;
 };
 
-/// The balls of a scene, as they are drawn; tests that they are round.
+/// The drawn balls of a scene; checks that they are round.
 std::vector<Ball> balls_of(const Scene& scene) {
   std::vector<Ball> balls;
   for (const MeshInstance& instance : scene.instances) {
@@ -66,7 +66,7 @@ TEST(study_scenes, each_ball_has_a_material_of_its_own) {
 TEST(study_scenes, the_doll_is_a_person_of_19_parts) {
   std::vector<Ball> balls = balls_of(doll_of_balls());
   ASSERT_EQ(balls.size(), 19u);
-  using Part = std::tuple<float, float, float>;  // x, y, radius, on the left or in the middle
+  using Part = std::tuple<float, float, float>;  // x, y, radius; only the left side and the middle
   std::vector<Part> parts, right;
   for (const Ball& ball : balls) {
     EXPECT_NEAR(ball.centre.z, 0.0f, 1e-5f);

@@ -19,7 +19,8 @@ void count() noexcept {
 
 std::atomic<std::size_t> in_use{0}, most_in_use{0};
 
-#ifdef _WIN32  // memory with an alignment has functions of its own there, and none that tells its size: it counts nothing
+#ifdef _WIN32  // Windows frees aligned memory by other functions, which cannot tell its size: PeakMemory ignores it
+               // there
 std::size_t size_of(void* p) noexcept { return p != nullptr ? _msize(p) : 0; }
 std::size_t size_of(void*, std::size_t) noexcept { return 0; }
 void* allocate_aligned(std::size_t step, std::size_t size) noexcept { return _aligned_malloc(size, step); }
@@ -76,8 +77,8 @@ std::size_t sinew::test::allocation_count_of_all_threads() noexcept { return all
 sinew::test::PeakMemory::PeakMemory() noexcept : before_(in_use.load()) { most_in_use.store(before_); }
 std::size_t sinew::test::PeakMemory::bytes() const noexcept { return most_in_use.load() - before_; }
 
-// The array and nothrow forms of the standard library call these. The nothrow forms of the address sanitizer do not:
-// without these replacements it would report its own new as freed by a foreign delete.
+// The standard library's array and nothrow forms call these. The address sanitizer's nothrow forms do not: without
+// these replacements it would report its own new as freed by a foreign delete.
 void* operator new(std::size_t size) { return or_throw(allocate(size)); }
 void* operator new(std::size_t size, std::align_val_t alignment) { return or_throw(allocate(size, alignment)); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

@@ -4,11 +4,11 @@
 
 namespace sinew::test {
 
-/// Number of calls of any form of `operator new` by this thread so far. A program that links this has its global
-/// operators replaced (allocation_counter.cpp).
+/// Number of calls of any form of `operator new` by this thread so far. Linking allocation_counter.cpp replaces the
+/// program's global operators.
 std::size_t allocation_count() noexcept;
 
-/// The same for all threads together.
+/// Number of such calls by all threads so far.
 std::size_t allocation_count_of_all_threads() noexcept;
 
 /// Allocations of this thread since construction:  `AllocationCounter c; run(job); EXPECT_EQ(c.count(), 0u);`
@@ -21,8 +21,8 @@ class AllocationCounter {
   std::size_t before_;
 };
 
-/// The most bytes that were in use at once through `operator new`, over all threads and beyond what was in use when
-/// this was made. One at a time.
+/// Peak of the bytes allocated through `operator new` by all threads, minus those in use at construction. Only one
+/// object may exist at a time.
 class PeakMemory {
  public:
   PeakMemory() noexcept;

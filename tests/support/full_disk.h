@@ -7,11 +7,11 @@
 
 namespace sinew::test {
 
-/// No file may become longer than this while it lives: a disk that is full.
+/// Simulates a full disk: while this object lives, no file can grow beyond `most_bytes`.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t most_bytes) {
-    std::fflush(nullptr);  // what waits belongs to those before
+    std::fflush(nullptr);  // flush now: bytes that were buffered earlier must not meet the limit
     before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
     getrlimit(RLIMIT_FSIZE, &before_);
     const rlimit now{most_bytes, before_.rlim_max};

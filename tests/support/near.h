@@ -10,7 +10,8 @@ namespace sinew::test {
 /// Unit roundoff of float32: the unit of tolerances. A tolerance of 4 * kEps on a value near 1 is 4 half-ulps.
 inline constexpr double kEps = 0x1p-24;
 
-/// Distances are computed in double: a comparison in float would add errors of its own. NaN is near nothing.
+/// Distances are computed in double, because float would add errors of its own. With a NaN the result is NaN, which no
+/// tolerance accepts.
 template <class T>
 double distance(const Vec3<T>& a, const Vec3<T>& b) {
   return safe_length(Vec3<double>(a) - Vec3<double>(b));
@@ -50,7 +51,8 @@ template <class T>
   return ::testing::AssertionFailure() << "matrices are " << d << " apart, allowed " << tolerance;
 }
 
-/// The same rotation within `tolerance_rad`, q and -q equal, and both of unit length within 4 ulp of float.
+/// True if both are the same rotation within `tolerance_rad` and of unit length within 4 ulp of float. q and -q are
+/// equal.
 template <class A, class B>
 ::testing::AssertionResult same_rotation(const Quat<A>& a, const Quat<B>& b, double tolerance_rad) {
   const double d = angle_between(a, b);

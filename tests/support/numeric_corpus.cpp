@@ -13,7 +13,6 @@
 namespace sinew::test {
 namespace {
 
-/// The project's own cases, and those of the corpus.
 std::vector<std::filesystem::path> all_paths() {
   std::vector<std::filesystem::path> paths = corpus_files("numeric", {".json"});
   for (const auto& entry : std::filesystem::directory_iterator(SINEW_NUMERIC_CASES))

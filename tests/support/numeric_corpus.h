@@ -9,25 +9,26 @@
 
 namespace sinew::test {
 
-/// Reference data, of the project (tests/numeric) and of the corpus (its folder numeric/): cases by kind, each with
-/// input, truth and what is accepted.
+/// Reference data for kernels, from tests/numeric and from the corpus's folder numeric/. Each case has a kind, an
+/// input, the true result and a tolerance.
 
-/// The answer of a kernel, under the names that the truth uses: "q", "m", "p", ...
+/// The result of a kernel, by the names of the truth's values: "q", "m", "p", ...
 using Outcome = std::map<std::string, std::vector<double>>;
 
-/// One implementation of a kind in one precision. It returns an empty outcome for cases that it does not cover.
+/// One implementation of a kind of kernel in one precision. It returns an empty outcome for cases that it does not
+/// support.
 struct NumericVariant {
   std::string name;
   std::function<Outcome(const Json& in)> run;
 };
 
-/// All cases of the files of `kind`; empty without such a file.
+/// All cases of one kind; empty if no file has that kind.
 std::vector<Json> numeric_cases(const std::string& kind);
 
-/// Kinds of all files, sorted, each once.
+/// All kinds, sorted, each once.
 std::vector<std::string> numeric_kinds();
 
-/// How a variant did over cases.
+/// Result of one variant over many cases.
 struct NumericReport {
   int run = 0;
   int failed = 0;
@@ -36,7 +37,7 @@ struct NumericReport {
   std::string failures;  ///< the first few, one per line
 };
 
-/// Runs every case and measures it with numeric_miss (numeric_metrics.h).
+/// Runs every case and measures its error with numeric_miss() (numeric_metrics.h).
 NumericReport run_numeric(const std::vector<Json>& cases, const NumericVariant& variant);
 
 }  // namespace sinew::test

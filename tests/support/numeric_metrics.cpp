@@ -44,7 +44,7 @@ double unit_miss(const Numbers& q, double tolerance) {
   return ratio(std::abs(q.size() == 4 ? safe_length(quat_of(q)) - 1 : safe_length(vec_of(q)) - 1), tolerance);
 }
 
-/// The tolerance of element i: one number for all, or one each.
+/// The tolerance of element i. `tolerance` is one number for all elements or a list.
 double allowed(const Json& tolerance, std::size_t i) {
   return tolerance.is_number() ? tolerance.get<double>() : tolerance.at(i).get<double>();
 }
@@ -57,7 +57,7 @@ double elements(const Numbers& got, const Numbers& truth, const Json& tolerance)
   return out;
 }
 
-/// |v - truth| relative to |truth|; a truth below 1000 floors is only held to 4 floors absolute.
+/// |got - truth| relative to |truth|. A truth shorter than 1000 floors must only be met within 4 floors.
 double relative(const Vec3<double>& got, const Vec3<double>& truth, double tolerance, double floor) {
   const double length = safe_length(truth), error = safe_length(got - truth);
   return length < 1000 * floor ? ratio(error, 4 * floor) : ratio(error, tolerance * length);
@@ -257,7 +257,7 @@ double candy(const Json& entry, const Outcome& got) {
   for (const std::string key : {"lbs_p", "dqs_p", "cor_p"}) {
     const Numbers& p = need(got, key);
     double error = gap(p, numbers_of(out[key]));
-    // A half turn is right in both directions; dual quaternions and centers of rotation share the rotation.
+    // At a half turn both directions are right. Dual quaternions and centers of rotation use the same rotation.
     if (out.contains("alt") && key != "lbs_p")
       error = std::min(error, gap(p, numbers_of(out["alt"].value(key, out["alt"]["dqs_p"]))));
     miss = worst({miss, ratio(error, accept["tol"])});

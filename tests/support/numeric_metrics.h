@@ -4,8 +4,8 @@
 
 namespace sinew::test {
 
-/// Distance of an outcome from the truth of a case, in units of the case's `accept`: up to 1 is accepted; NaN, a
-/// missing number or an unknown metric give infinity. Computed in double. Each metric is written once, in the .cpp.
+/// Error of a result, in units of the case's `accept`: up to 1 is accepted. NaN, a missing number or an unknown metric
+/// give infinity. Computed in double.
 double numeric_miss(const Json& entry, const Outcome& got);
 
 }  // namespace sinew::test

@@ -6,8 +6,8 @@
 
 namespace sinew::test {
 
-/// Reads the numbers of a case into the types of a kernel (every input is exactly a float32: nothing is rounded), and
-/// writes a kernel's answer as doubles.
+/// Reads the numbers of a case into a kernel's types, and writes a kernel's result as doubles. Every input is exactly a
+/// float32, so reading rounds nothing.
 
 template <class T>
 T scalar(const Json& j) {

@@ -9,7 +9,7 @@
 
 namespace sinew::test {
 
-/// The joints of each level in reverse, after one more root: another file of the same character.
+/// New places of the joints as in another file of the same character: each level reversed, after one extra root.
 /// out  the new index of each joint
 inline std::vector<std::uint32_t> reordered_joints(const Skeleton& skeleton) {
   std::vector<std::uint32_t> places(skeleton.joint_count());
@@ -41,7 +41,7 @@ inline Skeleton reordered(const Skeleton& skeleton, const std::vector<std::uint3
   return other;
 }
 
-/// A scene of that skeleton, with the same clips and models. It has no correctives.
+/// The scene with its joints reordered so, with the same clips and models. Correctives are dropped.
 inline Scene reordered(Scene scene) {
   const std::vector<std::uint32_t> places = reordered_joints(scene.skeleton);
   scene.skeleton = reordered(scene.skeleton, places);

@@ -13,7 +13,7 @@ inline std::vector<std::int64_t> simd_targets() { return hwy::SupportedAndGenera
 
 inline std::string simd_name(std::int64_t target) { return hwy::TargetName(target); }
 
-/// Whether `a * b + c` of this instruction set rounds once. SSE and the scalar fallback round twice.
+/// True if `a * b + c` rounds once with this instruction set. SSE and the scalar fallback round twice.
 inline bool fuses_multiply_add(std::int64_t target) {
   constexpr std::int64_t kRoundTwice = HWY_SSSE3 | HWY_SSE4 | HWY_EMU128 | HWY_SCALAR
 #ifdef HWY_SSE2
@@ -23,7 +23,7 @@ inline bool fuses_multiply_add(std::int64_t target) {
   return (target & kRoundTwice) == 0;
 }
 
-/// Restricts the jobs to one instruction set, until all are allowed again.
+/// Restricts the jobs to one instruction set until allow_all_targets().
 inline void allow_only(std::int64_t target) {
   hwy::SetSupportedTargetsForTest(target);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -38,7 +38,8 @@ struct SkinnedVertices {
   }
 };
 
-/// `group_size` vertices for each of the influence counts, joints below `joint_count`, heaviest influence first.
+/// `group_size` vertices for each of the influence counts, with joints below `joint_count` and the heaviest influence
+/// first.
 inline SkinnedVertices random_skinned_vertices(FixedRandom& random, std::span<const std::uint32_t> influence_counts,
                                                std::uint32_t group_size, std::uint32_t joint_count, bool with_scale) {
   SkinnedVertices out;
@@ -74,7 +75,8 @@ inline SkinnedVertices random_skinned_vertices(FixedRandom& random, std::span<co
   return out;
 }
 
-/// Replaces a palette by joints that are turned by half a radian each: their rotations are on one hemisphere.
+/// Replaces a palette by joints that are each turned by half a radian. All their quaternions lie on one hemisphere, so
+/// blending flips no sign.
 inline void pose_on_one_side(FixedRandom& random, std::span<JointMatrix> palette, bool with_scale) {
   for (JointMatrix& m : palette) {
     Transform t = random.transform();

@@ -11,7 +11,7 @@
 
 namespace sinew::test {
 
-/// Every kind of skinning and rule for normals that the jobs have.
+/// Every skinning method, and every rule for normals, that the jobs have.
 enum class Way { linear, linear_cofactor, dual_quaternion, center_of_rotation };
 
 inline constexpr Way kWays[] = {Way::linear, Way::linear_cofactor, Way::dual_quaternion, Way::center_of_rotation};
@@ -36,7 +36,7 @@ inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers
     run_unchecked(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
 }
 
-/// The same by the influences of `s`.
+/// Same, with the influences of `s`.
 inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers) {
   skin(way, s, centers, &s.influences);
 }

@@ -10,7 +10,7 @@
 #include "runtime/pose/pose.h"
 #include "tests/support/fixed_random.h"
 
-/// Small assets in few words.
+/// Builders of small assets.
 namespace sinew::test {
 
 /// Memory of one pose and the view over it.
@@ -62,7 +62,7 @@ Track<V> track_of(Interpolation interpolation, std::initializer_list<float> time
   return {interpolation, times_s, values};
 }
 
-/// Key times that rise by random steps; `jumps` of them are repeated (G13).
+/// Key times that rise by random steps. The `jumps` keys after the second one repeat its time: equal times make a jump.
 inline std::vector<float> random_times(FixedRandom& random, std::size_t count, std::size_t jumps = 0) {
   std::vector<float> times;
   float t = static_cast<float>(random.in(0, 1));
@@ -97,7 +97,7 @@ inline WeightTrack random_weights(FixedRandom& random, Interpolation interpolati
   return track;
 }
 
-/// A clip of joints only.
+/// Compiles an animation of joints only.
 inline Clip clip_of(const Animation& animation, const Skeleton& skeleton) {
   return compile_clip(animation, skeleton, {}, {});
 }

@@ -12,7 +12,7 @@
 
 namespace sinew::test {
 
-/// A crowd over three scenes, each character at a time of its own.
+/// A crowd of characters from three scenes, each at its own time.
 class Crowd {
  public:
   explicit Crowd(std::size_t count) : layers_(count), inputs_(count) {
@@ -54,7 +54,7 @@ class Crowd {
   std::vector<FrameInput> inputs_;
 };
 
-/// Each character is a part of its own, and none runs on the worker.
+/// Options under which each character is a part of its own, and none runs on the worker.
 inline JobThreadOptions spread(Executor executor = {}) {
   return {.executor = std::move(executor), .inline_below_bytes = 0, .part_bytes = 1};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program holds runtime/threads/thread_executor.cpp, so that run_in_parallel is the one of builds without oneTBB.
+// This program links runtime/threads/thread_executor.cpp, so its run_in_parallel() is the one of builds without oneTBB.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -30,7 +30,7 @@ TEST(own_threads, an_empty_loop_calls_nothing) {
   run_in_parallel(0, [](std::size_t) { FAIL(); });
 }
 
-/// The items of one loop wait for each other, so one thread alone would wait for ever.
+/// Both items of the loop wait for each other, so a single thread would wait forever.
 TEST(own_threads, two_items_run_at_a_time) {
   std::atomic<int> begun = 0;
   run_in_parallel(2, [&](std::size_t) {

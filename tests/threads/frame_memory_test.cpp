@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a job thread takes for its characters, and that frames take nothing more.
+// The memory that a job thread takes for its characters. Running frames allocates nothing.
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

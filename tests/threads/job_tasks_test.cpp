@@ -16,7 +16,7 @@
 namespace sinew::test {
 namespace {
 
-/// Each character is a task of its own, for whoever takes it.
+/// Options under which each character is a task of its own, which any thread may take.
 JobThreadOptions handed_out(Executor executor = {}) {
   JobThreadOptions options = spread(std::move(executor));
   options.own_thread = false;
@@ -59,7 +59,7 @@ TEST(job_tasks, a_loop_that_polls_gives_the_bits_of_a_frame_without_threads) {
   }
 }
 
-/// In a process of its own: threads of earlier tests that were joined are counted until the system has removed them.
+/// Runs in its own process: the system may still count threads of earlier tests after they were joined.
 TEST(job_tasks, a_loop_that_polls_makes_no_thread) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto poll_some_frames = [] {

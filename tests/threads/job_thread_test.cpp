@@ -55,7 +55,8 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
   check(spread(), "the default");
 #if __has_include(<tbb/global_control.h>)
   {
-    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);  // than this machine may have
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism,
+                                   16);  // maybe more than there are
     check(spread(), "oneTBB, 16 threads");
   }
 #endif
@@ -123,7 +124,7 @@ TEST(job_thread, a_result_stays_unchanged_until_the_reader_asks_again) {
   jobs.wait(*jobs.submit(crowd.inputs(0)));
   const FrameResult* shown = jobs.latest(1);
   const std::uint64_t hash = hash_of(*shown);
-  for (std::uint64_t frame = 1; frame < 30; ++frame) {  // the worker laps the reader many times
+  for (std::uint64_t frame = 1; frame < 30; ++frame) {  // the worker overtakes the reader many times
     jobs.wait(*jobs.submit(crowd.inputs(frame)));
     EXPECT_EQ(hash_of(*shown), hash);
     EXPECT_EQ(shown->frame, 1u);
@@ -166,7 +167,7 @@ TEST(job_thread, takes_one_frame_in_advance_and_is_busy_then) {
   {
     const std::lock_guard lock(gate);
     ASSERT_EQ(jobs.submit(crowd.inputs(0)), Ticket{1});
-    for (;;) {  // until the worker has taken frame 1 and frame 2 waits
+    for (;;) {  // until the worker runs frame 1 and frame 2 waits
       const auto next = jobs.submit(crowd.inputs(1));
       if (!next) {
         EXPECT_EQ(next.error(), ErrorCode::busy);
@@ -297,12 +298,12 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
   bad[1].layers = {&no_clip, 1};
   bad[2].layers = {&no_time, 1};
   jobs.wait(*jobs.submit(bad));
-  EXPECT_EQ(jobs.last_error(), ErrorCode::index_out_of_range);  // of the first character that failed
+  EXPECT_EQ(jobs.last_error(), ErrorCode::index_out_of_range);  // the error of the first character that failed
   EXPECT_EQ(jobs.latest(0)->frame, 2u);
   EXPECT_EQ(jobs.latest(1)->frame, 1u);
   EXPECT_EQ(hash_of(*jobs.latest(1)), hash);
 
-  jobs.wait(*jobs.submit(crowd.inputs(0)));  // of which characters 1 and 2 have the frame already
+  jobs.wait(*jobs.submit(crowd.inputs(0)));  // characters 1 and 2 have this frame already
   EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
   EXPECT_EQ(jobs.latest(1)->frame, 1u);
 
@@ -367,7 +368,7 @@ TEST(job_thread, a_frame_after_warm_up_allocates_nothing_on_any_thread) {
   EXPECT_EQ(allocation_count_of_all_threads(), before);
 }
 
-// For the thread sanitizer: submit, read and wait in every mixture, with threads of both kinds.
+// For the thread sanitizer: mixes submit, read and wait in every way, with both kinds of threads.
 TEST(job_thread, holds_under_load) {
   for (const bool tbb : {true, false}) {
     Crowd crowd(12);

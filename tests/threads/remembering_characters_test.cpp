@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Characters of a job thread, driven through any inputs, show what a fresh buffer shows that saw only the last one.
+// Characters of a job thread, driven by any inputs, show the same as a fresh buffer that saw only the last input.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -17,26 +17,26 @@ namespace {
 
 constexpr std::size_t kCharacters = 3;
 
-/// One character with a plan of its own, whose inputs are held between updates.
+/// One character with its own plan; its inputs are held between updates.
 struct Driven {
   Plan plan;
   RandomInputs inputs{plan};
   HeldInput held{plan};
   ReferenceHeldInput reference_held{inputs};
   UpdateLevel level = UpdateLevel::every;
-  bool is_gone = false;                                                      ///< another took its place: it sleeps
+  bool is_gone = false;  ///< replaced by another character; it sleeps
   std::map<std::size_t, std::map<std::uint64_t, std::uint64_t>> hash_since;  ///< [primitives]
 };
 
-/// Some characters on a job thread. Now and then one goes over to another plan of its scene, as an engine does it: with
-/// a new character.
+/// Characters on a job thread. Sometimes one changes to another plan of its scene, as engines do it: by a new
+/// character.
 class Drive {
  public:
   Drive(std::uint64_t seed, JobThreadOptions options) : jobs_(std::move(options)) {
     for (std::size_t c = 0; c < kCharacters; ++c) add(scenes_.emplace_back(busy_scene(seed + c)), seed + c);
   }
 
-  /// Two frames may be on their way at once, and some results are never looked at.
+  /// Two frames may be in flight at once, and some results are never read.
   void step(std::uint32_t seed) {
     FixedRandom random(seed);
     if (random.below(64) == 0 && driven_.size() < 2 * kCharacters) replace_one(random);
@@ -104,7 +104,7 @@ class Drive {
       check_stamp(driven_[c].hash_since[p], result->primitives[p]);
   }
 
-  /// A number of a frame stands for one set of vertices.
+  /// A since_frame number stands for one set of vertices.
   static void check_stamp(std::map<std::uint64_t, std::uint64_t>& hash_since, const DeformedPrimitive& shape) {
     if (shape.since_frame != 0)
       RC_ASSERT(hash_since.try_emplace(shape.since_frame, hash_shape(shape)).first->second == hash_shape(shape));
@@ -112,7 +112,7 @@ class Drive {
 
   std::deque<Scene> scenes_;
   std::deque<Driven> driven_;
-  JobThread jobs_;  // ends before what it shows
+  JobThread jobs_;  // declared after the scenes that it shows, so that it is destroyed before them
   Submitted submitted_;
   std::uint64_t number_ = 0;
 };

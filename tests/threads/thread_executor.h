@@ -10,7 +10,7 @@
 
 namespace sinew::test {
 
-/// An engine's job system in small: a fixed set of threads that take indices one by one, plus the caller.
+/// A small job system of an engine: a fixed set of threads and the caller take indices one by one.
 class ThreadPool {
  public:
   explicit ThreadPool(std::size_t thread_count) {

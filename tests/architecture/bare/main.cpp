@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program without RTTI and exceptions, linked with the jobs and the running of plans compiled in the same way: frames
-// need neither. Exit status 0 when the frame is right.
+// A program without RTTI and exceptions. The jobs and run_plan() that it links are compiled in the same way: frames
+// need neither. Exit status 0 if the frame is right.
 #include <cstdio>
 
 #include "runtime/plan/run_plan.h"

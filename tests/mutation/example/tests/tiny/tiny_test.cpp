@@ -20,19 +20,19 @@ TEST(tiny, distance) {
   EXPECT_EQ(twice_apart(4, 1), 6);
 }
 
-/// Runs the code once, before its first test.
+/// A suite whose setup runs the code before its first test.
 class Prepared : public testing::Test {
  protected:
   static void SetUpTestSuite() { value_ = tripled(2); }
   static inline int value_ = 0;
 };
 
-/// A test that is skipped because of a mutant has noticed it.
+/// A test that a mutant causes to be skipped counts as having noticed it.
 TEST_F(Prepared, value) {
   if (value_ != 6) GTEST_SKIP();
 }
 
-/// It starts the program again, and what the tests before it reached stays recorded.
+/// This test starts the program again. The record of the earlier tests must survive that.
 TEST(started_again, ends_well) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(std::exit(0), testing::ExitedWithCode(0), "");
