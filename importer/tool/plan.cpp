@@ -191,7 +191,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
   if (*left_out) needs->skeleton_lod = (*left_out)->detail;
-  const Plan plan = compile_plan(file->scene, *needs);
+  const Plan plan = compile_plan(lend(file->scene), *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {
     const auto counted = work_of_one_frame(plan, chosen->front());

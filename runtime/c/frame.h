@@ -80,10 +80,12 @@ void sinew_frame_destroy(sinew_frame* frame);
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
-///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers, a page of another clip),
-///      SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; mirrored where the plan has no mirror; weight below 1
-///      where the plan has one layer; adding where the plan has none; an interpolation factor outside of [0, 1] or
-///      where the plan has none). Afterwards the last good frame is still there.
+///      does not play), SINEW_SIZE_MISMATCH (weights, geometry), SINEW_TOO_MANY_LAYERS, SINEW_WRONG_PAGE,
+///      SINEW_NOT_FINITE, SINEW_NEGATIVE_WEIGHT, SINEW_TOO_LARGE (a weight or the root above 1e9),
+///      SINEW_NOT_A_FRACTION (interpolation factor or weight of a source), SINEW_TWO_TIMES, SINEW_UNSUPPORTED (kind of
+///      layer; a source in scene space for an instance with copies), SINEW_NOT_IN_NEEDS (the plan has no mirror, no
+///      additive layers, no frames between updates, or one layer and so no weight below 1). Afterwards the last good
+///      frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the next

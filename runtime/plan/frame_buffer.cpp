@@ -11,8 +11,8 @@
 #include "runtime/base/contract.h"
 #include "runtime/base/prefetch.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/plan/evaluate/visibility.h"
 #include "runtime/plan/frame_tables.h"
-#include "runtime/plan/visibility.h"
 
 namespace sinew {
 namespace {
@@ -37,8 +37,8 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
   if (!plan.interpolate) return;
   std::uninitialized_value_construct(tables.input_next_layers.begin(), tables.input_next_layers.end());
   std::uninitialized_value_construct(tables.updates.begin(), tables.updates.end());
-  for (const std::size_t at : plan.layout.tables.update_layers_at) {
-    const std::span<ClipLayer> layers = memory.array<ClipLayer>(at, plan.layout.tables.input_layer_count);
+  for (const Block<ClipLayer>& block : plan.layout.tables.update_layers) {
+    const std::span<ClipLayer> layers = memory.of(block);
     std::uninitialized_value_construct(layers.begin(), layers.end());
   }
 }
@@ -46,7 +46,7 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
 /// Rotations are rounded as in clips, so that a joint that rests has the same bits with any clip and without.
 void write_rest_pose(const CompiledPlan& plan, FrameMemory memory) noexcept {
   const Skeleton& skeleton = *plan.assets.skeleton;
-  const PoseSpan rest = memory.pose(plan.layout.rest_pose_at, skeleton.joint_count());
+  const PoseSpan rest = memory.of(plan.layout.rest_pose);
   for (std::size_t j = 0; j < rest.stride; ++j) {
     Transform local = j < rest.joint_count ? skeleton.rest[j] : Transform{};
     local.rotation = without_tiny(local.rotation);
@@ -99,11 +99,10 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
 FrameBuffer::FrameBuffer(const Plan& plan, FrameBlock block) : plan_(plan), block_(std::move(block)) {
   CONTRACT(reinterpret_cast<std::uintptr_t>(block_.get()) % kAlignment == 0);
   const FrameMemory memory{block_.get()};
-  std::memset(memory.block, 0, plan_->layout.frame_bytes);
+  std::memset(memory.start, 0, plan_->layout.frame_bytes);
   construct_tables(*plan_, memory);
   write_rest_pose(*plan_, memory);
-  if (plan_->hide)
-    find_hidden(*plan_->scene, {}, memory.array<bool>(plan_->layout.hidden_at, plan_->assets.joint_map.size()));
+  if (plan_->hide) find_hidden(*plan_->scene, {}, memory.of(plan_->layout.hidden));
 }
 
 void FrameBuffer::prefetch() const noexcept {

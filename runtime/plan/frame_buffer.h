@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "runtime/base/result.h"
 #include "runtime/math/affine.h"
@@ -14,6 +15,7 @@ namespace sinew {
 struct CompiledPlan;
 struct FrameInput;
 class Plan;
+struct Refusal;
 
 /// The two functions of std::pmr::memory_resource that a frame buffer calls. Including <memory_resource> would cost
 /// every source file that runs frames 8,000 lines more.
@@ -66,20 +68,19 @@ class FrameBlock {
   Deallocate deallocate_ = nullptr;  // null: the caller's block
 };
 
-/// What a frame buffer remembers of the input of its last run; the arrays are in its block. Internal to plan/.
+/// The input of a frame buffer's last run, but for the arrays, which are in its block. Internal to plan/.
 struct LastInput {
   bool is_known = false;  ///< the block has the arrays, and the pose that they gave
   bool asleep = false;    ///< the pose in the block is of an earlier run
-  bool is_late = false;   ///< a source had not what was asked for: the same input may show more
+  bool is_late = false;   ///< a source had not loaded its frame yet, so the same input may show another one
   float interpolation_factor = 0.0f;
   std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0;
   Affine root;
 };
 
-/// Memory that one frame runs into: one block of Plan::frame_bytes() bytes, made once and reused every frame, with the
-/// result and the input of its last run. Nothing else is ever allocated for a character. The buffer shares what the
-/// plan holds, so the plan's own handle may go or be assigned anew; run_plan then answers size_mismatch for the new
-/// plan.
+/// The memory of a frame: one block of Plan::frame_bytes() bytes, made once and reused every frame. It holds the result
+/// and the input of its last run. Nothing else is ever allocated for a character. The buffer keeps its plan and the
+/// scene alive, also when the plan's handle goes or is assigned anew.
 class FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
@@ -111,24 +112,26 @@ class FrameBuffer {
   /// Size of the block that the buffer took; 0 for the caller's own.
   std::size_t owned_bytes() const noexcept { return block_.owned_bytes(); }
 
-  /// Asks the processor for what the next run touches first, without waiting for it. For a crowd: call it for the next
-  /// character while this one runs. Worth it where all buffers together exceed the caches.
+  /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the
+  /// next character while this one runs. It pays where all buffers together exceed the caches.
   void prefetch() const noexcept;
 
-  /// Whether runs write vertices past the caches (SkinLinearJob::past_caches): for results that no code reads soon, as
-  /// those of a crowd larger than the caches, or in memory that the GPU reads. The bits are the same.
+  /// Makes runs write vertices past the caches (SkinLinearJob::past_caches). Worth it for results that no code reads
+  /// soon: a crowd larger than the caches, or memory that the GPU reads. The bits are the same.
   void write_past_caches(bool past_caches) noexcept { past_caches_ = past_caches; }
 
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
-  /// For a character that takes turns with several buffers: the next run into this one follows the run into `before`,
-  /// and what is unchanged is found by comparison with it. `before` must be of the same plan, and stay unchanged until
-  /// that run has ended.
+  /// For a character with several buffers: the next run into this buffer follows the run into `before`. Parts that did
+  /// not change are found by comparison with it. `before` must be of the same plan, and stay unchanged until that run
+  /// has ended.
   void follow(const FrameBuffer& before) noexcept { before_ = &before; }
 
  private:
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
+  friend std::string why_refused(const Plan&, const FrameInput&, const FrameBuffer&);
+  friend Refusal check_run(const Plan&, const FrameInput&, const FrameBuffer&, const FrameBuffer*) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
 
   struct Source {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -33,18 +34,18 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: link_from_an_engine FILE.sinew\n");
     return 2;
   }
-  const auto loaded = load(argv[1]);
+  auto loaded = load(argv[1]);
   if (!loaded) {
     std::fprintf(stderr, "%s: %s\n", argv[1], describe(loaded.error()).c_str());
     return 1;
   }
-  const sinew::Scene& scene = *loaded;
 
   // One plan for all characters that show this scene: bounds are asked for, tangents are not.
   sinew::Needs needs;
   needs.bounds = true;
   needs.tangents = false;
-  const sinew::Plan plan = compile_plan(scene, needs);
+  const sinew::Plan plan = compile_plan(std::move(*loaded), needs);
+  const sinew::Scene& scene = plan.scene();
   for (const sinew::PlanStage& stage : plan.stages())
     std::printf("%-20s %s: %s\n", stage.stage.c_str(), stage.runs ? "runs" : "left out", stage.reason.c_str());
 

@@ -27,7 +27,7 @@ struct Shown {
 
   explicit Shown(const TinyGltf& gltf, std::uint32_t clip = kNone, double time_s = 0.0,
                  NormalRule rule = NormalRule::linear)
-      : file(gltf.import()), plan(compile_plan(scene(), needs(rule))), frame(plan) {
+      : file(gltf.import()), plan(compile_plan(lend(scene()), needs(rule))), frame(plan) {
     const ClipLayer layer{clip, time_s, 1.0f};
     error = run_plan(plan, {clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}}, frame);
     EXPECT_EQ(error, ErrorCode::ok);
@@ -366,7 +366,7 @@ TEST(evaluated_file,
     Needs needs;
     needs.skinning = skinning;
     needs.bounds = true;
-    const Plan plan = compile_plan(file->scene, needs);
+    const Plan plan = compile_plan(lend(file->scene), needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
     EXPECT_EQ(frame.result().work.vertices_skinned_center_of_rotation,
@@ -396,7 +396,7 @@ TEST(evaluated_file, G59_quantised_positions_of_an_unskinned_mesh_are_scaled_by_
   ASSERT_EQ(outcome(read), "ok");
   Needs needs;
   needs.bounds = true;
-  const Plan plan = compile_plan(read->scene, needs);
+  const Plan plan = compile_plan(lend(read->scene), needs);
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   const double half = 50.0 * 16384.0 / 32767.0;

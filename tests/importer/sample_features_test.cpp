@@ -252,7 +252,7 @@ TEST(sample_features, G29_skinned_meshes_may_hang_on_their_own_joints) {
                                     {{"children", {0}}, {"mesh", 0}, {"scale", {-1, 1, 1}}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
-  const Plan plan = compile_plan(result->scene, Needs{});
+  const Plan plan = compile_plan(lend(result->scene), Needs{});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {{}, {}, {}}, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().primitives.size(), 2u);

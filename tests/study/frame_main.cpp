@@ -47,7 +47,7 @@ bool study_file(Device& device, const std::string& file, const FrameEffort& effo
   }
   const Scene& scene = loaded_scenes->front().scene;
   const std::uint32_t clip = scene.animations.empty() ? kNone : 0;
-  const Plan plan = compile_plan(scene, needs_of(loaded_scenes->front(), {}));
+  const Plan plan = compile_plan(lend(scene), needs_of(loaded_scenes->front(), {}));
   FrameBuffer buffer(plan);
   const ClipLayer layer{.clip = clip, .time_s = clip == kNone ? 0.0 : 0.5 * scene.animations[clip].duration_s};
   FrameInput input;

@@ -102,7 +102,7 @@ tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, c
   }
   Needs needs;
   needs.positions = needs.normals = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   ProgressLine progress;
   const auto show = [&](double done) { progress.show("casting rays", done); };

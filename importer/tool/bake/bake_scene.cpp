@@ -24,7 +24,11 @@ struct Source {
 class SceneBaker {
  public:
   SceneBaker(const Scene& scene, std::uint32_t clip, const TakeBudgets& budgets)
-      : scene_(scene), clip_(clip), budgets_(budgets), plan_(compile_plan(scene, needs(budgets))), frame_(plan_) {}
+      : scene_(scene),
+        clip_(clip),
+        budgets_(budgets),
+        plan_(compile_plan(lend(scene), needs(budgets))),
+        frame_(plan_) {}
 
   void add_meshes(BakedScene& out) {
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {

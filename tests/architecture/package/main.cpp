@@ -11,7 +11,7 @@ int main() {
   const engine::Scene own;
   sinew::Scene scene;
   finish_scene(scene);
-  const sinew::Plan plan = compile_plan(scene, {});
+  const sinew::Plan plan = compile_plan(lend(scene), {});
   sinew::FrameBuffer frame(plan);
   return own.characters == 2 && run_plan(plan, {}, frame) == sinew::ErrorCode::ok ? 0 : 1;
 }

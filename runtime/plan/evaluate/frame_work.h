@@ -10,12 +10,12 @@
 
 namespace sinew {
 
-/// What one frame does while it does it: counts, and where Needs::stage_times asks for them the times of the stages.
+/// Counts the work of a frame while it runs, and measures the time of each stage where Needs::stage_times asks for it.
 struct FrameWork : WorkCounters {
-  /// in   stage_ns[kStageCount]  set to zero here; empty = nobody asks, and no clock is read
+  /// in   stage_ns[kStageCount]  set to zero here; empty = no times are wanted, and no clock is read
   explicit FrameWork(std::span<std::uint64_t> stage_ns) noexcept;
 
-  /// What has passed since the last call was spent on this stage.
+  /// Adds the time since the last call to this stage.
   void spent_on(Stage stage) noexcept {
     if (!stage_ns_.empty()) add_time(stage);
   }

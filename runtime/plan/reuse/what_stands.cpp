@@ -1,58 +1,36 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/frame_changes.h"
+#include "runtime/plan/reuse/what_stands.h"
 
 #include <algorithm>
 
 #include "runtime/base/same_bits.h"
+#include "runtime/plan/playing_layers.h"
 
 namespace sinew {
 namespace {
 
 using Layers = std::span<const ClipLayer>;
 
-/// Nothing where it is not looked at.
-Layers next_layers_of(const FrameInput& input) noexcept {
-  return input.interpolation_factor == 0.0f ? Layers{} : input.next_layers;
-}
-
 /// As FrameTables::input_out_of_view.
 std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
 
-/// At most one clip plays, not mirrored, and alone makes up the pose: where it moves no joints they have their rest
-/// pose to the last bit.
-bool plays_alone(Layers layers) noexcept {
-  std::size_t active = 0;
-  for (const ClipLayer& layer : layers)
-    if (layer.weight != 0.0f && (++active > 1 || layer.weight < 1.0f || layer.mask != kNone ||
-                                 layer.kind != LayerKind::blend || layer.mirrored))
-      return false;
-  return true;
-}
-
-/// The clip that plays first; kNone: none does.
-std::uint32_t playing_clip(Layers layers) noexcept {
-  const auto playing =
-      std::find_if(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.weight != 0.0f; });
-  return playing != layers.end() ? playing->clip : kNone;
-}
-
-/// No clip that plays moves joints.
+/// True if no clip that plays moves joints.
 bool leave_joints_at_rest(const CompiledPlan& plan, Layers layers) noexcept {
   return std::none_of(layers.begin(), layers.end(), [&](const ClipLayer& layer) {
     return layer.weight != 0.0f && plan.clip_tracks[layer.clip].moves_joints;
   });
 }
 
-/// in   both_alone  one clip or none plays alone in this frame and in the last
-CurrentMatrices find_current_matrices(const CompiledPlan& plan, const FrameInput& input, Layers last_layers,
-                                      const LastInput& last, bool both_alone) noexcept {
-  if (!same_bits(input.root, last.root)) return CurrentMatrices::none;
+/// in   both_alone  plays_alone in this frame and in the last
+StandingMatrices find_standing_matrices(const CompiledPlan& plan, const FrameInput& input, Layers last_layers,
+                                        const LastInput& last, bool both_alone) noexcept {
+  if (!same_bits(input.root, last.root)) return StandingMatrices::none;
   const bool between = input.interpolation_factor != 0.0f || last.interpolation_factor != 0.0f;
   const bool at_rest =
       !between && both_alone && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last_layers);
-  return at_rest || plan.moved_joints.empty() ? CurrentMatrices::all : CurrentMatrices::of_unmoved_joints;
+  return at_rest || plan.moved_joints.empty() ? StandingMatrices::all : StandingMatrices::of_unmoved_joints;
 }
 
 /// As FrameTables::input_geometry.
@@ -74,7 +52,7 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
   const LastInput& last = frame.input;
   const FrameTables& tables = frame.tables;
   if (!last.is_known || input.asleep != last.asleep) return false;
-  if (input.asleep) return true;  // whatever it would do
+  if (input.asleep) return true;  // a sleeping character shows nothing, whatever its layers are
   if (last.is_late || !had_same_geometry(tables, input)) return false;
   if (input.layers.size() != last.layer_count || input.weights.size() != last.weight_count) return false;
   if (!same_bits(input.interpolation_factor, last.interpolation_factor)) return false;
@@ -87,21 +65,18 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
          same_bits(input.root, last.root);
 }
 
-FrameChanges find_changes(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
-                          const LastFrame& before) noexcept {
-  FrameChanges changes;
-  changes.nothing = had_same_input(last, input);
-  changes.nothing_since_before = &before.input == &last.input ? changes.nothing : had_same_input(before, input);
-  if (changes.nothing || input.asleep) return changes;
-  const bool alone = plays_alone(input.layers);
-  changes.mixes_poses = plan.sample && (input.interpolation_factor != 0.0f || !alone);
-  if (!last.input.is_known || last.input.asleep) return changes;
+WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
+                            const LastFrame& before) noexcept {
+  WhatStands stands;
+  stands.all = had_same_input(last, input);
+  stands.all_since_before = &before.input == &last.input ? stands.all : had_same_input(before, input);
+  if (stands.all || input.asleep || !last.input.is_known || last.input.asleep) return stands;
   const Layers last_layers = last.tables.input_layers.first(last.input.layer_count);
-  const bool both_alone = alone && plays_alone(last_layers);
-  changes.current_matrices = find_current_matrices(plan, input, last_layers, last.input, both_alone);
+  const bool both_alone = plays_alone(input.layers) && plays_alone(last_layers);
+  stands.matrices = find_standing_matrices(plan, input, last_layers, last.input, both_alone);
   const std::uint32_t clip = playing_clip(input.layers);
-  changes.same_clip = both_alone && clip != kNone && clip == playing_clip(last_layers);
-  return changes;
+  stands.base_pose = both_alone && clip != kNone && clip == playing_clip(last_layers);
+  return stands;
 }
 
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept {

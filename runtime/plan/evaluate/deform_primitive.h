@@ -2,13 +2,15 @@
 #pragma once
 #include <span>
 
+#include "runtime/deform/vertex_streams.h"
+#include "runtime/plan/compiled_plan.h"
+#include "runtime/plan/evaluate/frame_work.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
-#include "runtime/plan/frame_work.h"
 
 namespace sinew {
 
-/// What the vertices of a mesh instance follow, beside its palette.
+/// All that the vertices of a mesh instance follow, beside its palette.
 struct InstancePose {
   std::span<const float> weights;  ///< [T]
   bool mirrored = false;           ///< as in InstanceResult
@@ -32,8 +34,8 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
                                              std::span<const glm::vec3> positions, bool turned, FrameMemory memory,
                                              FrameWork& work) noexcept;
 
-/// The memory of a primitive at `at` where the attribute is wanted there, else nothing.
-VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
+/// The first `count` vertices of the blocks, of the attributes in `set`.
+VertexOutput output_in(FrameMemory memory, const AttributeSet& set, const VertexBlocks& blocks,
                        std::size_t count) noexcept;
 
 }  // namespace sinew

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/play_geometry.h"
+#include "runtime/plan/evaluate/play_geometry.h"
 
 #include <algorithm>
 
-#include "runtime/base/same_bits.h"
 #include "runtime/deform/surface_normals.h"
 #include "runtime/math/determinant_sign.h"
 #include "runtime/math/normal_transform.h"
@@ -14,13 +13,6 @@ namespace {
 /// Unskinned meshes are blended in their own space with a source that is in it.
 bool blends_in_mesh_space(const CompiledPlan& plan, std::size_t instance, VertexSpace space) noexcept {
   return space == VertexSpace::mesh && !plan.instance_skinned[instance];
-}
-
-bool same_played(const PlayedGeometry& a, const PlayedGeometry& b) noexcept {
-  if (!same_bits(a.weight, b.weight)) return false;
-  return a.weight == 0.0f ||
-         (a.content == b.content && a.moment == b.moment && a.space == b.space && a.turned == b.turned &&
-          same_bits(a.world_from_source, b.world_from_source) && same_bits(a.world_from_pose, b.world_from_pose));
 }
 
 /// Vertices of a source, with the normals and tangents that it lacks.
@@ -43,7 +35,7 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
                                     .positions = out.positions,
                                     .rest_normals = primitive.normals,
                                     .turned = turned,
-                                    .sums = memory.array<glm::vec4>(plan.layout.surface_sums_at, surface_sums(*faces)),
+                                    .sums = memory.of(plan.layout.surface_sums.part(0, surface_sums(*faces))),
                                     .normals = out.normals});
   if (!out.tangents.empty())
     run_unchecked(SurfaceTangentsJob{
@@ -144,19 +136,12 @@ PlayedGeometry place_geometry(const CompiledPlan& plan, std::size_t instance, co
   return played;
 }
 
-void number_geometry(std::size_t slot, const PlayedGeometry& played, const FrameStep& step) noexcept {
-  const std::uint64_t since_before = step.tables_before.geometry_since[slot];
-  const bool same = since_before != 0 && same_played(played, step.tables_before.played[slot]);
-  step.tables.geometry_since[slot] = same ? since_before : step.number;
-  step.tables.played[slot] = played;
-}
-
 DeformedPrimitive play_primitive(const CompiledPlan& plan, std::size_t p, const VertexSource& source,
                                  const PlayedGeometry& played, const InstancePose& pose, FrameMemory memory,
                                  FrameWork& work) noexcept {
   const PrimitivePlan& planned = plan.primitives[p];
   const Primitive& primitive = primitive_of(plan, planned);
-  const VertexOutput out = output_at(memory, planned.cached, plan.layout.primitives[p], primitive.vertex_count());
+  const VertexOutput out = output_in(memory, planned.cached, plan.layout.primitives[p], primitive.vertex_count());
   DeformedPrimitive shape;
   bool turned = played.turned;
   if (played.in_full()) {
@@ -166,7 +151,7 @@ DeformedPrimitive play_primitive(const CompiledPlan& plan, std::size_t p, const 
     write_source(plan, p, source, turned, out, memory, work);
   } else {
     shape = deform_primitive(plan, p, pose, false, memory, work);
-    const VertexOutput from = output_at(memory, planned.cached, plan.layout.cached, primitive.vertex_count());
+    const VertexOutput from = output_in(memory, planned.cached, plan.layout.cached, primitive.vertex_count());
     write_source(plan, p, source, turned, from, memory, work);
     blend({played.weight, Mover(played.world_from_pose), Mover(played.world_from_source)}, shape, from, out);
     work.vertices_blended += primitive.vertex_count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/visibility.h"
+#include "runtime/plan/evaluate/visibility.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility
     const std::uint32_t slot = geometry.empty() || plan.needs.palettes ? kNone : geometry_slot_of(plan, i);
     return slot != kNone && geometry[slot].weight == 1.0f && shown[slot].is_there;
   };
-  const std::span<bool> wanted = memory.array<bool>(plan.layout.palette_wanted_at, plan.palette.size());
+  const std::span<bool> wanted = memory.of(plan.layout.palette_wanted);
   std::fill(wanted.begin(), wanted.end(), false);
   for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)
     if (const std::uint32_t skin = plan.scene->instances[i].skin; skin != kNone)

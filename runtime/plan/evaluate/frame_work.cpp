@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/frame_work.h"
+#include "runtime/plan/evaluate/frame_work.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/deform_primitive.h"
+#include "runtime/plan/evaluate/deform_primitive.h"
 
 #include <algorithm>
 #include <cassert>
@@ -38,7 +38,7 @@ struct Deformation {
   const CompiledPlan& plan;
   const PrimitivePlan& planned;
   const PrimitiveSkinning& skinning;
-  const PrimitiveLayout& at;
+  const VertexBlocks& blocks;
   const Primitive& primitive;
   FrameMemory memory;
   FrameWork& work;
@@ -47,12 +47,12 @@ struct Deformation {
   void morph(std::span<const float> weights) noexcept {
     const std::size_t count = primitive.vertex_count();
     const bool in_between = planned.skin.any();
-    const VertexOutput out = output_at(memory, planned.morph, in_between ? plan.layout.morphed : at, count);
+    const VertexOutput out = output_in(memory, planned.morph, in_between ? plan.layout.morphed : blocks, count);
     const MorphVerticesJob job{.morphs = &primitive.morphs,
                                .weights = weights,
                                .vertices = now,
                                .out = out,
-                               .scratch = memory.array<glm::vec3>(plan.layout.scratch_at, count),
+                               .scratch = memory.of(plan.layout.morph_scratch.part(0, count)),
                                .normalise = !in_between};
     assert(check(job) == ErrorCode::ok);
     run_unchecked(job);
@@ -62,7 +62,7 @@ struct Deformation {
   }
 
   void skin(bool uneven_root, bool past_caches) noexcept {
-    const VertexOutput out = output_at(memory, planned.skin, at, primitive.vertex_count());
+    const VertexOutput out = output_in(memory, planned.skin, blocks, primitive.vertex_count());
     switch (planned.skinning) {
       case Skinning::linear:
         skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor),
@@ -76,16 +76,9 @@ struct Deformation {
 
  private:
   std::uint32_t skin_index() const noexcept { return plan.scene->instances[planned.instance].skin; }
-  std::size_t joint_count() const noexcept { return plan.scene->skins[skin_index()].joints.size(); }
-  std::span<const JointMatrix> palette() const noexcept {
-    return memory.array<JointMatrix>(plan.layout.palette_at[skin_index()], matrix_count(plan, skin_index()));
-  }
-  std::span<const RigidStretch> split() const noexcept {
-    return memory.array<RigidStretch>(plan.layout.split_at[skin_index()], joint_count());
-  }
-  bool any_stretch() const noexcept {
-    return memory.array<bool>(plan.layout.stretch_at, plan.split.size())[skin_index()];
-  }
+  std::span<const JointMatrix> palette() const noexcept { return memory.of(plan.layout.palettes[skin_index()]); }
+  std::span<const RigidStretch> split() const noexcept { return memory.of(plan.layout.splits[skin_index()]); }
+  bool any_stretch() const noexcept { return memory.of(plan.layout.stretch)[skin_index()]; }
 
   template <class Job>
   void run_counted(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
@@ -140,11 +133,11 @@ struct Deformation {
 
 }  // namespace
 
-VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
+VertexOutput output_in(FrameMemory memory, const AttributeSet& set, const VertexBlocks& blocks,
                        std::size_t count) noexcept {
-  return {.positions = memory.array<glm::vec3>(at.positions_at, set.positions ? count : 0),
-          .normals = memory.array<glm::vec3>(at.normals_at, set.normals ? count : 0),
-          .tangents = memory.array<glm::vec4>(at.tangents_at, set.tangents ? count : 0)};
+  return {.positions = memory.of(blocks.positions.part(0, set.positions ? count : 0)),
+          .normals = memory.of(blocks.normals.part(0, set.normals ? count : 0)),
+          .tangents = memory.of(blocks.tangents.part(0, set.tangents ? count : 0))};
 }
 
 std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size_t p,
@@ -152,8 +145,7 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
                                              FrameWork& work) noexcept {
   const Primitive& primitive = primitive_of(plan, plan.primitives[p]);
   const FlatFaces& faces = *plan.flat_faces[p];
-  const std::span<glm::vec3> normals =
-      memory.array<glm::vec3>(plan.layout.primitives[p].normals_at, primitive.vertex_count());
+  const std::span<glm::vec3> normals = memory.of(plan.layout.primitives[p].normals);
   run_unchecked(FlatNormalsJob{.faces = &faces,
                                .positions = positions,
                                .rest_normals = primitive.normals,
@@ -167,7 +159,7 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
 DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, const InstancePose& pose, bool flattens,
                                    FrameMemory memory, FrameWork& work) noexcept {
   const PrimitivePlan& planned = plan.primitives[p];
-  const PrimitiveLayout& at = plan.layout.primitives[p];
+  const VertexBlocks& blocks = plan.layout.primitives[p];
   const Primitive& primitive = primitive_of(plan, planned);
   const bool skins = planned.skin.any();
   const AttributeSet deformed = {
@@ -177,7 +169,7 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, cons
   Deformation stages{plan,
                      planned,
                      plan.primitive_skinning[p],
-                     at,
+                     blocks,
                      primitive,
                      memory,
                      work,
@@ -203,7 +195,7 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, cons
   if (deformed.tangents) result.tangents = stages.now.tangents;
   if (planned.morph_colors && active.colors == 0) result.colors = primitive.colors;
   if (active.colors > 0) {
-    const std::span<glm::vec4> colors = memory.array<glm::vec4>(at.colors_at, primitive.colors.size());
+    const std::span<glm::vec4> colors = memory.of(blocks.colors);
     morph_colors(primitive.morphs, pose.weights, primitive.colors, colors);
     result.colors = colors;
     work.spent_on(Stage::morph);
