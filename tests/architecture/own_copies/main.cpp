@@ -100,7 +100,7 @@ Scene made_scene() {
 bool print_frames(const Scene& scene, Skinning skinning) {
   Needs needs;
   needs.skinning = skinning;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   for (int step = 0; step < 9; ++step) {
     const ClipLayer layers[] = {{.clip = 0, .time_s = 0.137 * step, .weight = 0.75f},
