@@ -48,8 +48,8 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import, from bytes to scene. Each step relies on the checks of earlier steps. After an error, the import removes
-/// the broken parts and continues, only to report further errors; it returns no scene.
+/// One import, from bytes to scene. Each step relies on the checks of earlier steps. The first step with an error
+/// ends the import. If all errors are collected, it removes the broken parts and continues, but returns no scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
@@ -96,7 +96,7 @@ class Import {
     if (json == nullptr || !check_major_version(json->root, log_)) return false;
     if (options_.carry_document) carried_->json = to_json(json->root);
     check_shape(json->root, gltf_shape(), "", log_);
-    if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
+    if (!log_.ok() && !(options_.collect_all_errors && quarantine_.isolate(*json, log_))) return false;
     check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
     if (options_.thorough) check_declarations(json->root, log_);
@@ -124,8 +124,10 @@ class Import {
     return taken <= allowed;
   }
 
-  /// Called after each step. True if there is no error, or if all broken parts could be removed.
-  bool go_on() { return log_.error_count() == 0 || quarantine_.isolate(document_, log_); }
+  /// Called after each step. True if there is no error, or if all errors are collected and the broken parts removed.
+  bool go_on() {
+    return log_.error_count() == 0 || (options_.collect_all_errors && quarantine_.isolate(document_, log_));
+  }
 
   bool load() {
     load_buffers(document_, files_, bin_, log_);
@@ -181,10 +183,10 @@ class Import {
   }
 
   void add_centers(Scene& scene) const {
-    CentersOptions how;
-    how.cache_folder = options_.centers_cache;
-    how.progress = [this](double done) { progress("centers of rotation", done); };
-    add_centers_of_rotation(scene, how);
+    CentersOptions centers;
+    centers.cache_folder = options_.centers_cache;
+    centers.progress = [this](double done) { progress("centers of rotation", done); };
+    add_centers_of_rotation(scene, centers);
   }
 
   void fill_facts(ImportedFile::Facts& facts) {

@@ -27,6 +27,8 @@ struct ImportOptions {
   /// Also check data that the scene does not need: min and max, declarations, unused parts. Only this reports issues of
   /// severity info.
   bool thorough = false;
+  /// Continue after a step with an error, to report errors of later steps too. The file is refused in any case.
+  bool collect_all_errors = false;
   /// A channel of mesh.weights animates all nodes that show the mesh and have no weights of their own; false: ignored.
   bool animate_default_weights = true;
   bool carry_document = false;                            ///< fill ImportedFile::carried, which rewrite_gltf() needs
@@ -73,7 +75,7 @@ ExtensionSupport extension_support(std::string_view name) noexcept;
 /// relative to the file's folder and cannot leave it. A broken rule that makes data unusable is an error; one with a
 /// safe and common repair is a warning that names the repair. Never throws.
 /// out   the scene, validated by check(Scene)
-/// err   rule identifiers of importer/rules.inc
+/// err   rule identifiers (rules.inc of the importer)
 /// cost  O(file); memory: a small multiple of the file, bounded by the options
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options = {});
 

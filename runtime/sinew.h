@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The runtime for engines that speak C: all but reading files, which is in importer/c/sinew_import.h. For C11 and C++.
+// The C interface of the runtime, for C and C++. Files are read by sinew_assets.h, sinew_geometry.h and
+// sinew_import.h.
 #include "runtime/c/clips.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/jobs.h"

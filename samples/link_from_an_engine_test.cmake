@@ -25,11 +25,11 @@ foreach(file IN LISTS leftovers)
   endif()
 endforeach()
 
-# What is installed is what engines may include, and each header names the others as <sinew/...>.
+# Engines include what lies beside detail/, and each header names the others as <sinew/...>.
 file(GLOB_RECURSE headers RELATIVE ${SCRATCH}/moved/include ${SCRATCH}/moved/include/*)
 set(internal "-inl\\.h$|/simd/|clip_layout|byte_stream|varint|packed_keys|key_times|frame_(memory|tables|layout|work)|influence_dispatch|prefetch|checksum|all_finite|_checks|c/(boundary|handles|frame_input)\\.h$")
 foreach(header IN LISTS headers)
-  if(NOT header MATCHES "^sinew/(runtime|importer)/.*\\.h$" OR header MATCHES "${internal}")
+  if(NOT header MATCHES "^sinew/(detail/.+/)?[a-z_0-9]+\\.h$" OR header MATCHES "${internal}")
     message(FATAL_ERROR "include/${header} is installed, and is internal")
   endif()
   file(STRINGS ${SCRATCH}/moved/include/${header} lines REGEX "^#include [<\"](sinew/|runtime/|importer/|hwy/|tbb/|Eigen/|nlohmann/)")

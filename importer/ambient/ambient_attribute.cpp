@@ -92,14 +92,14 @@ VertexVisibility key_poses_in(const ImportedFile& file, std::vector<ImportIssue>
 
 /// The attributes with the key poses of a primitive, one for each pose.
 std::vector<std::string> names_of_poses(const Attributes& attributes, const VertexVisibility& visibility) {
-  std::vector<std::string> keyed, one;
+  std::vector<std::string> keyed, single;
   bool any = false;
   for (std::uint32_t k = 0; k < visibility.times_s.size(); ++k) {
-    one.emplace_back(kAmbientVisibilityAttribute);
+    single.emplace_back(kAmbientVisibilityAttribute);
     keyed.push_back(name_of_key_pose({visibility.clip, k}));
     any |= attributes.count(keyed.back()) > 0;
   }
-  return any ? keyed : one;
+  return any ? keyed : single;
 }
 
 /// Reads one attribute, in scene vertex order.

@@ -14,8 +14,8 @@ KeyPoseBaker::KeyPoseBaker(const Scene& scene, const VisibilityOptions& options,
                            VertexVisibility& visibility)
     : scene_(scene), options_(options), distance_m_(distance_m), visibility_(visibility) {
   if (!options.progress) return;
-  options_.progress = [this, tell = options.progress](double part) {
-    tell((static_cast<double>(baked_) + part) / static_cast<double>(visibility_.times_s.size()));
+  options_.progress = [this, report = options.progress](double part) {
+    report((static_cast<double>(baked_) + part) / static_cast<double>(visibility_.times_s.size()));
   };
 }
 

@@ -24,14 +24,14 @@ template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, void (*)(Handle)>;
 
 /// Embree filter callback: rejects hits on the backs of single-sided triangles.
-void leave_out_backs(const RTCFilterFunctionNArguments* asked) {
-  const auto* triangles = static_cast<const RayTriangle*>(asked->geometryUserPtr);
-  for (unsigned i = 0; i < asked->N; ++i) {
-    if (asked->valid[i] == 0) continue;
-    const RayTriangle& triangle = triangles[RTCHitN_primID(asked->hit, asked->N, i)];
-    const glm::dvec3 direction(RTCRayN_dir_x(asked->ray, asked->N, i), RTCRayN_dir_y(asked->ray, asked->N, i),
-                               RTCRayN_dir_z(asked->ray, asked->N, i));
-    if (!triangle.both_sides && glm::dot(direction, triangle.normal) >= 0.0) asked->valid[i] = 0;
+void reject_back_faces(const RTCFilterFunctionNArguments* query) {
+  const auto* triangles = static_cast<const RayTriangle*>(query->geometryUserPtr);
+  for (unsigned i = 0; i < query->N; ++i) {
+    if (query->valid[i] == 0) continue;
+    const RayTriangle& triangle = triangles[RTCHitN_primID(query->hit, query->N, i)];
+    const glm::dvec3 direction(RTCRayN_dir_x(query->ray, query->N, i), RTCRayN_dir_y(query->ray, query->N, i),
+                               RTCRayN_dir_z(query->ray, query->N, i));
+    if (!triangle.both_sides && glm::dot(direction, triangle.normal) >= 0.0) query->valid[i] = 0;
   }
 }
 
@@ -99,8 +99,8 @@ struct RayScene::State {
         *indices++ = next++;
       }
     rtcSetGeometryUserData(geometry, triangles.data());
-    rtcSetGeometryIntersectFilterFunction(geometry, leave_out_backs);
-    rtcSetGeometryOccludedFilterFunction(geometry, leave_out_backs);
+    rtcSetGeometryIntersectFilterFunction(geometry, reject_back_faces);
+    rtcSetGeometryOccludedFilterFunction(geometry, reject_back_faces);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene.get(), geometry);
   }

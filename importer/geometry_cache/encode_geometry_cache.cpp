@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "importer/geometry_cache/encode_stream.h"
+#include "runtime/base/all_below.h"
 #include "runtime/base/checksum.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/index.h"

@@ -7,6 +7,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "runtime/base/all_below.h"
 #include "runtime/base/index.h"
 
 namespace sinew {

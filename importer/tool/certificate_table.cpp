@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/length_text.h"
 #include "importer/tool/messages.h"

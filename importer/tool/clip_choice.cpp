@@ -4,7 +4,7 @@
 #include <charconv>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace sinew::tool {
 namespace {

@@ -7,19 +7,18 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/clip_choice.h"
-#include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/fit_clips.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
-#include "importer/write/replace_file.h"
 #include "runtime/asset_file/write_asset_file.h"
 #include "runtime/lod/compile_skeleton_lod.h"
 
@@ -51,7 +50,7 @@ tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::ve
   return clips;
 }
 
-/// What --joint-tolerance says.
+/// Parses the values of --joint-tolerance.
 /// err   a sentence
 tl::expected<std::vector<Length>, std::string> joint_tolerances(const std::vector<std::string>& texts) {
   std::vector<Length> tolerances;
@@ -93,6 +92,7 @@ AssetFileOptions blocks_of(const CompileOptions& options) {
 }
 
 ExitCode compile_file(const CompileOptions& options, const std::string& in, const std::string& out, bool many) {
+  const ResultsToStderr redirected(is_standard_output(out));
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   const auto tolerances = joint_tolerances(options.joint_tolerances);
@@ -103,7 +103,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   import.make_tangents = import.keep_encoded_images = blocks.model;
   auto file = load_file(in, import);
   if (!file) return ExitCode::input_at_fault;
-  if (const auto why = check_output_path(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto error = find_output_error(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *error);
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;
@@ -113,8 +113,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   const ClipBoxes boxes = blocks.model && blocks.clips ? bound_clips(scene) : ClipBoxes();
   blocks.clip_boxes = boxes;
   const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
-  if (const auto fault = write::replace_file(out, bytes))
-    return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});
+  if (const ExitCode code = write_output(out, bytes); code != ExitCode::done) return code;
   if (!many)
     print_result_text(certificate_table(scene.clips, scene.skeleton.names) +
                       lod_lines(lods, scene.skeleton.joint_count()));
@@ -124,63 +123,46 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
 
 }  // namespace
 
-void add_compile(CLI::App& program, ExitCode& outcome) {
+Command compile_command() {
   auto options = std::make_shared<CompileOptions>();
-  CLI::App* command =
-      program.add_subcommand("compile",
-                             "Compile models for engines, with clips within an error budget\n"
-                             "At no time is a vertex farther than the budget from where the file puts it. Prints what "
-                             "was measured of each clip; OUT stores that as well, and `sinew info OUT` shows it again. "
-                             "An engine reads OUT with read_scene (runtime/asset_file/read_assets.h) and without the "
-                             "importer; images stay encoded.");
-  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
-      ->required();
-  command->add_option("-o,--output", options->out, "The file to write; of several files the folder for their .sinew")
-      ->required()
-      ->type_name("OUT");
+  Command command(
+      "compile",
+      "Compile models for engines, with clips within an error budget\n"
+      "At no time is a vertex farther than the budget from where the file puts it. Prints what was measured "
+      "of each clip; OUT stores that as well, and `sinew info OUT` shows it again. An engine reads OUT with "
+      "read_scene (runtime/asset_file/read_assets.h) and without the importer; images stay encoded.");
+  add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      .required();
+  command.option("-o,--output", "OUT", &options->out, "The file to write; of several files the folder for their .sinew")
+      .required();
+  command.option("--clip", "INDEX|NAME", &options->clips,
+                 "A clip to compile, by number or name; may be given several times (default: all clips)");
+  command.option("--budget", "LENGTH", &options->budget,
+                 fmt::format("Largest error, {}; 0 keeps every bit (default: {})", kLengthHelp, options->budget));
   command
-      ->add_option("--clip", options->clips,
-                   "A clip to compile, by number or name; may be given several times (default: all clips)")
-      ->type_name("INDEX|NAME")
-      ->allow_extra_args(false);
+      .option("--parts", "PART[,...]", &options->parts,
+              "What OUT holds (default: skeleton,model,clips). With clips alone it belongs to the skeleton of FILE")
+      .list()
+      .one_of({"skeleton", "model", "clips"});
+  command.flag("--truth", options->truth, "Also store the keys of FILE, in full");
+  command.option("--joint-tolerance", "LENGTH", &options->joint_tolerances,
+                 fmt::format("Also store which joints can be left out while no vertex moves farther than this in the "
+                             "clips of OUT, {}; may be given several times, a level each",
+                             kLengthHelp));
   command
-      ->add_option("--budget", options->budget,
-                   fmt::format("Largest error, {}; 0 keeps every bit (default: {})", kLengthHelp, options->budget))
-      ->type_name("LENGTH");
-  command
-      ->add_option(
-          "--parts", options->parts,
-          "What OUT holds (default: skeleton,model,clips). With clips alone it belongs to the skeleton of FILE")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"skeleton", "model", "clips"}))
-      ->type_name("PART[,...]")
-      ->allow_extra_args(false);
-  command->add_flag("--truth", options->truth, "Also store the keys of FILE, in full");
-  command
-      ->add_option("--joint-tolerance", options->joint_tolerances,
-                   fmt::format("Also store which joints can be left out while no vertex moves farther than this in the "
-                               "clips of OUT, {}; may "
-                               "be given several times, a level each",
-                               kLengthHelp))
-      ->type_name("LENGTH")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--page", options->page_s,
-                   "Store clips that are longer in pages of this length, so that an engine can play them from a "
-                   "bounded part of OUT (runtime/paging/paged_clip.h); 4 is a good start")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->type_name("SECONDS");
-  command->add_option("--zstd", options->zstd_level, "Pack what gets smaller by it, at a level from 1 to 19")
-      ->check(CLI::Range(1, 19))
-      ->type_name("LEVEL");
-  command->callback([options, &outcome] {
-    outcome =
-        run_batch(options->files, {[&](const Input& file, bool many) {
-                                     return compile_file(*options, file.path, many ? file.output : options->out, many);
-                                   },
-                                   {},
-                                   BatchOutput{options->out, ".sinew"}});
-  });
+      .option("--page", "SECONDS", &options->page_s,
+              "Store clips that are longer in pages of this length, so that an engine can play them from a bounded "
+              "part of OUT (runtime/paging/paged_clip.h); 4 is a good start")
+      .within(0.1, 3600.0);
+  command.option("--zstd", "LEVEL", &options->zstd_level, "Pack what gets smaller by it, at a level from 1 to 19")
+      .within(1, 19);
+  command.run = [options] {
+    const auto run = [&](const Input& file, bool many) {
+      return compile_file(*options, file.path, many ? file.output : options->out, many);
+    };
+    return run_batch(options->files, {run, {}, BatchOutput{options->out, ".sinew"}});
+  };
+  return command;
 }
 
 }  // namespace sinew::tool

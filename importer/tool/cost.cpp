@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/bake/decoded_take.h"
 #include "importer/tool/clip_choice.h"
@@ -104,7 +104,7 @@ ExitCode report_on_showcase(const CostOptions& options) {
 
 /// Refuses a folder that cannot become the report, with a message.
 std::optional<ExitCode> refuse_folder(const CostOptions& options, std::span<const std::filesystem::path> inputs) {
-  const std::string why = cost::check_report_folder(options.folder, inputs);
+  const std::string why = cost::find_folder_error(options.folder, inputs);
   if (why.empty()) return std::nullopt;
   return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
 }
@@ -132,22 +132,23 @@ ExitCode report_cost(const CostOptions& options) {
 
 }  // namespace
 
-void add_cost(CLI::App& program, ExitCode& outcome) {
+Command cost_command() {
   auto options = std::make_shared<CostOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "cost",
       "Measure what accuracy costs in time, on a file of yours, as a page with charts\n"
       "Ways to interpolate, to store keys, to skin, to morph, to calculate, to retarget, to keep every "
-      "vertex of every frame, and to compute ambient occlusion. Each has its error against "
-      "double precision (or rays) and its time on this machine. DIR gets report.html (open it "
-      "in a browser), report.json and report.csv, and appears complete or not at all.");
-  command->add_option("FILE", options->file,
-                      "A .gltf or .glb file, or a geometry cache; without it the built-in showcase");
-  command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
-  command->add_option("--clip", options->clip, "The clip to look at (default: the clip that moves most joints)")
-      ->type_name("INDEX|NAME|none");
-  command->add_flag("--quick", options->quick, "A first impression within seconds, with more noise");
-  command->callback([options, &outcome] { outcome = report_cost(*options); });
+      "vertex of every frame, and to compute ambient occlusion. Each has its error against double precision "
+      "(or rays) and its time on this machine. DIR gets report.html (open it in a browser), report.json and "
+      "report.csv, and appears complete or not at all.");
+  command.argument("FILE", &options->file,
+                   "A .gltf or .glb file, or a geometry cache; without it the built-in showcase");
+  command.option("-o,--output", "DIR", &options->folder, "The folder to write").required();
+  command.option("--clip", "INDEX|NAME|none", &options->clip,
+                 "The clip to look at (default: the clip that moves most joints)");
+  command.flag("--quick", options->quick, "A first impression within seconds, with more noise");
+  command.run = [options] { return report_cost(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

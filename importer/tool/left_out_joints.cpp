@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/left_out_joints.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/length_text.h"
 #include "runtime/plan/plan_assets.h"
@@ -44,8 +44,8 @@ std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within)
   return text;
 }
 
-nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within) {
-  nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
+Json left_out_json(const Scene& scene, const CompiledSkeletonLod& within) {
+  Json left_out = Json::array();
   const std::vector<JointMapping> map = map_joints(scene, within.detail);
   for (std::uint32_t j = 0; j < map.size(); ++j)
     if (!map[j].is_kept)

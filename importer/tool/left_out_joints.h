@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "importer/tool/json.h"
 #include "runtime/lod/compile_skeleton_lod.h"
 #include "runtime/model/scene.h"
 
@@ -16,7 +15,7 @@ namespace sinew::tool {
 std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within);
 
 /// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out. Lengths in metres.
-nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within);
+Json left_out_json(const Scene& scene, const CompiledSkeletonLod& within);
 
 /// A line a level: what was asked, how many joints are left out, what was measured.
 std::string lod_lines(std::span<const CompiledSkeletonLod> lods, std::size_t joint_count);

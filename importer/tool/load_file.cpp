@@ -10,11 +10,11 @@
 
 namespace sinew::tool {
 
-void say_error_of_import(const std::string& file, const ImportError& error) {
+void print_import_error(const std::string& file, const ImportError& error) {
   std::vector<ImportIssue> errors{error.issue};
   errors.insert(errors.end(), error.more_errors.begin(), error.more_errors.end());
-  say_issues(file, error.warnings);
-  say_issues(file, errors);
+  print_issues(file, error.warnings);
+  print_issues(file, errors);
 }
 
 ImportResult<ImportedFile> import_with_progress(const std::string& file, ImportOptions options) {
@@ -26,10 +26,10 @@ ImportResult<ImportedFile> import_with_progress(const std::string& file, ImportO
 std::optional<ImportedFile> load_file(const std::string& file, const ImportOptions& options) {
   auto imported = import_with_progress(file, options);
   if (!imported) {
-    say_error_of_import(file, imported.error());
+    print_import_error(file, imported.error());
     return std::nullopt;
   }
-  say_issues(file, imported->warnings);
+  print_issues(file, imported->warnings);
   return std::move(*imported);
 }
 

@@ -16,6 +16,6 @@ std::optional<ImportedFile> load_file(const std::string& file, const ImportOptio
 ImportResult<ImportedFile> import_with_progress(const std::string& file, ImportOptions options);
 
 /// Prints the warnings, then the errors.
-void say_error_of_import(const std::string& file, const ImportError& error);
+void print_import_error(const std::string& file, const ImportError& error);
 
 }  // namespace sinew::tool

@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/cache_folder.h"
+#include "importer/tool/json.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
@@ -35,7 +35,7 @@ struct PlanOptions {
   std::string cache;
 };
 
-/// What --needs may name, besides kMasks.
+/// The needs that --needs can name, besides kMasks.
 const std::map<std::string, bool Needs::*> kNeeds = {
     {"joints", &Needs::joints},           {"weights", &Needs::weights},
     {"positions", &Needs::positions},     {"normals", &Needs::normals},
@@ -73,7 +73,7 @@ Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
   return needs;
 }
 
-nlohmann::ordered_json work_json(const WorkCounters& work) {
+Json work_json(const WorkCounters& work) {
   return {{"tracks_sampled", work.tracks_sampled},
           {"properties_sampled", work.properties_sampled},
           {"poses_mirrored", work.poses_mirrored},
@@ -123,7 +123,7 @@ tl::expected<std::optional<CompiledSkeletonLod>, std::string> leave_out_joints(c
                               needs);
 }
 
-/// What a plan came to, for one file.
+/// The compiled plan of one file, with its level of detail and the counted work, if asked for.
 struct Outcome {
   const Plan& plan;
   const std::optional<CompiledSkeletonLod>& left_out;
@@ -131,22 +131,22 @@ struct Outcome {
 };
 
 /// in   file   empty = not named
-std::string plan_json(const Outcome& outcome, const std::string& file) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+Json plan_json(const Outcome& outcome, const std::string& file) {
+  Json stages = Json::array();
   for (const PlanStage& stage : outcome.plan.stages())
     stages.push_back({{"stage", stage.stage},
                       {"runs", stage.runs},
                       {"reason", stage.reason},
                       {"count", stage.count},
                       {"bytes", stage.bytes}});
-  nlohmann::ordered_json report;
+  Json report;
   if (!file.empty()) report["file"] = file;
   report["stages"] = stages;
   report["frame_bytes"] = outcome.plan.frame_bytes();
   if (const auto& left_out = outcome.left_out)
     report["left_out_joints"] = left_out_json(outcome.plan.scene(), *left_out);
   if (outcome.work) report["work"] = work_json(*outcome.work);
-  return file.empty() ? json_text(report) + '\n' : json_line(report);
+  return report;
 }
 
 void print_text(const Outcome& outcome) {
@@ -161,7 +161,7 @@ void print_text(const Outcome& outcome) {
   if (left_out) print_result("{}", left_out_text(plan.scene(), *left_out));
   if (!work) return;
   print_result("work done by one frame:\n");
-  const nlohmann::ordered_json counts = work_json(*work);
+  const Json counts = work_json(*work);
   for (const auto& [name, count] : counts.items()) print_result("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
 }
 
@@ -177,7 +177,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   ImportOptions import;
   import.decode_images = false;
   for (const std::string& method : options.skinning)
-    if (kSkinningNames.at(method) == Skinning::center_of_rotation) ask_for_centers(import, options.cache);
+    if (kSkinningNames.at(method) == Skinning::center_of_rotation) request_centers(import, options.cache);
   const auto file = load_file(path, import);
   if (!file) return ExitCode::input_at_fault;
   const auto chosen = choose_clips(file->scene, options.clip);
@@ -191,7 +191,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
   if (*left_out) needs->skeleton_lod = (*left_out)->detail;
-  const Plan plan = compile_plan(file->scene, *needs);
+  const Plan plan = compile_plan(lend(file->scene), *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {
     const auto counted = work_of_one_frame(plan, chosen->front());
@@ -200,7 +200,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   }
   const Outcome outcome{plan, *left_out, work};
   if (options.files.json)
-    print_result_text(plan_json(outcome, many ? path : ""));
+    print_json(plan_json(outcome, many ? path : ""), many);
   else if (many)
     print_result_text(plan_line(outcome, path));
   else
@@ -210,54 +210,43 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
 
 }  // namespace
 
-void add_plan(CLI::App& program, ExitCode& outcome) {
+Command plan_command() {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command =
-      program.add_subcommand("plan",
-                             "Show the stages that a frame of a file runs or leaves out, each with the reason\n"
-                             "Several files have one line each.");
-  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
-      ->required();
+  Command command("plan",
+                  "Show the stages that a frame of a file runs or leaves out, each with the reason\n"
+                  "Several files have one line each.");
+  add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      .required();
+  command.option("--clip", "INDEX|NAME|none", &options->clip,
+                 "Also run one frame in the middle of this clip (none: the rest pose) and count its work");
   command
-      ->add_option("--clip", options->clip,
-                   "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
-      ->type_name("INDEX|NAME|none");
+      .option("--needs", "LIST", &options->needs,
+              "What the consumer of frames asks for (default: joints,weights,positions,normals,tangents,properties)")
+      .list()
+      .one_of(need_names());
+  command.option("--layers", "N", &options->layers, "Most clips that blend in one frame (default: 4)").within(1, 64);
   command
-      ->add_option(
-          "--needs", options->needs,
-          "What the consumer of frames asks for (default: joints,weights,positions,normals,tangents,properties)")
-      ->delimiter(',')
-      ->type_name("LIST")
-      ->check(CLI::IsMember(need_names()));
-  command->add_option("--layers", options->layers, "Most clips that blend in one frame (default: 4)")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 64u));
+      .option("--skinning", "METHOD", &options->skinning,
+              "Skinning to plan for: one method, or one for each mesh instance (default: linear)")
+      .list()
+      .one_of(skinning_names());
   command
-      ->add_option("--skinning", options->skinning,
-                   "Skinning to plan for: one method, or one for each mesh instance (default: linear)")
-      ->delimiter(',')
-      ->type_name("METHOD")
-      ->check(CLI::IsMember(skinning_names()));
-  command
-      ->add_option("--normals", options->normals,
-                   "How linear skinning turns normals: linear or cofactor (default: linear)")
-      ->type_name("RULE")
-      ->check(CLI::IsMember(std::vector<std::string>{"linear", "cofactor"}));
-  command
-      ->add_option(
-          "--joint-tolerance", options->joint_tolerance,
-          fmt::format("Leave out joints that move no vertex farther than this over the clip, or over all clips, "
-                      "{} (default: none)",
-                      kLengthHelp))
-      ->type_name("LENGTH");
-  add_cache_option(*command, options->cache);
-  command->add_flag("--json", options->files.json,
-                    "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}, of several files one document a "
-                    "line, with the file");
-  command->callback([options, &outcome] {
-    outcome =
-        run_batch(options->files, {[&](const Input& file, bool many) { return plan_file(*options, file.path, many); }});
-  });
+      .option("--normals", "RULE", &options->normals,
+              "How linear skinning turns normals: linear or cofactor (default: linear)")
+      .one_of({"linear", "cofactor"});
+  command.option("--joint-tolerance", "LENGTH", &options->joint_tolerance,
+                 fmt::format("Leave out joints that move no vertex farther than this over the clip, or over all clips, "
+                             "{} (default: none)",
+                             kLengthHelp));
+  add_cache_option(command, options->cache);
+  command.flag("--json", options->files.json,
+               "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}, of several files one document a "
+               "line, with the file");
+  command.run = [options] {
+    return run_batch(options->files,
+                     {[&](const Input& file, bool many) { return plan_file(*options, file.path, many); }});
+  };
+  return command;
 }
 
 }  // namespace sinew::tool

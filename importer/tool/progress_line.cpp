@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/batch/captured_output.h"
 

@@ -10,12 +10,12 @@
 #include <memory>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/cache_folder.h"
-#include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
@@ -129,7 +129,7 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
   return fail_with(ExitCode::machine_lacks, name + ": cannot be written to the end");
 }
 
-/// What is sampled besides nodes. A format without vertices needs no skinning.
+/// The parts of a pose that are sampled. A format without vertices needs no skinning.
 PoseContent content_of(const SampleOptions& options, std::size_t vertices) {
   if (!holds_vertices(options.format)) return {true, false, false, 0, false};
   const auto asks_for = [&](const char* method) { return names_skinning(options.skinning, method); };
@@ -151,13 +151,13 @@ ExitCode sample_file(SampleOptions options) {
   ImportOptions import;
   import.decode_images = false;
   const PoseContent content = content_of(options, *limit);
-  if (content.center_of_rotation) ask_for_centers(import, options.cache);
+  if (content.center_of_rotation) request_centers(import, options.cache);
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   if (!options.output.empty())
-    if (const auto why = check_output_path(options.output, file->facts.files))
-      return fail_with(ExitCode::wrong_usage, *why);
+    if (const auto error = find_output_error(options.output, file->facts.files))
+      return fail_with(ExitCode::wrong_usage, *error);
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());
   return write_poses(file->scene, *tasks, options, content);
@@ -166,7 +166,7 @@ ExitCode sample_file(SampleOptions options) {
 ExitCode sample_input(SampleOptions options, const Input& input, bool many) {
   options.file = input.path;
   if (many) options.output = input.output;
-  if (options.output == "-") options.output.clear();
+  if (is_standard_output(options.output)) options.output.clear();
   const ExitCode code = sample_file(options);
   if (many && code == ExitCode::done) print_result("{}: written\n", visible_text(options.output));
   return code;
@@ -180,51 +180,45 @@ std::vector<std::string> format_names() {
 
 }  // namespace
 
-void add_sample(CLI::App& program, ExitCode& outcome) {
+Command sample_command() {
   auto options = std::make_shared<SampleOptions>();
-  CLI::App* command =
-      program.add_subcommand("sample",
-                             "Write poses: world matrices of nodes, morph weights, deformed vertices\n"
-                             "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the "
-                             "first and last key, and some keys and middles between them.");
-  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
-      ->required();
-  command->add_option("--clip", options->clip, "One clip only; none = the rest pose")->type_name("INDEX|NAME|none");
-  auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")
-                    ->type_name("T,T,...");
-  command->add_option("--fps", options->fps, "Frames per second, from 0 to the clip's end")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber)
-      ->excludes(times);
+  Command command(
+      "sample",
+      "Write poses: world matrices of nodes, morph weights, deformed vertices\n"
+      "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last "
+      "key, and some keys and middles between them.");
+  add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      .required();
+  command.option("--clip", "INDEX|NAME|none", &options->clip, "One clip only; none = the rest pose");
+  command.option("--times", "T,T,...", &options->times, "Seconds in the clip, for example 0,0.5,1.25");
+  command.option("--fps", "N", &options->fps, "Frames per second, from 0 to the clip's end")
+      .within(1e-3, 1e6)
+      .excludes("--times");
   command
-      ->add_option("--skinning", options->skinning,
-                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; center-of-rotation: cors, "
-                   "corNormals; all (default: linear,dual-quaternion, since centers of rotation take long to compute "
-                   "the first time)")
-      ->delimiter(',')
-      ->type_name("METHOD[,METHOD...]")
-      ->check(CLI::IsMember(skinning_names({"all"})));
+      .option("--skinning", "METHOD[,METHOD...]", &options->skinning,
+              "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; center-of-rotation: cors, "
+              "corNormals; all (default: linear,dual-quaternion, since centers of rotation take long to compute the "
+              "first time)")
+      .list()
+      .one_of(skinning_names({"all"}));
+  command.option("--vertices", "N|all", &options->vertices,
+                 "At most N vertices of each primitive, spread evenly (default: 64)");
   command
-      ->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
-      ->type_name("N|all");
-  command
-      ->add_option("--format", options->format_name,
-                   "json: what `sinew verify` reads; csv: a row for each node and time; npy: the world matrices as one "
-                   "NumPy array [time, node, 4, 4]; npz: everything as NumPy arrays by name (default: what OUT's name "
-                   "ends in, else json)")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember(format_names()));
-  command
-      ->add_option(
-          "-o,--output", options->output,
-          "Write here (compressed if it ends in .gz), not to stdout; of several files the folder for their poses")
-      ->type_name("OUT");
-  add_cache_option(*command, options->cache);
-  command->callback([options, &outcome] {
+      .option("--format", "FORMAT", &options->format_name,
+              "json: what `sinew verify` reads; csv: a row for each node and time; npy: the world matrices as one "
+              "NumPy array [time, node, 4, 4]; npz: everything as NumPy arrays by name (default: what OUT's name ends "
+              "in, else json)")
+      .one_of(format_names());
+  command.option("-o,--output", "OUT", &options->output,
+                 "Write here (compressed if it ends in .gz), not to stdout; of several files the folder for their "
+                 "poses");
+  add_cache_option(command, options->cache);
+  command.run = [options] {
     const auto run = [&](const Input& file, bool many) { return sample_input(*options, file, many); };
-    outcome =
-        run_batch(options->files, {run, {}, BatchOutput{options->output, "." + options->format_name.value_or("json")}});
-  });
+    return run_batch(options->files,
+                     {run, {}, BatchOutput{options->output, "." + options->format_name.value_or("json")}});
+  };
+  return command;
 }
 
 }  // namespace sinew::tool

@@ -12,8 +12,8 @@ namespace sinew::tool {
 /// Reads `--times T,T,...`: finite seconds, in the order given.
 tl::expected<std::vector<double>, std::string> parse_times(const std::string& list);
 
-/// Times for `sinew sample` when the user names none: the start, the first and last key, three keys between them, and
-/// the middles of the key intervals after these keys. Increasing; exact float32 values, so that keys are hit.
+/// Times for `sinew sample` if the user names none: the start, and five keys from the first to the last. After each key
+/// follows the middle of its interval. Increasing; exact float32 values, so that keys are hit.
 /// in    animation   may be empty; the result is then {0}
 std::vector<double> representative_times(const Animation& animation);
 

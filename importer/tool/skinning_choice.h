@@ -21,7 +21,7 @@ inline std::vector<std::string> skinning_names(std::vector<std::string> more = {
   return more;
 }
 
-/// Whether a list of names has one, or "all".
+/// True if a list of names holds `wanted` or "all".
 inline bool names_skinning(const std::vector<std::string>& names, std::string_view wanted) {
   return std::any_of(names.begin(), names.end(), [&](const auto& name) { return name == wanted || name == "all"; });
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/bake/verify_geometry.h"
 #include "importer/tool/batch/run_batch.h"
@@ -108,7 +108,7 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
   }
   ImportOptions import;
   import.decode_images = false;
-  if (holds_centers(*golden, options.exact)) ask_for_centers(import, options.cache);
+  if (holds_centers(*golden, options.exact)) request_centers(import, options.cache);
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::cannot_read;
@@ -154,9 +154,9 @@ ExitCode verify_files(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& program, ExitCode& outcome) {
+Command verify_command() {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "verify",
       "Sample a file again, and tell where it differs from poses that were written earlier\n"
       "The file is sampled at the times of a pose file that `sinew sample` wrote. Exit status 0 when every pose still "
@@ -165,31 +165,29 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "\n"
       "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
       "anew. Exit status 0 when every frame is as it was written, and within what was asked.");
-  const InputsAndLast arguments = add_inputs_and_last(
-      *command, options->files, options->golden,
-      {"FILE", ".gltf or .glb files, and folders of them; or geometry caches, and folders of them, without GOLDEN"},
-      {"GOLDEN",
-       "Poses to compare with, .json or .json.gz; of several files the folder that `sinew sample FILE... -o GOLDEN` "
-       "filled"},
-      [](const std::string& last) { return !is_named_as(FileKind::geometry_caches, last); });
-  CLI::Option* golden = arguments.last->required(false);
-  auto* against = command->add_option("--against", options->against.file, "What the geometry cache was baked from")
-                      ->type_name("SOURCE")
-                      ->excludes(golden);
-  add_source_options(*command, options->against);
-  for (const char* name : {"--clip", "--points"}) command->get_option(name)->needs(against);
-  command->add_flag(
-      "--exact", options->exact,
-      "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread count\n"
-      "and between machines with fused multiply-add (AVX2 and later, ARM)");
+  add_batch_options(command, options->files,
+                    ".gltf or .glb files, and folders of them; or geometry caches, and folders of them, without GOLDEN")
+      .required();
   command
-      ->add_option(
-          "--tolerance", options->tolerance,
-          fmt::format("Largest distance that counts as equal, {} (default: 0.01% of the larger of model and value)",
-                      kLengthHelp))
-      ->type_name("LENGTH");
-  add_cache_option(*command, options->cache);
-  command->callback([options, &outcome] { outcome = verify_files(*options); });
+      .argument("GOLDEN", &options->golden,
+                "Poses to compare with, .json or .json.gz; of several files the folder that `sinew sample FILE... -o "
+                "GOLDEN` filled")
+      .takes_last = [](const std::string& word) { return !is_named_as(FileKind::geometry_caches, word); };
+  command.option("--against", "SOURCE", &options->against.file, "What the geometry cache was baked from")
+      .excludes("GOLDEN");
+  const SourceOptions of_source = add_source_options(command, options->against);
+  of_source.clip.needs("--against");
+  of_source.points.needs("--against");
+  command.flag("--exact", options->exact,
+               "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread "
+               "count\nand between machines with fused multiply-add (AVX2 and later, ARM)");
+  command.option(
+      "--tolerance", "LENGTH", &options->tolerance,
+      fmt::format("Largest distance that counts as equal, {} (default: 0.01% of the larger of model and value)",
+                  kLengthHelp));
+  add_cache_option(command, options->cache);
+  command.run = [options] { return verify_files(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

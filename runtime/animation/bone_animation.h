@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
 #include "runtime/math/transform.h"

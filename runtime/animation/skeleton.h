@@ -30,6 +30,11 @@ struct Skeleton {
   std::optional<std::uint32_t> find(std::string_view name) const noexcept;
 };
 
+/// A mask for layers that move one limb: `weight` for the joint and all below it, 0 for the other joints
+/// (Needs::masks).
+/// out  [J]     cost O(J), allocates
+std::vector<float> mask_below(const Skeleton& skeleton, std::uint32_t joint, float weight = 1.0f);
+
 /// Assigns a joint to a bone of the human body, by the bone's name in VRM 1.0 ("hips", "leftThumbProximal").
 struct NamedBone {
   std::string name;

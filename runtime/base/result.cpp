@@ -19,6 +19,16 @@ std::string_view describe(ErrorCode code) noexcept {
     case ErrorCode::busy: return "the job thread has no free slot for another frame";
     case ErrorCode::not_normalised:
       return "a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1";
+    case ErrorCode::no_plan: return "the plan is a default one, which compile_plan did not make";
+    case ErrorCode::wrong_plan: return "a frame buffer was made for another plan";
+    case ErrorCode::moved_from: return "the frame buffer was moved from and has no memory";
+    case ErrorCode::too_many_layers: return "there are more layers than the plan's needs have room for";
+    case ErrorCode::wrong_page: return "a page is cut from a clip with other joints, weights or properties";
+    case ErrorCode::not_in_needs: return "the input uses a feature that the plan's needs do not declare";
+    case ErrorCode::negative_weight: return "a weight is below 0";
+    case ErrorCode::not_a_fraction: return "a number is outside [0, 1]";
+    case ErrorCode::two_times: return "one vertex source is asked for two times in one frame";
+    case ErrorCode::too_large: return "a number is so large that results could overflow";
   }
   return "unknown error";
 }

@@ -2,13 +2,16 @@
 #pragma once
 #include <string_view>
 
-#include <tl/expected.hpp>
+namespace tl {
+template <class T, class E>
+class expected;
+}
 
 namespace sinew {
 
-/// Error codes of the runtime, for bad *calls*: wrong sizes, indices or orders in buffers, and NaN. The importer
-/// reports bad *files* with a text and a position (importer/import_error.h). Bugs of the program break a contract
-/// (base/contract.h).
+/// Error codes of the runtime, for bad *calls*: wrong sizes, indices or orders in buffers, and NaN. Each has one cause;
+/// why_refused (plan/run_plan.h) also names the field of a frame's input. The importer reports bad *files* with a text
+/// and a position (importer/import_error.h). Bugs of the program break a contract (base/contract.h).
 enum class ErrorCode {
   ok,
   size_mismatch,         ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
@@ -23,11 +26,22 @@ enum class ErrorCode {
   rank_deficient,        ///< a system of equations has no unique solution within rounding
   busy,                  ///< the job thread has no free slot for another frame
   not_normalised,        ///< a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1
+  no_plan,               ///< the plan is a default one: compile_plan did not make it
+  wrong_plan,            ///< the frame buffer, or the one that it follows, was made for another plan
+  moved_from,            ///< the frame buffer was moved from and has no memory
+  too_many_layers,       ///< more layers than the plan's needs have room for
+  wrong_page,            ///< the page of a layer is cut from a clip with other joints, weights or properties
+  not_in_needs,          ///< the input uses a feature that the plan's needs do not declare
+  negative_weight,       ///< a weight is below 0
+  not_a_fraction,        ///< a number is outside [0, 1]
+  two_times,             ///< one vertex source is asked for two times in one frame
+  too_large,             ///< a finite number is so large that results could overflow
 };
 
 /// One sentence per code, for logs.
 std::string_view describe(ErrorCode code) noexcept;
 
+/// A value or an ErrorCode. Headers whose functions answer one include <tl/expected.hpp>.
 template <class T>
 using Result = tl::expected<T, ErrorCode>;
 

@@ -15,7 +15,9 @@ template <class T>
 class SharedArray {
  public:
   SharedArray() = default;
-  SharedArray(std::vector<T> elements) : elements_(std::make_shared<std::vector<T>>(std::move(elements))) { update_view(); }
+  SharedArray(std::vector<T> elements) : elements_(std::make_shared<std::vector<T>>(std::move(elements))) {
+    update_view();
+  }
   SharedArray(const SharedArray&) = default;
   SharedArray& operator=(const SharedArray&) = default;
 

@@ -16,12 +16,12 @@ sinew_error sinew_clips_save(const sinew_scene* scene, uint32_t first_clip, size
 sinew_flags sinew_clip_block_bytes(const sinew_clip_block* block);
 void sinew_clip_block_destroy(sinew_clip_block* block);
 
-/// Whether bytes begin as those of saved clips do.
+/// 1 if the bytes begin as saved clips do.
 int sinew_looks_like_clips(const void* bytes, size_t byte_count);
 
-/// Puts saved clips in the place of the scene's clips from `first_clip` on: packed within an error budget offline, say.
-/// They sample the bits of the clips that were saved. Any bytes are welcome. What is derived from the animations of the
-/// file (clip bounds, skeleton LOD, root motion) stays that of the file.
+/// Replaces the scene's clips from `first_clip` on by saved clips, for example by clips that were packed within an
+/// error budget offline. They give the same bits as the clips that were saved. The bytes may be damaged or of another
+/// origin. Clip bounds, skeleton LOD and root motion go on following the animations of the file.
 /// in   scene  without plans: those refer to its clips
 /// out  messages  owned by the caller, why the bytes were refused; may be null. Given for SINEW_BAD_FILE only
 /// err  SINEW_NULL_ARGUMENT, SINEW_BUSY (the scene has plans), SINEW_BAD_FILE, SINEW_INDEX_OUT_OF_RANGE (more clips

@@ -30,7 +30,7 @@ typedef struct sinew_vertex_source {
   uint64_t inside[6];  ///< all zero = none
 } sinew_vertex_source;
 
-/// What plays in one mesh instance. This struct never grows.
+/// The vertex source that plays in one mesh instance. This struct never grows.
 typedef struct sinew_geometry_input {
   sinew_vertex_source source;
   double time_s;  ///< on the source's clock; the same for all instances of a source
@@ -80,21 +80,23 @@ void sinew_frame_destroy(sinew_frame* frame);
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
-///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers, a page of another clip),
-///      SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; mirrored where the plan has no mirror; weight below 1
-///      where the plan has one layer; adding where the plan has none; an interpolation factor outside of [0, 1] or
-///      where the plan has none). Afterwards the last good frame is still there.
+///      does not play), SINEW_SIZE_MISMATCH (weights, geometry), SINEW_TOO_MANY_LAYERS, SINEW_WRONG_PAGE,
+///      SINEW_NOT_FINITE, SINEW_NEGATIVE_WEIGHT, SINEW_TOO_LARGE (a weight or the root above 1e9),
+///      SINEW_NOT_A_FRACTION (interpolation factor or weight of a source), SINEW_TWO_TIMES, SINEW_UNSUPPORTED (kind of
+///      layer; a source in scene space for an instance with copies), SINEW_NOT_IN_NEEDS (the plan has no mirror, no
+///      additive layers, no frames between updates, or one layer and so no weight below 1). Afterwards the last good
+///      frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
-/// Asks for the memory that the next run touches first, without waiting for it: call it for the next character of a
-/// crowd before the one at hand runs.
+/// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the next
+/// character before this one runs.
 void sinew_frame_prefetch(const sinew_frame* frame);
 
-/// 1 = runs write vertices past the caches: for results that no code reads soon, as those of a crowd larger than the
-/// caches, or in memory that the GPU reads. The bits are the same.
+/// 1 = runs write vertices past the caches. Worth it for results that no code reads soon: a crowd larger than the
+/// caches, or memory that the GPU reads. The bits are the same.
 void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
 
-/// What a frame gave. Belongs to the frame, or to the jobs, it was asked from; its spans are valid until that runs
+/// The result of a frame. It belongs to the frame or the jobs that answered it. Its spans are valid until they run
 /// again.
 typedef struct sinew_result sinew_result;
 const sinew_result* sinew_frame_result(const sinew_frame* frame);

@@ -37,7 +37,7 @@ const sinew_layer* write_layers(std::span<const ClipLayer> layers, InputRoomOfC&
 sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
                         std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept {
   if (count > 0 && given == nullptr) return SINEW_NULL_ARGUMENT;
-  if (count > room.size()) return SINEW_SIZE_MISMATCH;
+  if (count > room.size()) return SINEW_TOO_MANY_LAYERS;
   for (std::size_t i = 0; i < count; ++i) {
     const sinew_layer& layer = given[i];
     const std::uint32_t kind = layer.kind & ~SINEW_LAYER_MIRRORED;
@@ -66,7 +66,7 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, c
   if (error != SINEW_OK) return error;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
-    if (!plan.plan.needs().between_updates) return SINEW_UNSUPPORTED;
+    if (!plan.plan.needs().between_updates) return SINEW_NOT_IN_NEEDS;
     error = read_layers(own.next_layers, own.next_pages, own.next_layer_count, room.layers.subspan(layer_room),
                         input.next_layers);
     if (error != SINEW_OK) return error;

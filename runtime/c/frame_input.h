@@ -34,14 +34,14 @@ struct OwnInputRoom {
 /// The input of a C caller as the runtime takes it.
 /// in   given  null = the rest pose
 /// out  input  views of `room` and of the caller's weights
-/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more layers, weights or instances that play
-///      than room), SINEW_UNSUPPORTED (unknown kind; interpolation that the plan has no room for)
+/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights or
+///      instances that play than room), SINEW_UNSUPPORTED (unknown kind), SINEW_NOT_IN_NEEDS (interpolation)
 sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
                        FrameInput& input) noexcept;
 
 /// Layers of a C caller.
 /// in   pages  [count] or null
-/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more than room), SINEW_UNSUPPORTED (kind)
+/// err  SINEW_NULL_ARGUMENT, SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind)
 sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
                         std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept;
 

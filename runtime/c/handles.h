@@ -33,7 +33,7 @@ struct sinew_scene {
 
 struct sinew_plan {
   sinew_plan(const sinew_scene& of, std::span<const sinew::Clip> clips, const sinew::Needs& needs)
-      : scene(&of), plan(compile_plan(of.scene, clips, needs)) {
+      : scene(&of), plan(compile_plan(lend(of.scene), clips, needs)) {
     ++scene->plan_count;
   }
   ~sinew_plan() { --scene->plan_count; }

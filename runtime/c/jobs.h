@@ -43,7 +43,8 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, u
 /// far they are apart.
 /// out  ticket  names the frame: 1 for the first, rising by one; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
-///      layers or weights), SINEW_UNSUPPORTED (kind of layer, interpolation that the plan has none of), SINEW_BUSY
+///      weights), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer), SINEW_NOT_IN_NEEDS (interpolation),
+///      SINEW_BUSY
 sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count, uint64_t* ticket);
 int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
 /// in   ticket  that was answered by submit

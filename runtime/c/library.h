@@ -11,7 +11,7 @@ extern "C" {
 /// share them. A library may grow while plans run: a plan keeps the clips that it was compiled for.
 typedef struct sinew_library sinew_library;
 
-/// What happens to clips that move what the skeleton or the scene does not have.
+/// Treatment of clips that move joints, morph targets or properties that the skeleton or the scene does not have.
 typedef enum sinew_if_unbound {
   SINEW_LEAVE_OUT = 0,  ///< they play without it
   SINEW_REFUSE = 1      ///< nothing is added, and the answer is SINEW_UNBOUND
@@ -33,7 +33,7 @@ void sinew_library_destroy(sinew_library* library);
 sinew_error sinew_library_add(sinew_library* library, const sinew_scene* scene, uint32_t if_unbound,
                               sinew_messages** unbound);
 
-// Indices keep their clips as the library grows. What is out of range answers empty strings, 0 and SINEW_NONE.
+// Indices keep their clips as the library grows. An index out of range answers an empty string, 0 or SINEW_NONE.
 size_t sinew_library_clip_count(const sinew_library* library);
 sinew_string sinew_library_clip_name(const sinew_library* library, uint32_t clip);
 double sinew_library_clip_duration_s(const sinew_library* library, uint32_t clip);

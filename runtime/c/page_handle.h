@@ -4,7 +4,7 @@
 
 #include "runtime/paging/paged_clip.h"
 
-/// What is behind the handle of a page.
+/// The object behind the handle of a page.
 struct sinew_page {
   sinew::PageSample sample;
 };

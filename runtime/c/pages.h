@@ -22,7 +22,7 @@ extern "C" {
 /// several, and need not keep up.
 typedef struct sinew_paged_clip sinew_paged_clip;
 
-/// What a paged clip shows at a time, with the keys for it. Made once and used again.
+/// The page that a paged clip plays at a time, with its keys. Made once and used again.
 struct sinew_page;
 
 typedef struct sinew_page_window {
@@ -48,9 +48,9 @@ void sinew_paged_clip_destroy(sinew_paged_clip* paged);
 sinew_error sinew_page_create(sinew_page** out);
 void sinew_page_destroy(sinew_page* page);
 double sinew_page_time_s(const sinew_page* page);  ///< for the layer: the time asked for, or the nearest that is loaded
-int sinew_page_is_missing(const sinew_page* page);  ///< 1 = what is shown is not of the time asked for
+int sinew_page_is_missing(const sinew_page* page);  ///< 1 = the page of that time is not loaded yet
 
-/// What there is of a time, and where the window is from now on.
+/// Finds the loaded page that is nearest to a time, and moves the window of pages there.
 /// in   backwards  1 = the pages before this one are needed next
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE;  cost O(window), a lock that loaders hold for as long; allocates nothing
 sinew_error sinew_paged_clip_at(sinew_paged_clip* paged, double time_s, uint32_t backwards, sinew_page* page);

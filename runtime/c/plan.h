@@ -6,7 +6,7 @@
 extern "C" {
 #endif
 
-/// What frames shall hold; what nobody asks for is left out of the plan and costs nothing.
+/// Parts that frames shall compute. The plan leaves the others out, and they cost nothing.
 enum {
   SINEW_NEED_JOINTS = 1u << 0,     ///< model matrices of all joints
   SINEW_NEED_POSITIONS = 1u << 1,  ///< deformed vertices

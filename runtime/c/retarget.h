@@ -8,8 +8,8 @@ extern "C" {
 #endif
 
 /// How poses and clips of one skeleton, the source, go to another, the target. Joints of equal names are mapped, or
-/// those that are the same bone of a human body by the names of VRM, Mixamo, Unreal, Rigify and motion capture; what
-/// finds more. Owned by the caller; any number of threads may read it.
+/// joints that are the same bone of a human body, whichever of the two maps more. Bones are known by the names of VRM,
+/// Mixamo, Unreal, Rigify and motion capture. Owned by the caller; any number of threads may read it.
 typedef struct sinew_skeleton_map sinew_skeleton_map;
 
 /// This struct never grows.
@@ -22,7 +22,7 @@ typedef enum sinew_limb_directions {
   SINEW_LIMBS_OF_REST = 1     ///< the rest pose becomes the rest pose
 } sinew_limb_directions;
 
-/// What becomes of the translations of mapped joints.
+/// How the translations of mapped joints are retargeted.
 typedef enum sinew_translation_rule {
   SINEW_HIPS_BY_HEIGHT = 0,  ///< the path of top joints and hips is scaled by the ratio of heights; other bones keep
                              ///< their lengths
@@ -75,8 +75,9 @@ sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton
 sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose, const sinew_pose* scratch,
                                 const sinew_pose* retargeted);
 
-/// Holds the feet of a retargeted pose: a foot that is on the ground follows the path of the source's, scaled by
-/// heights, and stands still where that stands still. Thighs and shanks turn; hips come down where legs are too short.
+/// Holds the feet of a retargeted pose. A foot on the ground follows the path of the source's foot, scaled by the ratio
+/// of heights. It stands still while the source's foot stands still. Thighs and shanks turn; hips come down where legs
+/// are too short.
 /// in   ground    height of the ground below the source's feet at rest, in units of the source (sinew_find_ground)
 ///      pose      of the source
 ///      held      what sinew_retarget_pose answered for it; changed in place
@@ -89,8 +90,8 @@ sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const s
 sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
 
 /// Adds a clip of the source to a library as a clip of the target, key by key where joints follow one other joint.
-/// Morph targets follow those of equal names, whatever their meshes, and properties those of things of equal names as
-/// far as clips of the target's scene animate them, too.
+/// Morph targets follow morph targets of equal names, on any mesh. Properties follow properties of equal names, if
+/// clips of the target's scene animate them too.
 /// in   library    of the target's skeleton, or one that shares names with it
 ///      hold_feet  1 = feet on the ground are held, as by sinew_hold_feet
 ///      if_unbound, unbound  as in sinew_library_add

@@ -3,16 +3,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// What all of the C interface agrees on.
+// Rules of the whole C interface.
 //
 // Handles are opaque. The caller of sinew_X_create owns the handle and gives it back with sinew_X_destroy, which
-// accepts NULL too. Spans and strings are views: they belong to the handle that they were asked from, and live as long
-// as that handle, or as the function says. No function keeps a pointer that it was given, unless it says so.
+// accepts NULL too. Spans and strings are views into the handle that answered them. They live as long as that handle,
+// or as the function says. No function keeps a pointer that it was given, unless it says so.
 //
 // Structs that may grow begin with struct_size, which the caller sets to sizeof. The library reads and writes no more
-// than that, and steps through arrays of such structs by it; all elements of an array have the same. So an older
-// program runs with a newer library, where additions take their defaults, and a newer program runs with an older
-// library as long as it leaves the additions zero. Null pointers and numbers that make no sense answer codes, or
+// than that. It is also the step of arrays, so all elements of an array have the same. An older program runs with a
+// newer library, where new fields take their defaults. A newer program runs with an older library as long as it leaves
+// the new fields zero. Null pointers and numbers that make no sense answer codes, or
 // nothing.
 //
 // No exception leaves a function. Different handles may be used by different threads. Scenes and plans do not change
@@ -46,8 +46,18 @@ typedef enum sinew_error {
   SINEW_UNSUPPORTED = 8,  ///< the combination asked for does not exist
   SINEW_COINCIDENT_POSES = 9,
   SINEW_RANK_DEFICIENT = 10,
-  SINEW_BUSY = 11,                ///< a frame waits already
-  SINEW_NOT_NORMALISED = 12,      ///< a rotation is not unit, or the weights of a vertex do not sum to 1
+  SINEW_BUSY = 11,             ///< a frame waits already
+  SINEW_NOT_NORMALISED = 12,   ///< a rotation is not unit, or the weights of a vertex do not sum to 1
+  SINEW_NO_PLAN = 13,          ///< no C function answers this: plan handles always have a plan
+  SINEW_WRONG_PLAN = 14,       ///< the frame was made for another plan
+  SINEW_MOVED_FROM = 15,       ///< no C function answers this
+  SINEW_TOO_MANY_LAYERS = 16,  ///< more layers than the plan's needs have room for
+  SINEW_WRONG_PAGE = 17,       ///< a page is cut from a clip with other joints, weights or properties
+  SINEW_NOT_IN_NEEDS = 18,     ///< the input uses a feature that the plan's needs do not declare
+  SINEW_NEGATIVE_WEIGHT = 19,
+  SINEW_NOT_A_FRACTION = 20,      ///< a number is outside [0, 1]
+  SINEW_TWO_TIMES = 21,           ///< one vertex source is asked for two times in one frame
+  SINEW_TOO_LARGE = 22,           ///< a finite number is so large that results could overflow
   SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
                                   ///< library with something in the newer part

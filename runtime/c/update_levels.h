@@ -37,7 +37,7 @@ sinew_error sinew_choose_update_level(double screen_size, uint32_t before, doubl
 uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32_t phase);
 
 /// Holds a character's input over the frames that its level leaves out: running the same input again costs nothing.
-/// What is out of view or asleep is always of this frame.
+/// `out_of_view` and `asleep` are always those of this frame.
 typedef struct sinew_held_input sinew_held_input;
 
 /// in   plan  must outlive the held input
@@ -49,9 +49,8 @@ void sinew_held_input_destroy(sinew_held_input* held);
 /// in   now    null = the rest pose;   level  sinew_update_level
 ///      phase  of the character, any number: characters that count up spread their work over frames
 /// out  input  views of `held` and of `now`, valid until the next call
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (more layers or weights than the plan has
-/// room
-///      for), SINEW_UNSUPPORTED (level, kind of layer)
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights than the
+///      scene has), SINEW_UNSUPPORTED (level, kind of layer)
 sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_input* now, uint32_t level, uint64_t frame,
                                   uint32_t phase, sinew_frame_input* input);
 
@@ -59,7 +58,7 @@ sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_inpu
 typedef struct sinew_interpolated_input sinew_interpolated_input;
 
 /// in   plan  with SINEW_NEED_BETWEEN_UPDATES; must outlive the input
-/// err  SINEW_NULL_ARGUMENT, SINEW_UNSUPPORTED (another plan), SINEW_OUT_OF_MEMORY
+/// err  SINEW_NULL_ARGUMENT, SINEW_NOT_IN_NEEDS (another plan), SINEW_OUT_OF_MEMORY
 sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out);
 void sinew_interpolated_input_destroy(sinew_interpolated_input* interpolated);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C11 and C++.
+// Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C and C++.
 #include "runtime/c/messages.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/scene.h"
@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/// Whether bytes begin as those of asset files do.
+/// 1 if the bytes begin as an asset file does.
 int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 
 /// The scene of an asset file: its skeleton, and model and clips where it has them. Any bytes are welcome; the scene
@@ -20,7 +20,7 @@ int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY;   cost O(bytes), allocates
 sinew_error sinew_assets_read(const void* bytes, size_t byte_count, sinew_scene** scene, sinew_messages** messages);
 
-/// How the clips of a file are cut into pages (runtime/c/pages.h).
+/// How the clips of a file are cut into pages (sinew.h).
 typedef struct sinew_page_tables sinew_page_tables;
 
 /// sinew_assets_read without the pages: clips that lie in pages have the first key of each track.

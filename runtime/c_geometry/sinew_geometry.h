@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Geometry caches (.sgeo) for engines that speak C. Link sinew::c_geometry beside sinew::c. For C11 and C++.
+// Geometry caches (.sgeo) for engines that speak C. Link sinew::c_geometry beside sinew::c. For C and C++.
 #include "runtime/c/frame.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/scene.h"
@@ -9,7 +9,8 @@
 extern "C" {
 #endif
 
-/// What is in a file, and where: without the frames, unless the whole file is in memory.
+/// The tables of a file: its meshes, streams and where its frames lie. It reads frames from there too if the whole file
+/// is in memory.
 typedef struct sinew_geometry_cache sinew_geometry_cache;
 
 /// Bytes from the start of a file that sinew_geometry_open needs; 0 when these are too few to tell (40 are enough) or

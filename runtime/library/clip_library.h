@@ -20,7 +20,7 @@ enum class IfUnbound : std::uint8_t { leave_out, refuse };
 ///     library.add(walks);  // scenes of other files; returns the channels that do not bind
 ///     library.add(gestures);
 ///     const BoundClips clips = clips_for(library, outfit);  // same keys; rest values and weights of the outfit
-///     const Plan plan = compile_plan(outfit, clips.clips, needs);
+///     const Plan plan = compile_plan(lend(outfit), clips.clips, needs);
 ///
 /// Joints bind by name. Morph weights and properties keep their names, and bind to each scene separately. If the rest
 /// pose of a file differs from the library's, joints that a clip does not move have the library's rest pose. Local

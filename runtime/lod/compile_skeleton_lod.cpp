@@ -246,9 +246,9 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
   needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
   needs.positions = true;
   needs.skeleton_lod = {};
-  const Plan full = compile_plan(scene, needs);
+  const Plan full = compile_plan(lend(scene), needs);
   needs.skeleton_lod = detail;
-  const Plan lean = compile_plan(scene, needs);
+  const Plan lean = compile_plan(lend(scene), needs);
   FrameBuffer all(full), some(lean);
   std::size_t vertices = 0;
   for (const PrimitivePlan& planned : full.primitives())

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "runtime/math/conventions.h"
+#include "runtime/math/vectors.h"
 
 namespace sinew {
 

@@ -26,7 +26,6 @@
 /// - GLM options that change the layout of its types are refused below. A program with another layout than the library
 ///   would link without an error, and fail when it runs.
 #include <cstddef>
-#include <type_traits>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -35,14 +34,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec3) == 4 && alignof(glm::vec4) == 4 &&
-                  alignof(glm::quat) == 4 && sizeof(glm::mat3) == 36 && alignof(glm::mat4) == 4 &&
-                  sizeof(glm::dvec3) == 24 && alignof(glm::dvec4) == alignof(double),
+#include "runtime/math/vectors.h"
+
+static_assert(sizeof(glm::dvec3) == 24 && alignof(glm::dvec4) == alignof(double) && alignof(glm::quat) == 4 &&
+                  sizeof(glm::mat3) == 36 && alignof(glm::mat4) == 4,
               "sinew needs GLM's packed types: do not define GLM_FORCE_DEFAULT_ALIGNED_GENTYPES.");
 static_assert(offsetof(glm::quat, x) == 0 && offsetof(glm::quat, w) == 12,
               "sinew needs GLM's quaternions in the order x y z w: do not define GLM_FORCE_QUAT_DATA_WXYZ.");
-static_assert(std::is_same_v<glm::length_t, int>,
-              "sinew needs GLM's lengths to be int: do not define GLM_FORCE_SIZE_T_LENGTH.");
 
 // An option of GLM 1.0. A static_assert cannot check the order: not all options leave the constructors constexpr.
 #ifdef GLM_FORCE_QUAT_CTOR_XYZW
@@ -53,16 +51,6 @@ namespace sinew {
 
 template <class T>
 using Vec2 = glm::vec<2, T, glm::defaultp>;
-template <class T>
-using Vec3 = glm::vec<3, T, glm::defaultp>;
-template <class T>
-using Vec4 = glm::vec<4, T, glm::defaultp>;
-template <class T>
-using Quat = glm::qua<T, glm::defaultp>;
-template <class T>
-using Mat3 = glm::mat<3, 3, T, glm::defaultp>;
-template <class T>
-using Mat4 = glm::mat<4, 4, T, glm::defaultp>;
 
 /// Quaternion from its components in storage order (GLM's own constructor takes w first).
 template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/math/affine.h"
+#include "runtime/math/conventions.h"
 
 namespace sinew {
 

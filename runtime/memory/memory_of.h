@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "runtime/library/clip_library.h"
+#include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_buffer.h"
 
 namespace sinew {

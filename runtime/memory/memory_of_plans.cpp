@@ -40,7 +40,7 @@ std::size_t bytes_of_tables(const CompiledPlan& plan) {
          bytes_of(plan.first_primitive) + bytes_of(plan.geometry_slot) + bytes_of(plan.instance_skinned) +
          bytes_of(plan.instance_scales) + bytes_of(plan.palette) + bytes_of(plan.split) +
          bytes_of(plan.combined, bytes_of_combined) + bytes_of_nested(plan.hemisphere_edges) +
-         bytes_of(plan.layout.palette_at) + bytes_of(plan.layout.split_at) + bytes_of(plan.layout.primitives);
+         bytes_of(plan.layout.palettes) + bytes_of(plan.layout.splits) + bytes_of(plan.layout.primitives);
 }
 
 std::size_t bytes_of_mirror(const MirrorTables& tables) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/model/aabb.h"
 #include "runtime/model/morph_set.h"
 #include "runtime/model/skin.h"
 
@@ -11,18 +12,6 @@ namespace sinew {
 
 /// Topology of an index list. The importer converts strips, fans and loops to plain lists.
 enum class Topology : std::uint8_t { points, lines, triangles };
-
-/// Axis-aligned box; empty while lower > upper.
-struct Aabb {
-  glm::vec3 lower{1e30f};
-  glm::vec3 upper{-1e30f};
-
-  bool empty() const noexcept { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
-  void add(const glm::vec3& p) noexcept {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-};
 
 /// [clips][instances] Bounds of each mesh instance over the whole of each clip, computed by clip_boxes
 /// (lod/clip_bounds.h) when the clips were compiled. An empty or missing list means that the bounds of that clip were

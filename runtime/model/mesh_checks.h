@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/animation/track.h"
+#include "runtime/base/all_below.h"
 #include "runtime/base/all_finite.h"
 #include "runtime/base/index.h"
 #include "runtime/base/result.h"

@@ -2,6 +2,8 @@
 #pragma once
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "runtime/model/pose_samples.h"
 
 namespace sinew {

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/model/scene.h"
 
+#include <algorithm>
+
 #include "runtime/clip/clip_rest.h"
 #include "runtime/model/scene_look.h"
 
 namespace sinew {
+
+std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept {
+  const auto found =
+      std::find_if(scene.clips.begin(), scene.clips.end(), [&](const Clip& clip) { return clip.name() == name; });
+  if (found == scene.clips.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - scene.clips.begin());
+}
 
 std::vector<float> rest_weights_of(const Scene& scene) {
   std::vector<float> weights;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
@@ -94,6 +98,20 @@ struct Scene {
 
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
+
+/// A scene for compile_plan that all its plans share. It lives as long as the last of them, and as their frame buffers
+/// and job threads.
+inline std::shared_ptr<const Scene> share(Scene scene) { return std::make_shared<const Scene>(std::move(scene)); }
+
+/// A scene for compile_plan that the caller keeps: in its place, until no plan, frame buffer or job thread uses it. For
+/// scenes that lie beside their plan; nothing checks the promise.
+inline std::shared_ptr<const Scene> lend(const Scene& scene) noexcept {
+  return std::shared_ptr<const Scene>(std::shared_ptr<const void>(), &scene);
+}
+std::shared_ptr<const Scene> lend(const Scene&& scene) = delete;  // it would be gone already
+
+/// First clip of that name; nothing when there is none.    cost O(clips)
+std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept;
 
 /// Rest morph weights of all mesh instances, one instance after another.
 /// out  [W]     cost O(W), allocates

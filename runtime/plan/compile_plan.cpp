@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "runtime/animation/mirror_animation.h"
 #include "runtime/base/contract.h"
@@ -11,6 +12,7 @@
 #include "runtime/clip/clip_layout.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/plan_primitives.h"
+#include "runtime/plan/scene_indices.h"
 #include "runtime/pose/hemisphere_pairs.h"
 #include "runtime/pose/simd/choose_instruction_set.h"
 
@@ -154,9 +156,16 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
 
 }  // namespace
 
-Plan compile_plan(const Scene& scene, const Needs& needs) { return compile_plan(scene, scene.clips, needs); }
+Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs) {
+  CONTRACT(scene != nullptr && "a plan needs a scene");
+  const std::span<const Clip> clips = scene->clips;
+  return compile_plan(std::move(scene), clips, needs);
+}
 
-Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& needs) {
+Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> clips, const Needs& needs) {
+  CONTRACT(shared != nullptr && "a plan needs a scene");
+  const Scene& scene = *shared;
+  CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
   CONTRACT(needs.max_layers > 0);
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
   CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
@@ -167,7 +176,7 @@ Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& 
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;
-  plan.scene = &scene;
+  plan.scene = std::move(shared);
   plan.needs = needs;
   plan.assets = make_assets(scene, clips, needs.skeleton_lod, needs.mirror);
   plan.rest_weights = rest_weights_of(scene);
@@ -189,17 +198,25 @@ Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& 
   return Plan(made);
 }
 
-const Scene& Plan::scene() const noexcept { return *compiled_->scene; }
-const Needs& Plan::needs() const noexcept { return compiled_->needs; }
-bool Plan::runs(Stage stage) const noexcept { return compiled_->stages[static_cast<std::size_t>(stage)]; }
-std::vector<PlanStage> Plan::stages() const { return describe_stages(*compiled_); }
-std::size_t Plan::frame_bytes() const noexcept { return compiled_->layout.frame_bytes; }
-std::span<const PrimitivePlan> Plan::primitives() const noexcept { return compiled_->primitives; }
-std::span<const std::uint32_t> Plan::first_primitive() const noexcept { return compiled_->first_primitive; }
-std::span<const ClipTracks> Plan::clip_tracks() const noexcept { return compiled_->clip_tracks; }
-std::span<const std::uint32_t> Plan::moved_joints() const noexcept { return compiled_->moved_joints; }
+const CompiledPlan& Plan::get() const noexcept {
+  CONTRACT(is_compiled() && "a default plan has no content: compile_plan makes plans");
+  return *compiled_;
+}
 
-std::vector<std::uint32_t> kept_joints(const Plan& plan) { return kept_joints(plan.compiled()->assets.joint_map); }
+const Scene& Plan::scene() const noexcept { return *get().scene; }
+const Needs& Plan::needs() const noexcept { return get().needs; }
+bool Plan::runs(Stage stage) const noexcept { return get().stages[static_cast<std::size_t>(stage)]; }
+std::vector<PlanStage> Plan::stages() const { return describe_stages(get()); }
+std::size_t Plan::frame_bytes() const noexcept { return get().layout.frame_bytes; }
+std::span<const PrimitivePlan> Plan::primitives() const noexcept { return get().primitives; }
+std::span<const std::uint32_t> Plan::first_primitive() const noexcept { return get().first_primitive; }
+std::span<const ClipTracks> Plan::clip_tracks() const noexcept { return get().clip_tracks; }
+std::span<const std::uint32_t> Plan::moved_joints() const noexcept { return get().moved_joints; }
+
+std::vector<std::uint32_t> kept_joints(const Plan& plan) {
+  CONTRACT(plan.is_compiled() && "a default plan has no joints");
+  return kept_joints(plan.compiled()->assets.joint_map);
+}
 
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept {
   return world_of(plan.compiled()->assets, model, joint);

@@ -22,14 +22,14 @@ struct AttributeSet {
   bool any() const noexcept { return positions || normals || tangents; }
 };
 
-/// What frames do with a primitive of a mesh instance: morph, then skin, then what a cache gives in place of these,
-/// then flat normals, each only where called for.
+/// The stages of a primitive of a mesh instance. In this order: morph, skin, vertices of a cache in place of both, flat
+/// normals.
 struct PrimitivePlan {
   std::uint32_t instance = 0, primitive = 0;
   AttributeSet morph, skin;
   AttributeSet cached;  ///< of frames in which the instance plays (FrameInput::geometry)
   bool morph_colors = false;
-  bool flat_normals = false;  ///< recomputed from the deformed triangles (G46)
+  bool flat_normals = false;  ///< recomputed from the deformed triangles
   bool cofactors = false;  ///< normals follow the cofactor matrix: the needs ask for it, and scale or blends are uneven
   bool lacks_centers = false;  ///< `skinning` is linear in place of center_of_rotation
   Skinning skinning = Skinning::linear;
@@ -47,15 +47,17 @@ struct ClipTracks {
 /// copies share what was compiled, and a FrameBuffer keeps that as long as it lives. All characters that show the scene
 /// share one plan.
 ///
-/// The scene must outlive the plan and its frame buffers, at its address, and stays as it was compiled in skeleton,
-/// skins, meshes, instances, first_weight, correctives, properties and hidden_joints. The plan shares the clips: clips
-/// and animations may be added to the scene, moved and removed. Frames know the clips that the plan was compiled for,
-/// by the index that they had.
+/// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan does
+/// not change. One exception: clips and animations may be added to a lent scene, moved and removed, since the plan
+/// shares the clips themselves. Frames know the clips that the plan was compiled for, by the index that they had.
 class Plan {
  public:
-  /// No plan: run_plan answers size_mismatch, and nothing else may be called.
+  /// No plan: run_plan answers no_plan, and all other calls but is_compiled() break a contract.
   Plan() noexcept = default;
   explicit Plan(std::shared_ptr<const CompiledPlan> compiled) noexcept : compiled_(std::move(compiled)) {}
+
+  /// False for a default plan.
+  bool is_compiled() const noexcept { return compiled_ != nullptr; }
 
   const Scene& scene() const noexcept;
   const Needs& needs() const noexcept;
@@ -80,6 +82,8 @@ class Plan {
   const std::shared_ptr<const CompiledPlan>& compiled() const noexcept { return compiled_; }
 
  private:
+  const CompiledPlan& get() const noexcept;
+
   std::shared_ptr<const CompiledPlan> compiled_;
 };
 
@@ -88,7 +92,8 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
   return scene.meshes[scene.instances[planned.instance].mesh].primitives[planned.primitive];
 }
 
-/// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the one it hangs on.
+/// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the nearest joint above
+/// it that poses have.
 /// in   model  FrameResult::model of a frame of the plan
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
 
@@ -96,16 +101,20 @@ Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t j
 /// cost O(J), allocates
 std::vector<std::uint32_t> kept_joints(const Plan& plan);
 
-/// in   scene   must have passed check(Scene)
+/// Compiles the plan of a scene: share(std::move(scene)) makes one that plans keep alive, lend(scene) one that the
+/// caller keeps (model/scene.h).
+/// in   scene   must have passed check(Scene). Indices out of range break a contract
 ///      needs   max_layers >= 1; instance_skinning empty or one per instance; masks of one finite weight >= 0 per
 ///              joint; skeleton_lod empty or for all joints; cached_instances rising indices of instances
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
-Plan compile_plan(const Scene& scene, const Needs& needs);
+Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
 
-/// The same for other clips than the scene's own: those of a library for it (library/clip_library.h). Layers name them
-/// by index.
+/// Same, for a scene that only this plan has.
+inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_plan(share(std::move(scene)), needs); }
+
+/// Same, for clips of a library (library/clip_library.h) in place of the scene's own. Layers name them by index.
 /// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so that the array may go
-Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& needs);
+Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
 
 }  // namespace sinew

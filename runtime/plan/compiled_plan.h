@@ -24,9 +24,9 @@ struct PrimitiveSkinning {
   std::uint32_t combined = kNone;  ///< index into CompiledPlan::combined of its skin, where that is used
 };
 
-/// What a Plan holds: everything that run_plan reads beside the input. Internal to plan/ and its tests.
+/// The content of a Plan: everything that run_plan reads beside the input. Internal to plan/ and its tests.
 struct CompiledPlan {
-  const Scene* scene = nullptr;
+  std::shared_ptr<const Scene> scene;
   Needs needs;
   PlanAssets assets;  ///< what poses are made of
   FrameLayout layout;
@@ -81,7 +81,7 @@ inline std::size_t matrix_count(const CompiledPlan& plan, std::size_t skin) noex
   return count;
 }
 
-/// What Plan::stages answers.
+/// See Plan::stages.
 std::vector<PlanStage> describe_stages(const CompiledPlan& plan);
 
 }  // namespace sinew

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <memory_resource>
+#include <new>
+#include <utility>
 
 #include "runtime/base/contract.h"
 #include "runtime/base/prefetch.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/plan/evaluate/visibility.h"
 #include "runtime/plan/frame_tables.h"
-#include "runtime/plan/visibility.h"
 
 namespace sinew {
 namespace {
@@ -34,8 +37,8 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
   if (!plan.interpolate) return;
   std::uninitialized_value_construct(tables.input_next_layers.begin(), tables.input_next_layers.end());
   std::uninitialized_value_construct(tables.updates.begin(), tables.updates.end());
-  for (const std::size_t at : plan.layout.tables.update_layers_at) {
-    const std::span<ClipLayer> layers = memory.array<ClipLayer>(at, plan.layout.tables.input_layer_count);
+  for (const Block<ClipLayer>& block : plan.layout.tables.update_layers) {
+    const std::span<ClipLayer> layers = memory.of(block);
     std::uninitialized_value_construct(layers.begin(), layers.end());
   }
 }
@@ -43,7 +46,7 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
 /// Rotations are rounded as in clips, so that a joint that rests has the same bits with any clip and without.
 void write_rest_pose(const CompiledPlan& plan, FrameMemory memory) noexcept {
   const Skeleton& skeleton = *plan.assets.skeleton;
-  const PoseSpan rest = memory.pose(plan.layout.rest_pose_at, skeleton.joint_count());
+  const PoseSpan rest = memory.of(plan.layout.rest_pose);
   for (std::size_t j = 0; j < rest.stride; ++j) {
     Transform local = j < rest.joint_count ? skeleton.rest[j] : Transform{};
     local.rotation = without_tiny(local.rotation);
@@ -53,27 +56,53 @@ void write_rest_pose(const CompiledPlan& plan, FrameMemory memory) noexcept {
 
 }  // namespace
 
-void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
-  if (memory != nullptr) memory->deallocate(block, byte_count, kAlignment);
+using SharedPlan = std::shared_ptr<const CompiledPlan>;
+
+PlanShare::PlanShare(const Plan& plan) noexcept : plan_(plan.compiled().get()) {
+  static_assert(sizeof(SharedPlan) <= sizeof shared_ && alignof(SharedPlan) <= alignof(void*));
+  new (shared_) SharedPlan(plan.compiled());
 }
 
-FrameBuffer::FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory)
-    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(
-                            static_cast<std::byte*>(memory.allocate(plan.frame_bytes(), kAlignment)),
-                            GiveBack{&memory, plan.frame_bytes()})) {}
+PlanShare::PlanShare(PlanShare&& other) noexcept : plan_(std::exchange(other.plan_, nullptr)) {
+  new (shared_) SharedPlan(std::move(*std::launder(reinterpret_cast<SharedPlan*>(other.shared_))));
+}
+
+PlanShare& PlanShare::operator=(PlanShare&& other) noexcept {
+  plan_ = other.plan_;
+  *std::launder(reinterpret_cast<SharedPlan*>(shared_)) =
+      std::move(*std::launder(reinterpret_cast<SharedPlan*>(other.shared_)));
+  if (&other != this) other.plan_ = nullptr;
+  return *this;
+}
+
+PlanShare::~PlanShare() { std::destroy_at(std::launder(reinterpret_cast<SharedPlan*>(shared_))); }
+
+FrameBlock& FrameBlock::operator=(FrameBlock&& other) noexcept {
+  if (&other == this) return *this;
+  if (deallocate_ != nullptr) deallocate_(context_, start_, byte_count_);
+  start_ = std::exchange(other.start_, nullptr);
+  byte_count_ = std::exchange(other.byte_count_, 0);
+  context_ = other.context_;
+  deallocate_ = std::exchange(other.deallocate_, nullptr);
+  return *this;
+}
+
+FrameBuffer::FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
+
+FrameBuffer::FrameBuffer(const Plan& plan, const Source& memory)
+    : FrameBuffer(plan, FrameBlock(static_cast<std::byte*>(memory.allocate(memory.context, plan.frame_bytes())),
+                                   plan.frame_bytes(), memory.context, memory.deallocate)) {}
 
 FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
-    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(large_enough(block, plan.frame_bytes()), GiveBack{})) {}
+    : FrameBuffer(plan, FrameBlock(large_enough(block, plan.frame_bytes()))) {}
 
-FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block)
-    : plan_(plan.compiled()), block_(std::move(block)) {
+FrameBuffer::FrameBuffer(const Plan& plan, FrameBlock block) : plan_(plan), block_(std::move(block)) {
   CONTRACT(reinterpret_cast<std::uintptr_t>(block_.get()) % kAlignment == 0);
   const FrameMemory memory{block_.get()};
-  std::memset(memory.block, 0, plan_->layout.frame_bytes);
+  std::memset(memory.start, 0, plan_->layout.frame_bytes);
   construct_tables(*plan_, memory);
   write_rest_pose(*plan_, memory);
-  if (plan_->hide)
-    find_hidden(*plan_->scene, {}, memory.array<bool>(plan_->layout.hidden_at, plan_->assets.joint_map.size()));
+  if (plan_->hide) find_hidden(*plan_->scene, {}, memory.of(plan_->layout.hidden));
 }
 
 void FrameBuffer::prefetch() const noexcept {

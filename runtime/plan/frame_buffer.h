@@ -1,41 +1,104 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <memory_resource>
 #include <span>
+#include <string>
 
 #include "runtime/base/result.h"
 #include "runtime/math/affine.h"
-#include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
 
+struct CompiledPlan;
 struct FrameInput;
+class Plan;
+struct Refusal;
 
-/// What a frame buffer remembers of the input of its last run; the arrays are in its block. Internal to plan/.
+/// The two functions of std::pmr::memory_resource that a frame buffer calls. Including <memory_resource> would cost
+/// every source file that runs frames 8,000 lines more.
+template <class Memory>
+concept BlockMemory = requires(Memory& memory, void* block) {
+  { memory.allocate(std::size_t{}, std::size_t{}) } -> std::same_as<void*>;
+  memory.deallocate(block, std::size_t{}, std::size_t{});
+};
+
+/// A share of a compiled plan: a std::shared_ptr, which is made and given back in frame_buffer.cpp. Including <memory>
+/// would cost every source file that runs frames 15,000 lines more. Internal to plan/.
+class PlanShare {
+ public:
+  explicit PlanShare(const Plan& plan) noexcept;
+  PlanShare(PlanShare&& other) noexcept;
+  PlanShare& operator=(PlanShare&& other) noexcept;
+  ~PlanShare();
+
+  const CompiledPlan* get() const noexcept { return plan_; }  ///< null: moved from
+  const CompiledPlan& operator*() const noexcept { return *plan_; }
+  const CompiledPlan* operator->() const noexcept { return plan_; }
+  bool operator==(std::nullptr_t) const noexcept { return plan_ == nullptr; }
+
+ private:
+  const CompiledPlan* plan_;
+  alignas(void*) std::byte shared_[2 * sizeof(void*)];
+};
+
+/// Memory of a frame buffer, given back where it came from. Internal to plan/.
+class FrameBlock {
+ public:
+  using Deallocate = void (*)(void* context, void* block, std::size_t byte_count);
+
+  explicit FrameBlock(std::byte* callers) noexcept : start_(callers) {}
+  FrameBlock(std::byte* start, std::size_t byte_count, void* context, Deallocate deallocate) noexcept
+      : start_(start), byte_count_(byte_count), context_(context), deallocate_(deallocate) {}
+  FrameBlock(FrameBlock&& other) noexcept { *this = static_cast<FrameBlock&&>(other); }
+  FrameBlock& operator=(FrameBlock&& other) noexcept;
+  ~FrameBlock() {
+    if (deallocate_ != nullptr) deallocate_(context_, start_, byte_count_);
+  }
+
+  std::byte* get() const noexcept { return start_; }
+  std::size_t owned_bytes() const noexcept { return byte_count_; }
+
+ private:
+  std::byte* start_ = nullptr;
+  std::size_t byte_count_ = 0;
+  void* context_ = nullptr;
+  Deallocate deallocate_ = nullptr;  // null: the caller's block
+};
+
+/// The input of a frame buffer's last run, but for the arrays, which are in its block. Internal to plan/.
 struct LastInput {
   bool is_known = false;  ///< the block has the arrays, and the pose that they gave
   bool asleep = false;    ///< the pose in the block is of an earlier run
-  bool is_late = false;   ///< a source had not what was asked for: the same input may show more
+  bool is_late = false;   ///< a source had not loaded its frame yet, so the same input may show another one
   float interpolation_factor = 0.0f;
   std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0;
   Affine root;
 };
 
-/// Memory that one frame runs into: one block of Plan::frame_bytes() bytes, made once and reused every frame, with the
-/// result and the input of its last run. Nothing else is ever allocated for a character. The buffer shares what the
-/// plan holds, so the plan's own handle may go or be assigned anew; run_plan then answers size_mismatch for the new
-/// plan.
+/// The memory of a frame: one block of Plan::frame_bytes() bytes, made once and reused every frame. It holds the result
+/// and the input of its last run. Nothing else is ever allocated for a character. The buffer keeps its plan and the
+/// scene alive, also when the plan's handle goes or is assigned anew.
 class FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
 
-  /// Takes the block from `memory`, which must outlive the buffer, or from operator new.
-  explicit FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
-  FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory);
+  /// Takes the block from operator new, or from `memory`, which must outlive the buffer. `memory` is a
+  /// std::pmr::memory_resource, or another type with the two functions of BlockMemory.
+  explicit FrameBuffer(const Plan& plan);
+  template <BlockMemory Memory>
+  FrameBuffer(const Plan& plan, Memory& memory)
+      : FrameBuffer(plan, {.context = &memory,
+                           .allocate =
+                               [](void* context, std::size_t byte_count) {
+                                 return static_cast<Memory*>(context)->allocate(byte_count, kAlignment);
+                               },
+                           .deallocate =
+                               [](void* context, void* block, std::size_t byte_count) {
+                                 static_cast<Memory*>(context)->deallocate(block, byte_count, kAlignment);
+                               }}) {}
 
   /// Uses the caller's block: at least Plan::frame_bytes() bytes at a multiple of kAlignment, which must outlive the
   /// buffer.
@@ -47,37 +110,41 @@ class FrameBuffer {
   const FrameResult& result() const noexcept { return result_; }
 
   /// Size of the block that the buffer took; 0 for the caller's own.
-  std::size_t owned_bytes() const noexcept { return block_ != nullptr ? block_.get_deleter().byte_count : 0; }
+  std::size_t owned_bytes() const noexcept { return block_.owned_bytes(); }
 
-  /// Asks the processor for what the next run touches first, without waiting for it. For a crowd: call it for the next
-  /// character while this one runs. Worth it where all buffers together exceed the caches.
+  /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the
+  /// next character while this one runs. It pays where all buffers together exceed the caches.
   void prefetch() const noexcept;
 
-  /// Whether runs write vertices past the caches (SkinLinearJob::past_caches): for results that no code reads soon, as
-  /// those of a crowd larger than the caches, or in memory that the GPU reads. The bits are the same.
+  /// Makes runs write vertices past the caches (SkinLinearJob::past_caches). Worth it for results that no code reads
+  /// soon: a crowd larger than the caches, or memory that the GPU reads. The bits are the same.
   void write_past_caches(bool past_caches) noexcept { past_caches_ = past_caches; }
 
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
-  /// For a character that takes turns with several buffers: the next run into this one follows the run into `before`,
-  /// and what is unchanged is found by comparison with it. `before` must be of the same plan, and stay unchanged until
-  /// that run has ended.
+  /// For a character with several buffers: the next run into this buffer follows the run into `before`. Parts that did
+  /// not change are found by comparison with it. `before` must be of the same plan, and stay unchanged until that run
+  /// has ended.
   void follow(const FrameBuffer& before) noexcept { before_ = &before; }
 
  private:
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
+  friend std::string why_refused(const Plan&, const FrameInput&, const FrameBuffer&);
+  friend Refusal check_run(const Plan&, const FrameInput&, const FrameBuffer&, const FrameBuffer*) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
 
-  struct GiveBack {
-    std::pmr::memory_resource* memory = nullptr;  // null: the caller's block
-    std::size_t byte_count = 0;
-    void operator()(std::byte* block) const noexcept;
+  struct Source {
+    void* context;
+    void* (*allocate)(void* context, std::size_t byte_count);
+    FrameBlock::Deallocate deallocate;
   };
-  FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block);
+  FrameBuffer(const Plan& plan, const Source& memory);
 
-  std::shared_ptr<const CompiledPlan> plan_;  // null: moved from
-  std::unique_ptr<std::byte, GiveBack> block_;
+  FrameBuffer(const Plan& plan, FrameBlock block);
+
+  PlanShare plan_;
+  FrameBlock block_;
   const FrameBuffer* before_ = nullptr;
   bool past_caches_ = false;
   LastInput last_;

@@ -7,15 +7,15 @@
 
 namespace sinew {
 
-/// Hash of a pose: the bits of the world matrices of all joints and of all morph weights. The same for every thread
-/// count and on every instruction set.
+/// Hash of a pose: the bits of the world matrices of all joints and of all morph weights. It does not depend on the
+/// number of threads or the instruction set.
 /// cost O(J + W), no allocation
 inline std::uint64_t hash_pose(const FrameResult& frame) noexcept {
   return BitHash().add(frame.model).add(frame.weights).value();
 }
 
-/// Hash of the bits of all deformed vertices. The same for every thread count. Instruction sets with fused multiply-add
-/// agree with each other, and so do those without (conventions.h).
+/// Hash of the bits of all deformed vertices. It does not depend on the number of threads. Instruction sets with fused
+/// multiply-add agree with each other, and so do those without (conventions.h).
 /// cost O(V), no allocation
 inline std::uint64_t hash_vertices(const FrameResult& frame) noexcept {
   BitHash hash;

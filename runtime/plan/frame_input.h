@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "runtime/animation/skeleton.h"
+#include "runtime/base/index.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/math/affine.h"
 #include "runtime/plan/vertex_source.h"
@@ -13,9 +13,12 @@ namespace sinew {
 
 class Clip;
 
-/// How a layer enters the pose. `blend`: layers of this kind are averaged. The others are added on top of that mean
-/// (add_pose.h): the difference of the clip from the rest pose, or from the clip's own first instant.
-enum class LayerKind : std::uint8_t { blend, add_to_rest, add_to_start };
+/// How a layer enters the pose.
+enum class LayerKind : std::uint8_t {
+  blend,        ///< these layers are averaged
+  add_to_rest,  ///< the clip's difference from the rest pose is added to that mean (add_pose.h)
+  add_to_start  ///< the clip's difference from its own first instant is added
+};
 
 /// One clip playing at one time, with a weight.
 struct ClipLayer {
@@ -27,18 +30,22 @@ struct ClipLayer {
   LayerKind kind = LayerKind::blend;
   bool mirrored = false;       ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
                                ///< Masks weigh joints of the mirrored pose; properties are not mirrored
-  const Clip* page = nullptr;  ///< a part of `clip` that has the keys of time_s (paging/paged_clip.h), sampled in its
-                               ///< place; lives, unchanged, as long as frames get this layer. Null: `clip` has them.
-                               ///< Not of plans with a Needs::skeleton_lod, whose clips have fewer joints
+  const Clip* page = nullptr;  ///< a part of `clip` with the keys of time_s (paging/paged_clip.h), which is sampled in
+                               ///< its place. It stays unchanged while frames get this layer. Null: `clip` itself.
+                               ///< With a Needs::skeleton_lod it is a page for that plan, of fewer joints
 };
 
-/// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ. Pages are
-/// not compared: all that have the keys of a time give the same bits.
+/// True if both lists of layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros
+/// differ. Pages are not compared, since all pages that have the keys of a time give the same bits.
 inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer> b) noexcept {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ClipLayer& x, const ClipLayer& y) {
-    return x.clip == y.clip && same_bits(x.time_s, y.time_s) && same_bits(x.weight, y.weight) && x.mask == y.mask &&
-           x.kind == y.kind && x.mirrored == y.mirrored;
-  });
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const ClipLayer &x = a[i], &y = b[i];
+    if (x.clip != y.clip || !same_bits(x.time_s, y.time_s) || !same_bits(x.weight, y.weight) || x.mask != y.mask ||
+        x.kind != y.kind || x.mirrored != y.mirrored)
+      return false;
+  }
+  return true;
 }
 
 /// A mesh instance whose vertices come from a source in place of its pose.
@@ -54,16 +61,17 @@ struct GeometryInput {
   bool plays() const noexcept { return source.is_there() && weight > 0.0f; }
 };
 
-/// Whether they show the same, bit for bit, once everything is there.
+/// True if both inputs give the same vertices, bit for bit, assuming that their sources are loaded.
 inline bool same_geometry(const GeometryInput& a, const GeometryInput& b) noexcept {
   if (!a.plays() || !b.plays()) return a.plays() == b.plays();
   return a.source.content == b.source.content && a.source.space == b.source.space && same_bits(a.time_s, b.time_s) &&
          same_bits(a.weight, b.weight);
 }
 
-/// What to evaluate. All numbers must be finite. No layers = the rest pose (also when the scene has no clips at all).
-/// Layers that blend are averaged by weight; where the weights sum to less than 1 the rest pose fills up, and a layer
-/// of weight 0 is as good as absent. Layers that add follow in their order.
+/// The state of a character in one frame. All numbers must be finite, weights and the root below 1e9. No layers = the
+/// rest pose (also when the scene has no clips at all). Layers that blend are averaged by weight. Where their weights
+/// sum to less than 1, the rest pose has the rest of the weight. A layer of weight 0 counts as absent. Layers that add
+/// follow in their order.
 struct FrameInput {
   std::span<const ClipLayer> layers;
   std::span<const float> weights;  ///< [W] replaces all morph weights; empty = from the clips, else rest.
@@ -75,8 +83,8 @@ struct FrameInput {
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
   /// as long as its layers stay the same. Other values than 0 need Needs::between_updates.
   float interpolation_factor = 0.0f;
-  /// [instances] 1 = the mesh instance is neither morphed nor skinned nor bounded nor decoded, since nobody sees it.
-  /// Joints and weights are evaluated all the same. Empty = all are in view.
+  /// [instances] 1 = the mesh instance is out of view: it is neither morphed, skinned, bounded nor decoded. Joints and
+  /// weights are evaluated all the same. Empty = all are in view.
   std::span<const std::uint8_t> out_of_view = {};
   /// [Needs::cached_instances] what plays in each of them; empty = nothing does
   std::span<const GeometryInput> geometry = {};

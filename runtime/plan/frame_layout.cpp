@@ -11,17 +11,14 @@
 namespace sinew {
 namespace {
 
-/// Hands out parts of one block, each on cache lines of its own.
-class BlockLayout {
+/// Hands out parts of one memory, each on cache lines of its own.
+class MemoryLayout {
  public:
-  std::size_t take(std::size_t bytes) noexcept {
-    const std::size_t at = end_;
-    end_ += (bytes + kAlignment - 1) / kAlignment * kAlignment;
-    return at;
-  }
   template <class T>
-  std::size_t take_array(std::size_t count) noexcept {
-    return take(count * sizeof(T));
+  Block<T> take(std::size_t count) noexcept {
+    const Block<T> block{end_, count};
+    end_ += (count * sizeof(T) + kAlignment - 1) / kAlignment * kAlignment;
+    return block;
   }
   std::size_t size() const noexcept { return end_; }
 
@@ -30,128 +27,153 @@ class BlockLayout {
   std::size_t end_ = 0;
 };
 
-void lay_out_primitives(CompiledPlan& plan, BlockLayout& block) {
-  std::size_t morphed_positions = 0, morphed_normals = 0, morphed_tangents = 0, scratch = 0;
+/// Poses of a plan are of one size.
+class PoseMaker {
+ public:
+  PoseMaker(const CompiledPlan& plan, MemoryLayout& memory)
+      : memory_(memory),
+        joints_(plan.assets.joint_count()),
+        weights_(plan.scene->weight_count()),
+        properties_(plan.properties ? plan.scene->properties.rest.size() : 0) {}
+
+  PoseBlock pose() { return {memory_.take<float>(floats()), joints_}; }
+  Block<float> weights(std::size_t poses = 1) { return memory_.take<float>(poses * weights_); }
+  Block<float> properties(std::size_t poses = 1) { return memory_.take<float>(poses * properties_); }
+  Block<float> poses(std::size_t count) { return memory_.take<float>(count * floats()); }
+
+ private:
+  std::size_t floats() const noexcept { return PoseSpan::floats_for(joints_); }
+
+  MemoryLayout& memory_;
+  std::size_t joints_, weights_, properties_;
+};
+
+/// Vertices between two stages, which primitives share since they run one after another.
+class SharedVertices {
+ public:
+  void need(const AttributeSet& set, std::size_t count) {
+    if (set.positions) positions_ = std::max(positions_, count);
+    if (set.normals) normals_ = std::max(normals_, count);
+    if (set.tangents) tangents_ = std::max(tangents_, count);
+  }
+  VertexBlocks take(MemoryLayout& memory) const {
+    VertexBlocks blocks;
+    blocks.positions = memory.take<glm::vec3>(positions_);
+    blocks.normals = memory.take<glm::vec3>(normals_);
+    blocks.tangents = memory.take<glm::vec4>(tangents_);
+    return blocks;
+  }
+
+ private:
+  std::size_t positions_ = 0, normals_ = 0, tangents_ = 0;
+};
+
+void lay_out_primitives(CompiledPlan& plan, MemoryLayout& memory) {
+  SharedVertices morphed;
+  std::size_t scratch = 0;
   for (const PrimitivePlan& p : plan.primitives) {
-    PrimitiveLayout& at = plan.layout.primitives.emplace_back();
+    VertexBlocks& blocks = plan.layout.primitives.emplace_back();
     const std::size_t count = primitive_of(plan, p).vertex_count();
-    const auto needed_between = [&](bool morph, bool skin) { return morph && skin ? count : 0; };
-    if (p.morph.positions || p.skin.positions || p.cached.positions)
-      at.positions_at = block.take_array<glm::vec3>(count);
+    if (p.morph.positions || p.skin.positions || p.cached.positions) blocks.positions = memory.take<glm::vec3>(count);
     if (p.morph.normals || p.skin.normals || p.cached.normals || p.flat_normals)
-      at.normals_at = block.take_array<glm::vec3>(count);
-    if (p.morph.tangents || p.skin.tangents || p.cached.tangents) at.tangents_at = block.take_array<glm::vec4>(count);
-    if (p.morph_colors) at.colors_at = block.take_array<glm::vec4>(count);
-    morphed_positions = std::max(morphed_positions, needed_between(p.morph.positions, p.skin.any()));
-    morphed_normals = std::max(morphed_normals, needed_between(p.morph.normals, p.skin.any()));
-    morphed_tangents = std::max(morphed_tangents, needed_between(p.morph.tangents, p.skin.any()));
+      blocks.normals = memory.take<glm::vec3>(count);
+    if (p.morph.tangents || p.skin.tangents || p.cached.tangents) blocks.tangents = memory.take<glm::vec4>(count);
+    if (p.morph_colors) blocks.colors = memory.take<glm::vec4>(count);
+    if (p.skin.any()) morphed.need(p.morph, count);
     if (p.morph.any()) scratch = std::max(scratch, count);
   }
-  // Primitives run one after another: what lies between morph and skin is shared by all of them.
-  plan.layout.morphed.positions_at = block.take_array<glm::vec3>(morphed_positions);
-  plan.layout.morphed.normals_at = block.take_array<glm::vec3>(morphed_normals);
-  plan.layout.morphed.tangents_at = block.take_array<glm::vec4>(morphed_tangents);
-  plan.layout.scratch_at = block.take_array<glm::vec3>(scratch);
+  plan.layout.morphed = morphed.take(memory);
+  plan.layout.morph_scratch = memory.take<glm::vec3>(scratch);
 }
 
-/// Primitives play one after another: what lies before the blend is shared by all of them.
-void lay_out_geometry(CompiledPlan& plan, BlockLayout& block) {
-  std::size_t positions = 0, normals = 0, tangents = 0, sums = 0;
+void lay_out_geometry(CompiledPlan& plan, MemoryLayout& memory) {
+  SharedVertices cached;
+  std::size_t sums = 0;
   for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
-    const AttributeSet& cached = plan.primitives[p].cached;
-    const std::size_t count = primitive_of(plan, plan.primitives[p]).vertex_count();
-    if (cached.positions) positions = std::max(positions, count);
-    if (cached.normals) normals = std::max(normals, count);
-    if (cached.tangents) tangents = std::max(tangents, count);
+    cached.need(plan.primitives[p].cached, primitive_of(plan, plan.primitives[p]).vertex_count());
     if (plan.surface_faces[p] != nullptr) sums = std::max(sums, surface_sums(*plan.surface_faces[p]));
   }
-  plan.layout.cached.positions_at = block.take_array<glm::vec3>(positions);
-  plan.layout.cached.normals_at = block.take_array<glm::vec3>(normals);
-  plan.layout.cached.tangents_at = block.take_array<glm::vec4>(tangents);
-  plan.layout.surface_sums_at = block.take_array<glm::vec4>(sums);
+  plan.layout.cached = cached.take(memory);
+  plan.layout.surface_sums = memory.take<glm::vec4>(sums);
 }
 
-void lay_out_tables(CompiledPlan& plan, BlockLayout& block) {
-  const Scene& scene = *plan.scene;
+void lay_out_tables(CompiledPlan& plan, MemoryLayout& memory) {
+  const std::size_t instances = plan.scene->instances.size(), weights = plan.scene->weight_count(),
+                    slots = plan.geometry_slot.empty() ? 0 : plan.needs.cached_instances.size();
   TableLayout& tables = plan.layout.tables;
-  tables.instance_count = scene.instances.size();
-  tables.primitive_count = plan.primitives.size();
-  tables.skin_count = scene.skins.size();
-  tables.weight_count = scene.weight_count();
-  tables.blend_layer_count = plan.needs.max_layers;
-  tables.instances_at = block.take_array<InstanceResult>(scene.instances.size());
-  tables.primitives_at = block.take_array<DeformedPrimitive>(plan.primitives.size());
-  tables.blend_layers_at = block.take_array<BlendLayer>(plan.needs.max_layers);
-  tables.palettes_at = block.take_array<SkinPalette>(plan.palette.size());
-  tables.weights_since_at = block.take_array<std::uint64_t>(scene.instances.size());
-  tables.winding_since_at = block.take_array<std::uint64_t>(scene.instances.size());
-  tables.last_weights_at = block.take_array<float>(scene.weight_count());
-  tables.input_weights_at = block.take_array<float>(scene.weight_count());
-  tables.input_out_of_view_at = block.take_array<std::uint8_t>(scene.instances.size());
-  tables.input_layer_count = plan.needs.layer_room();
-  tables.stage_ns_at = block.take_array<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
-  tables.slot_count = plan.geometry_slot.empty() ? 0 : plan.needs.cached_instances.size();
-  tables.shown_at = block.take_array<ShownVertices>(tables.slot_count);
-  tables.played_at = block.take_array<PlayedGeometry>(tables.slot_count);
-  tables.geometry_since_at = block.take_array<std::uint64_t>(tables.slot_count);
-  tables.input_geometry_at = block.take_array<GeometryInput>(tables.slot_count);
-  tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
+  tables.instances = memory.take<InstanceResult>(instances);
+  tables.primitives = memory.take<DeformedPrimitive>(plan.primitives.size());
+  tables.blend_layers = memory.take<BlendLayer>(plan.needs.max_layers);
+  tables.palettes = memory.take<SkinPalette>(plan.palette.size());
+  tables.weights_since = memory.take<std::uint64_t>(instances);
+  tables.winding_since = memory.take<std::uint64_t>(instances);
+  tables.last_weights = memory.take<float>(weights);
+  tables.input_weights = memory.take<float>(weights);
+  tables.input_out_of_view = memory.take<std::uint8_t>(instances);
+  tables.stage_ns = memory.take<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
+  tables.shown = memory.take<ShownVertices>(slots);
+  tables.played = memory.take<PlayedGeometry>(slots);
+  tables.geometry_since = memory.take<std::uint64_t>(slots);
+  tables.input_geometry = memory.take<GeometryInput>(slots);
+  tables.input_layers = memory.take<ClipLayer>(plan.needs.layer_room());
   if (!plan.interpolate) return;
-  tables.input_next_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
-  tables.updates_at = block.take_array<KeptUpdate>(2);
-  for (std::size_t& at : tables.update_layers_at) at = block.take_array<ClipLayer>(tables.input_layer_count);
+  tables.input_next_layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  tables.updates = memory.take<KeptUpdate>(2);
+  for (Block<ClipLayer>& layers : tables.update_layers) layers = memory.take<ClipLayer>(plan.needs.layer_room());
 }
 
-/// The front of the block: what frames of one clip touch before vertices.
-void lay_out_front(CompiledPlan& plan, std::size_t pose_bytes, std::size_t number_count, BlockLayout& block) {
+/// The front of the memory: frames of one clip touch it before vertices.
+void lay_out_front(CompiledPlan& plan, PoseMaker& make, MemoryLayout& memory) {
   const Scene& scene = *plan.scene;
-  lay_out_tables(plan, block);
-  plan.layout.pose_at = block.take(plan.sample ? pose_bytes : 0);
-  plan.layout.weights_at = block.take_array<float>(scene.weight_count());
-  plan.layout.properties_at = block.take_array<float>(number_count);
-  plan.layout.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
-  plan.layout.palette_wanted_at = block.take_array<bool>(scene.skins.size());
-  plan.layout.model_at = block.take_array<Affine>(plan.local_to_model ? plan.assets.joint_count() : 0);
+  FrameLayout& layout = plan.layout;
+  lay_out_tables(plan, memory);
+  if (plan.sample) layout.pose.pose = make.pose();
+  layout.pose.weights = make.weights();
+  layout.pose.properties = make.properties();
+  layout.hidden = memory.take<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
+  layout.palette_wanted = memory.take<bool>(scene.skins.size());
+  layout.model = memory.take<Affine>(plan.local_to_model ? plan.assets.joint_count() : 0);
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
-    const std::size_t joints = scene.skins[s].joints.size();
-    plan.layout.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? matrix_count(plan, s) : 0));
-    plan.layout.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
+    layout.palettes.push_back(memory.take<JointMatrix>(plan.palette[s] ? matrix_count(plan, s) : 0));
+    layout.splits.push_back(memory.take<RigidStretch>(plan.split[s] ? scene.skins[s].joints.size() : 0));
   }
-  plan.layout.stretch_at = block.take_array<bool>(scene.skins.size());
-  plan.layout.front_bytes = block.size();
+  layout.stretch = memory.take<bool>(scene.skins.size());
+  layout.front_bytes = memory.size();
+}
+
+std::size_t most_corrective_scratch(const CompiledPlan& plan) {
+  std::size_t most = 0;
+  if (plan.correctives)
+    for (const PoseCorrective& corrective : plan.assets.correctives) most = std::max(most, scratch_size(corrective));
+  return most;
 }
 
 }  // namespace
 
 void lay_out_frame(CompiledPlan& plan) {
-  const Scene& scene = *plan.scene;
-  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(plan.assets.joint_count());
-  const std::size_t extra_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
-  const std::size_t numbers = plan.properties ? scene.properties.rest.size() : 0;
-  BlockLayout block;
-  lay_out_front(plan, pose_bytes, numbers, block);
-  plan.layout.rest_pose_at = block.take(pose_bytes);
-  if (!plan.sample) plan.layout.pose_at = plan.layout.rest_pose_at;
-  plan.layout.layer_poses_at = block.take(extra_layers * pose_bytes);
-  plan.layout.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
-  plan.layout.layer_properties_at = block.take_array<float>(extra_layers * numbers);
-  plan.layout.unmirrored_pose_at = block.take(plan.mirror ? pose_bytes : 0);
-  plan.layout.unmirrored_weights_at = block.take_array<float>(plan.mirror ? scene.weight_count() : 0);
-  if (plan.correctives)
-    for (const PoseCorrective& corrective : plan.assets.correctives)
-      plan.layout.corrective_scratch_count = std::max(plan.layout.corrective_scratch_count, scratch_size(corrective));
-  plan.layout.corrective_scratch_at = block.take_array<double>(plan.layout.corrective_scratch_count);
-  plan.layout.added_pose_at = block.take(plan.add ? pose_bytes : 0);
-  plan.layout.reference_pose_at = block.take(plan.add ? pose_bytes : 0);
-  plan.layout.added_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
-  plan.layout.reference_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
+  const std::size_t more_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
+  FrameLayout& layout = plan.layout;
+  MemoryLayout memory;
+  PoseMaker make(plan, memory);
+  lay_out_front(plan, make, memory);
+  layout.rest_pose = make.pose();
+  if (!plan.sample) layout.pose.pose = layout.rest_pose;
+  layout.layer_poses = make.poses(more_layers);
+  layout.layer_weights = make.weights(more_layers);
+  layout.layer_properties = make.properties(more_layers);
+  if (plan.mirror) layout.unmirrored = {make.pose(), make.weights(), {}};
+  layout.corrective_scratch = memory.take<double>(most_corrective_scratch(plan));
+  if (plan.add) {
+    layout.added.pose = make.pose();
+    layout.reference.pose = make.pose();
+    layout.added.weights = make.weights();
+    layout.reference.weights = make.weights();
+  }
   if (plan.interpolate)
-    for (PoseLayout& update : plan.layout.updates)
-      update = {block.take(pose_bytes), block.take_array<float>(scene.weight_count()),
-                block.take_array<float>(numbers)};
-  lay_out_primitives(plan, block);
-  lay_out_geometry(plan, block);
-  plan.layout.frame_bytes = block.size();
+    for (PoseBlocks& update : layout.updates) update = {make.pose(), make.weights(), make.properties()};
+  lay_out_primitives(plan, memory);
+  lay_out_geometry(plan, memory);
+  layout.frame_bytes = memory.size();
 }
 
 }  // namespace sinew

@@ -5,7 +5,7 @@
 
 #include "runtime/math/affine.h"
 #include "runtime/math/joint_matrix.h"
-#include "runtime/model/mesh.h"
+#include "runtime/model/aabb.h"
 
 namespace sinew {
 
@@ -36,7 +36,7 @@ struct InstanceResult {
   bool from_cache = false;  ///< vertices are those of its source (FrameInput::geometry), in part or in full. In full:
                             ///< world_from_mesh places the source's space; in part: vertices are in world space, except
                             ///< of unskinned meshes whose source is in mesh space
-  bool late = false;        ///< the source had not what was asked for: its newest frame is shown, or else the pose
+  bool late = false;        ///< the source had not loaded this frame yet, so an older frame (or the pose) is shown
   Aabb bounds;  ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their vertices. Rigid
                 ///< meshes: the box of their moved rest box, which contains the vertices. In full from a source: the
                 ///< moved box that the source knows, likewise
@@ -48,7 +48,7 @@ struct SkinPalette {
   std::uint64_t since_frame = 0;          ///< as in DeformedPrimitive
 };
 
-/// Work done by one frame of one instance. A stage that the plan leaves out counts exactly zero.
+/// Work done by one frame of one character. A stage that the plan leaves out counts exactly zero.
 struct WorkCounters {
   std::uint64_t tracks_sampled = 0;
   std::uint64_t properties_sampled = 0;
@@ -78,11 +78,11 @@ struct WorkCounters {
   friend bool operator==(const WorkCounters&, const WorkCounters&) = default;
 };
 
-/// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until
-/// that buffer runs again.
+/// The result of one frame of one character. Its views point into the frame buffer, and are valid until that buffer
+/// runs again.
 struct FrameResult {
   std::uint64_t frame = 0;         ///< counts up by one per run of the character
-  std::uint64_t since_frame = 0;   ///< first of an unbroken row of frames with this very input, and so with this result
+  std::uint64_t since_frame = 0;   ///< all frames from this number on had the same input, and so the same result
   std::span<const Affine> model;   ///< [J] world matrix of every joint, or [K] of those that Needs::skeleton_lod keeps
                                    ///< (world_of in compile_plan.h)
   std::span<const float> weights;  ///< [W] morph weights of all mesh instances (Scene::first_weight), with what

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// A frame's input that owns its arrays, for whoever runs or shows it after the caller's arrays are gone.
+/// A frame's input that owns its arrays, so that it may be run after the caller's arrays are gone.
 /// owns  copies of all arrays, from `memory`, with room for what the plan declares (Needs::layer_room): assigning an
 ///       input of no more layers allocates nothing
 class InputCopy {
@@ -22,11 +22,15 @@ class InputCopy {
     geometry_.reserve(plan.needs().cached_instances.size());
   }
 
-  /// Assigning the input will allocate nothing.
-  bool has_room_for(const FrameInput& input) const noexcept {
-    return input.layers.size() <= layers_.capacity() && input.next_layers.size() <= next_layers_.capacity() &&
-           input.weights.size() <= weights_.capacity() && input.out_of_view.size() <= out_of_view_.capacity() &&
-           input.geometry.size() <= geometry_.capacity();
+  /// Checks that assigning the input will allocate nothing.
+  /// err  too_many_layers, size_mismatch (more weights, instances or sources than the plan has)
+  ErrorCode check_room(const FrameInput& input) const noexcept {
+    if (input.layers.size() > layers_.capacity() || input.next_layers.size() > next_layers_.capacity())
+      return ErrorCode::too_many_layers;
+    const bool fits = input.weights.size() <= weights_.capacity() &&
+                      input.out_of_view.size() <= out_of_view_.capacity() &&
+                      input.geometry.size() <= geometry_.capacity();
+    return fits ? ErrorCode::ok : ErrorCode::size_mismatch;
   }
 
   void assign(const FrameInput& input) {

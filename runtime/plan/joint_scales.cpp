@@ -33,7 +33,7 @@ class SeenScales {
     seen_.kind = ScaleKind::uneven;
     seen_.may_change = true;
   }
-  /// What a joint gets from its partner in a mirrored layer: its scales, along other axes.
+  /// In a mirrored layer a joint gets the scales of its partner, along other axes.
   void add_mirrored(const SeenScales& partner, bool copies) noexcept {
     if (!partner.any_) return;
     const bool is_plain = copies && partner.seen_.kind != ScaleKind::uneven && seen_.kind != ScaleKind::uneven;

@@ -15,7 +15,8 @@ enum class ScaleKind : std::uint8_t {
   uneven  ///< directions scale differently, or the matrix shears
 };
 
-/// What scale reaches a joint in any pose, from the joint itself and from those above it, without the frame's root.
+/// The scale that can reach a joint in any pose, from the joint itself and from those above it, without the frame's
+/// root.
 struct JointScale {
   ScaleKind kind = ScaleKind::none;
   int sign = 1;             ///< of the determinant, where it does not change; 0 where some scale is 0

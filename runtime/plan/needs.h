@@ -15,13 +15,13 @@ namespace sinew {
 /// without them is skinned linearly, and so is a vertex without a center.
 enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation };
 
-/// What the consumer of frames asks for. A stage that neither the needs nor the scene call for is left out of the plan.
+/// The consumer's demands on frames. A stage that neither the needs nor the scene call for is left out of the plan.
 struct Needs {
   bool joints = true;     ///< world matrices of the joints that `skeleton_lod` keeps
   bool positions = true;  ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;          ///< of primitives that have a normal map in some variant, or no material
-  bool tangents_of_all = false;  ///< of the others as well, for consumers with materials of their own
+  bool tangents_of_all = false;  ///< tangents of all primitives, for consumers with materials of their own
   bool weights = true;           ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool palettes = false;         ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
   bool bounds = false;           ///< boxes of the mesh instances
@@ -31,11 +31,11 @@ struct Needs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;    ///< most of them whose input is remembered, where `additive`
+  std::uint32_t max_additive_layers = 8;    ///< frames with more of them are evaluated anew each time
   bool between_updates = false;             ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror;  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
   std::vector<std::vector<float>> masks;    ///< [any][J] joint weights >= 0 that layers may name
-  SkeletonLod skeleton_lod;                 ///< joints that poses do without
+  SkeletonLod skeleton_lod;                 ///< joints that poses leave out
   std::vector<std::uint32_t> cached_instances;  ///< rising; mesh instances whose vertices FrameInput::geometry may give
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
@@ -44,11 +44,11 @@ struct Needs {
   Skinning skinning_of(std::size_t instance) const noexcept {
     return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;
   }
-  /// Most layers of one frame, of both kinds; frames keep room for so many.
+  /// Room for layers in a frame, blended and additive ones.
   std::size_t layer_room() const noexcept {
     return std::size_t{max_layers} + (additive ? std::size_t{max_additive_layers} : 0);
   }
-  /// Asks for something about the meshes themselves, not just joints and weights.
+  /// True if anything of the vertices is asked for, not just joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 

@@ -18,9 +18,9 @@ struct JointMapping {
   Affined kept_from_joint;       ///< the identity where it is kept
 };
 
-/// What poses are made of: the scene's skeleton, clips, skins and correctives, or reduced copies that know only the
-/// joints that Needs::skeleton_lod keeps, in the order of the scene. Immutable; copies share what they own. Clips are
-/// shared with the scene, the rest is pointed at. Internal to plan/.
+/// The skeleton, clips, skins and correctives that poses are made of. They are the scene's own. With a
+/// Needs::skeleton_lod they are copies for the joints that it keeps, in the order of the scene. Immutable. Clips are
+/// shared with the scene, all else is pointed at. Internal to plan/.
 struct PlanAssets {
   const Skeleton* skeleton = nullptr;  ///< [K joints]
   std::vector<Clip> clips;             ///< [clips of the plan]
@@ -41,7 +41,7 @@ std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& deta
 /// The joints of a map that poses have, rising.
 std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map);
 
-/// The scene must outlive what is answered, but for its clips.
+/// Points into the scene, but for its clips.
 /// in   clips  of the scene's joints, morph weights and properties
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
 PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/math/determinant_sign.h"
-#include "runtime/plan/visibility.h"
+#include "runtime/plan/evaluate/visibility.h"
 #include "runtime/pose/hemisphere_pairs.h"
 
 namespace sinew {
@@ -30,8 +30,8 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
   return moved;
 }
 
-/// Whether anything that the scene says looks at the tangents of a primitive: a normal map, in its own material or in
-/// that of a variant. What has no material is the consumer's to light.
+/// True if some material of the primitive has a normal map, also one of a variant. True without a material: the
+/// consumer may light such primitives with a normal map of its own.
 bool shows_tangents(const Scene& scene, const Primitive& primitive) noexcept {
   const auto has_normal_map = [&](std::uint32_t material) {
     return material != kNone && scene.materials[material].normal_texture.used();
@@ -163,7 +163,7 @@ JointScale scale_of_instance(const CompiledPlan& plan, std::size_t i) {
   return scale;
 }
 
-/// What a skinned primitive calls for from its skin.
+/// Plans the matrices that a skinned primitive needs of its skin.
 void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, CombinationsOfPlan& combinations,
                    PrimitivePlan& planned, PrimitiveSkinning& skinning) {
   plan.palette[skin] = true;

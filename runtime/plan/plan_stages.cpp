@@ -100,7 +100,7 @@ PlanStage describe_correctives(const CompiledPlan& plan) {
   std::uint64_t samples = 0;
   for (const PoseCorrective& corrective : correctives) samples += corrective.samples.sample_count();
   return {"correctives", true, counted(correctives.size(), "corrective adds", "correctives add") + " to morph weights",
-          samples, plan.layout.corrective_scratch_count * sizeof(double)};
+          samples, plan.layout.corrective_scratch.count * sizeof(double)};
 }
 
 PlanStage describe_properties(const CompiledPlan& plan) {
@@ -114,7 +114,7 @@ PlanStage describe_properties(const CompiledPlan& plan) {
           table.rest.size(), table.rest.size() * sizeof(float)};
 }
 
-/// What kinds of scale reach joints.
+/// The largest kind of scale that reaches joints.
 std::string describe_scale(const CompiledPlan& plan) {
   const auto of_kind = [&](ScaleKind kind) {
     return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(),

@@ -30,12 +30,12 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = 19;
 
-/// What a plan says of one stage: whether frames run it, and why.
+/// One stage in a plan: does it run, and why.
 struct PlanStage {
   std::string stage;  ///< the name of the Stage: "sample", "blend", "local_to_model", ...
   bool runs = false;
   std::string reason;       ///< one sentence, also where the stage is left out
-  std::uint64_t count = 0;  ///< what the stage touches per frame: tracks, joints, entries, vertices
+  std::uint64_t count = 0;  ///< items that the stage touches per frame: tracks, joints, entries or vertices
   std::uint64_t bytes = 0;  ///< of frame memory that it writes
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <string>
+
 #include "runtime/base/result.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_buffer.h"
@@ -8,26 +10,35 @@
 
 namespace sinew {
 
-/// Runs the stages of the plan for one character; afterwards `frame.result()` holds the outcome. What has not changed
-/// since the frame before is not done again: the same input runs no stage, an unchanged palette and unchanged weights
-/// deform nothing, what nobody sees is not deformed, and a character that sleeps does no work at all.
+/// Runs the stages of the plan for one character. Afterwards `frame.result()` holds the outcome. Parts that stand since
+/// the frame before are not made again: the same input runs no stage, unchanged palettes and weights deform nothing.
+/// Hidden meshes are not deformed, and a character that sleeps does no work.
 /// in   frame  made for this plan: a plan that was compiled anew needs a new buffer
-/// err  size_mismatch       a frame buffer of another plan, or one that follows such a buffer; weights, instances,
-/// sources,
-///                          more
-///                          layers than Needs::max_layers
-///      index_out_of_range  clip, also one that came to the scene after the plan was compiled; mask; a source that has
-///                          no vertices for its instance
-///      not_finite          layer time or weight, morph weight, root, time or weight of a source
-///      unsupported         a layer of negative weight, of weight below 1 in a plan without blending, or one that adds
-///                          without Needs::additive; an interpolation factor outside [0, 1], or not 0 without
-///                          Needs::between_updates; a source of weight outside [0, 1], at two times in one frame, or
-///                          in scene space for an instance with copies
+/// err  no_plan             a default plan
+///      wrong_plan          the buffer, or the one that it follows, was made for another plan
+///      moved_from          the buffer, or the one that it follows, was moved from
+///      size_mismatch       `weights`, `out_of_view` or `geometry` is neither empty nor of the length that it needs
+///      too_many_layers     more layers with a weight blend than Needs::max_layers
+///      index_out_of_range  a clip that the plan does not know, a mask, a source without vertices for its instance
+///      wrong_page          the page of a layer is cut from a clip with other joints, weights or properties
+///      not_in_needs        an additive or mirrored layer, a weight below 1 without blending, or a frame between
+///                          updates, where the needs do not declare it
+///      not_finite          a time, a weight or the root is NaN or infinite
+///      negative_weight     of a layer
+///      not_a_fraction      the interpolation factor, or the weight of a source, is outside [0, 1]
+///      too_large           a weight, or a number of the root, is above 1e9
+///      two_times           one source is asked for two times in one frame
+///      unsupported         a source in scene space for an instance with copies
 ///      After an error the frame buffer still holds its last good frame.
 /// cost the sum of the plan's stages, no allocation; the same input gives the same bits, whatever ran before
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 
-/// Whether the buffer holds the result of this very input, so that run_plan would run no stage.
+/// Says why run_plan refuses this call: which field, which index, which rule ("layers[1].weight: a weight is below 0").
+/// A buffer that the refused run should have followed is forgotten by then, so ask before the run about that.
+/// out  empty where run_plan does not refuse     cost as the checks of run_plan, allocates the text
+std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame);
+
+/// True if the buffer holds the result of this very input, so that run_plan would run no stage.
 /// cost O(layers + weights + instances), no allocation
 bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept;
 

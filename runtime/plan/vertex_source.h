@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/model/mesh.h"
+#include "runtime/model/aabb.h"
 
 namespace sinew {
 
@@ -13,11 +13,11 @@ enum class VertexSpace : std::uint8_t {
   mesh    ///< in the mesh's own space: its joint places them
 };
 
-/// What a source shows of a mesh instance.
+/// Answer of a source: the vertices that it shows of a mesh instance.
 struct ShownVertices {
   bool is_there = false;             ///< there are vertices to write; false: the instance keeps its pose
-  bool is_late = false;              ///< what was asked for is not there yet: this is the newest that is
-  std::uint64_t moment = 0;          ///< two moments are the same number where they show the same vertices
+  bool is_late = false;              ///< the frame asked for is not loaded yet: these vertices are older
+  std::uint64_t moment = 0;          ///< equal numbers mean equal vertices
   Aabb bounds;                       ///< holds all vertices of the instance
   std::uint32_t frames_decoded = 0;  ///< by this call
 };
@@ -27,16 +27,16 @@ struct ShownVertices {
 /// of any source. A character has sources of its own: run_plan calls them on the thread that it runs on, and one frame
 /// of a character runs at a time. Functions allocate nothing.
 struct VertexSource {
-  /// Whether the source has vertices for all primitives of the instance.
+  /// True if the source has vertices for all primitives of the instance.
   bool (*has)(const void* context, std::uint32_t instance) noexcept = nullptr;
 
   /// Gets ready to write the instance at a time on the source's clock. Called once in a frame for each instance that
   /// plays and is seen. All instances of a source have the same time in a frame.
   ShownVertices (*show)(void* context, std::uint32_t instance, double time_s) noexcept = nullptr;
 
-  /// Writes what the last `show` answered.
+  /// Writes the vertices of the last `show`.
   /// out  positions[V]  metres, in the source's space;   normals[V]  unit; empty = not wanted
-  ///      answers whether normals were written; where not, frames derive them from the triangles
+  ///      answers true if normals were written; else frames derive them from the triangles
   bool (*write)(void* context, std::uint32_t instance, std::uint32_t primitive, std::span<glm::vec3> positions,
                 std::span<glm::vec3> normals) noexcept = nullptr;
 

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include <tl/expected.hpp>
+
 #include "runtime/base/result.h"
 
 namespace sinew {

@@ -13,7 +13,7 @@ namespace sinew {
 /// in   layer, reference  poses of the same joints as `pose`;   weight  finite, >= 0; 1 adds the whole delta
 ///      joint_weights[J]  multiply `weight` per joint; empty = all ones
 /// out  pose  changed in place. Joints of weight 0 keep their bits, and so do joints whose layer equals the reference.
-/// err  size_mismatch, not_finite     cost O(J), no allocation
+/// err  size_mismatch, not_finite, negative_weight     cost O(J), no allocation
 struct AddPoseJob {
   PoseSpan layer, reference;
   float weight = 1.0f;

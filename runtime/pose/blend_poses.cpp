@@ -320,7 +320,10 @@ namespace {
 
 HWY_EXPORT(blend_all);
 
-bool is_weight(float w) noexcept { return std::isfinite(w) && w >= 0.0f; }
+ErrorCode check_weight(float w) noexcept {
+  if (!std::isfinite(w)) return ErrorCode::not_finite;
+  return w < 0.0f ? ErrorCode::negative_weight : ErrorCode::ok;
+}
 
 }  // namespace
 
@@ -331,8 +334,9 @@ ErrorCode check(const BlendPosesJob& job) noexcept {
   for (const BlendLayer& layer : job.layers) {
     if (!is_pose_of(layer.pose, joints) || !have_memory(layer.joint_weights)) return ErrorCode::size_mismatch;
     if (!layer.joint_weights.empty() && layer.joint_weights.size() != joints) return ErrorCode::size_mismatch;
-    if (!is_weight(layer.weight)) return ErrorCode::not_finite;
-    if (!std::all_of(layer.joint_weights.begin(), layer.joint_weights.end(), is_weight)) return ErrorCode::not_finite;
+    if (const ErrorCode error = check_weight(layer.weight); error != ErrorCode::ok) return error;
+    for (const float weight : layer.joint_weights)
+      if (const ErrorCode error = check_weight(weight); error != ErrorCode::ok) return error;
   }
   return ErrorCode::ok;
 }

@@ -23,7 +23,7 @@ struct BlendLayer {
 /// from it can then align differently: equal weights at 0, 170 and -170 degrees give 0 or +-127 degrees.
 /// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
 /// out  pose  may be one of the inputs
-/// err  size_mismatch, not_finite;   cost O(J * L), no allocation
+/// err  size_mismatch, not_finite, negative_weight;   cost O(J * L), no allocation
 struct BlendPosesJob {
   std::span<const BlendLayer> layers;
   PoseSpan rest;

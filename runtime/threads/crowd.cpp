@@ -55,7 +55,7 @@ void Crowd::add(const Plan& plan) {
 ErrorCode Crowd::check(std::span<const FrameInput> inputs) const noexcept {
   if (inputs.size() != characters_.size()) return ErrorCode::size_mismatch;
   for (std::size_t c = 0; c < inputs.size(); ++c)
-    if (!queued_[c].has_room_for(inputs[c])) return ErrorCode::size_mismatch;
+    if (const ErrorCode error = queued_[c].check_room(inputs[c]); error != ErrorCode::ok) return error;
   return ErrorCode::ok;
 }
 

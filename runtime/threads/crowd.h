@@ -35,7 +35,7 @@ class Crowd {
   void add(const Plan& plan);
   std::size_t size() const noexcept { return characters_.size(); }
 
-  /// Whether every input fits into the room that its plan has.    err size_mismatch
+  /// err  size_mismatch (not one input for each character, or an array is longer than its plan needs), too_many_layers
   ErrorCode check(std::span<const FrameInput> inputs) const noexcept;
   /// Every character has a frame buffer to write into; asked by the reader's thread. Always true for three buffers.
   bool can_write() const noexcept;

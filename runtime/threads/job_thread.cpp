@@ -165,6 +165,7 @@ JobThread::~JobThread() {
 }
 
 JobThread::Character JobThread::add_character(const Plan& plan) {
+  CONTRACT(plan.is_compiled() && "a character needs a plan that compile_plan made");
   std::unique_lock lock(state_->mutex);
   state_->wait_until(lock, [this] { return state_->idle(); });
   state_->crowd.add(plan);
@@ -215,7 +216,10 @@ std::optional<JobThread::Task> JobThread::take_task() noexcept {
 
 bool JobThread::poll() { return !state_->has_own_thread() && state_->poll(); }
 
-const FrameResult* JobThread::latest(Character character) noexcept { return state_->crowd.latest(character); }
+const FrameResult* JobThread::latest(Character character) noexcept {
+  CONTRACT(character < state_->crowd.size() && "latest() is asked for a character that add_character() returned");
+  return state_->crowd.latest(character);
+}
 
 ErrorCode JobThread::last_error() const noexcept { return state_->error.load(std::memory_order_acquire); }
 

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include <tl/expected.hpp>
+
 #include "runtime/base/result.h"
 #include "runtime/plan/run_plan.h"
 
@@ -60,14 +62,14 @@ class JobThread {
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
 
-  /// Adds a character that runs `plan` and shares it; its scene must outlive the job thread. Waits for frames in flight
-  /// and queued.
+  /// Adds a character that runs `plan`, which must be a compiled one, and shares it. Waits for frames in flight and
+  /// queued.
   Character add_character(const Plan& plan);
   std::size_t character_count() const noexcept;
 
   /// Queues one frame: inputs[c] is what character c shows. Inputs are copied; nothing is allocated.
-  /// err  size_mismatch (inputs.size() != characters; an input has more layers than Needs::layer_room of its plan, more
-  ///      weights or more instances than its scene), busy (a frame waits already; see also frame_buffers)
+  /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
+  ///      too_many_layers (more than Needs::layer_room), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet
@@ -95,13 +97,13 @@ class JobThread {
   std::optional<Task> take_task() noexcept;
 
   /// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
-  /// out  whether there was something to run
+  /// out  true if there was something to run
   bool poll();
 
-  /// Newest finished frame of a character; stays valid and unchanged until the next call of latest() for that
-  /// character. A character whose input is as before is not run: it keeps its result, with the number of the frame that
-  /// made it, so that characters that rest or are held (update_rate.h) cost nothing. Null before the first frame is
-  /// done.
+  /// Newest finished frame of a character of this job thread; stays valid and unchanged until the next call of latest()
+  /// for that character. A character whose input is as before is not run: it keeps its result, with the number of the
+  /// frame that made it, so that characters that rest or are held (update_rate.h) cost nothing. Null before the first
+  /// frame is done.
   const FrameResult* latest(Character character) noexcept;
 
   /// First error of the last finished frame in the order of characters, ok if none. A character that failed keeps

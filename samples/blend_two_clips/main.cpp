@@ -9,17 +9,16 @@
 #include <cstring>
 #include <optional>
 
-#include "runtime/clip/clip.h"
-#include "runtime/pose/blend_poses.h"
-#include "runtime/pose/local_to_model.h"
-#include "runtime/pose/sample_clip.h"
+#include <sinew/animation.h>
+#include <sinew/clip.h>
+#include <sinew/pose_jobs.h>
 
 namespace {
 
 using namespace sinew;
 
 constexpr std::size_t kJoints = 2;
-using PoseMemory = std::array<float, PoseSpan::floats_for(kJoints)>;
+using PoseFloats = std::array<float, PoseSpan::floats_for(kJoints)>;
 
 Skeleton make_leg() {
   Skeleton leg;
@@ -66,7 +65,7 @@ void require(ErrorCode code) {
 
 /// Blends the layers and returns the place of the foot.
 Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, PoseSpan rest) {
-  alignas(64) PoseMemory memory{};
+  alignas(64) PoseFloats memory{};
   std::array<Affine, kJoints> world{};
   const PoseSpan mixed = pose_over(memory, kJoints);
   const BlendPosesJob blend{.layers = layers, .rest = rest, .pose = mixed};
@@ -93,7 +92,7 @@ int main(int argc, char** argv) {
   }
   const Clip clips[] = {compile_clip(*walk, leg, {}, {}), compile_clip(*dash, leg, {}, {})};
 
-  alignas(64) PoseMemory memory[3]{};
+  alignas(64) PoseFloats memory[3]{};
   const PoseSpan poses[] = {pose_over(memory[0], kJoints), pose_over(memory[1], kJoints)};
   const PoseSpan rest = pose_over(memory[2], kJoints);
   for (std::size_t j = 0; j < kJoints; ++j) rest.set(j, leg.rest[j]);

@@ -53,15 +53,14 @@ struct Socket {
 
 /// A model and the frame that it is in.
 struct Actor {
-  explicit Actor(Scene made) : scene(std::move(made)), plan(compile_plan(scene, Needs{})), frame(plan) {}
+  explicit Actor(Scene made) : plan(compile_plan(std::move(made), Needs{})), frame(plan) {}
 
   bool play(double time_s, const Affine& root) {
-    const ClipLayer layer{.clip = 0, .time_s = std::fmod(time_s, scene.animations[0].duration_s)};
+    const ClipLayer layer{.clip = 0, .time_s = std::fmod(time_s, plan.scene().animations[0].duration_s)};
     return run_plan(plan, {.layers = {&layer, 1}, .root = root}, frame) == ErrorCode::ok;
   }
   Affine at(const Socket& socket) const { return world_of(plan, frame.result().model, socket.joint) * socket.offset; }
 
-  const Scene scene;
   const Plan plan;
   FrameBuffer frame;
 };
@@ -81,7 +80,7 @@ int main(int argc, char** argv) {
     }
   }
   Actor arm(make_arm()), lantern(make_lantern());
-  const Socket grip{*arm.scene.skeleton.find("hand"),
+  const Socket grip{*arm.plan.scene().skeleton.find("hand"),
                     affine_from_transform(Transform{.translation = {0, -0.05f, 0.02f}})};
   for (double time_s = 0.0; time_s < seconds; time_s += 0.25) {
     if (!arm.play(time_s, {}) || !lantern.play(time_s, arm.at(grip))) return 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -77,21 +78,20 @@ Scene make_outfit(const std::string& name, float size, std::initializer_list<std
 }
 
 struct Outfit {
-  Scene scene;
+  std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;  ///< clips of the library, bound to this scene
   Plan plan;
 };
 
-/// Makes the outfits. Their scenes must not move, because plans point to them.
 std::vector<Outfit> dress(const ClipLibrary& library) {
   std::vector<Outfit> outfits;
   for (const float size : {1.0f, 1.3f}) {
-    outfits.push_back({make_outfit("coat", size, {kHips, kSpine, kArm}), {}, {}});
-    outfits.push_back({make_outfit("armour", size, {kHips, kSpine, kLeg, kArm}), {}, {}});
-    outfits.push_back({make_outfit("shorts", size, {kHips, kLeg}), {}, {}});
+    outfits.push_back({share(make_outfit("coat", size, {kHips, kSpine, kArm})), {}, {}});
+    outfits.push_back({share(make_outfit("armour", size, {kHips, kSpine, kLeg, kArm})), {}, {}});
+    outfits.push_back({share(make_outfit("shorts", size, {kHips, kLeg})), {}, {}});
   }
   for (Outfit& outfit : outfits) {
-    outfit.clips = clips_for(library, outfit.scene).clips;
+    outfit.clips = clips_for(library, *outfit.scene).clips;
     outfit.plan = compile_plan(outfit.scene, outfit.clips, Needs{});
   }
   return outfits;

@@ -21,7 +21,7 @@ constexpr std::uint32_t kLeftArm = 1, kRightArm = 2;
 /// Largest distance between corresponding vertices of the two arms at a twist of the wrist; the arms stand side by
 /// side.
 float largest_difference_m(const showcase::ShowcaseScene& shown, double degrees) {
-  const Plan plan = compile_plan(shown.scene, shown.needs);
+  const Plan plan = compile_plan(lend(shown.scene), shown.needs);
   FrameBuffer frame(plan);
   const ClipLayer layer{.clip = 0, .time_s = degrees / 60.0};
   if (run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame) != ErrorCode::ok) std::abort();

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // How an engine uses sinew: read an asset file, compile a plan once, then submit frames to the job thread and read the
 // newest finished one without waiting. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
-#include <sinew/runtime/asset_file/read_assets.h>
-#include <sinew/runtime/threads/job_thread.h>
+#include <sinew/asset_file.h>
+#include <sinew/job_thread.h>
+#include <sinew/plan.h>
 
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -32,18 +34,18 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: link_from_an_engine FILE.sinew\n");
     return 2;
   }
-  const auto loaded = load(argv[1]);
+  auto loaded = load(argv[1]);
   if (!loaded) {
     std::fprintf(stderr, "%s: %s\n", argv[1], describe(loaded.error()).c_str());
     return 1;
   }
-  const sinew::Scene& scene = *loaded;
 
   // One plan serves all characters of this scene. It computes bounds but no tangents.
   sinew::Needs needs;
   needs.bounds = true;
   needs.tangents = false;
-  const sinew::Plan plan = compile_plan(scene, needs);
+  const sinew::Plan plan = compile_plan(std::move(*loaded), needs);
+  const sinew::Scene& scene = plan.scene();
   for (const sinew::PlanStage& stage : plan.stages())
     std::printf("%-20s %s: %s\n", stage.stage.c_str(), stage.runs ? "runs" : "left out", stage.reason.c_str());
 

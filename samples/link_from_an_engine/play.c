@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <sinew/runtime/c_assets/sinew_assets.h>
-#include <sinew/runtime/sinew.h>
+#include <sinew/sinew.h>
+#include <sinew/sinew_assets.h>
 
 static int fail(const char* what, sinew_error error) {
   fprintf(stderr, "%s: %s\n", what, sinew_describe(error));

@@ -6,7 +6,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "runtime/deform/morph_vertices.h"
+#include <sinew/deform_jobs.h>
+#include <sinew/morphs.h>
 
 namespace {
 

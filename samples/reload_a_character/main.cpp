@@ -47,12 +47,12 @@ Scene read_file(int saves) {
 /// One loaded version of the assets, with the plan and job thread that play it.
 class Version {
  public:
-  Version(Scene read, const std::string& clip) : scene_(std::move(read)), plan_(compile_plan(scene_, Needs{})) {
-    while (clip_ + 1 < scene_.animations.size() && scene_.animations[clip_].name != clip) ++clip_;
+  Version(Scene read, const std::string& clip) : plan_(compile_plan(std::move(read), Needs{})) {
+    clip_ = find_clip(plan_.scene(), clip).value_or(0);
     character_ = jobs_.add_character(plan_);
   }
 
-  double duration_s() const { return scene_.animations[clip_].duration_s; }
+  double duration_s() const { return plan_.scene().animations[clip_].duration_s; }
 
   /// Requests the frame of a time. Does nothing while the worker is busy: the loop requests again in its next frame.
   void ask(double time_s) {
@@ -74,7 +74,6 @@ class Version {
   }
 
  private:
-  Scene scene_;  // must not move: the plan points to it
   Plan plan_;
   JobThread jobs_;  // declared last, because it must end before the plan it runs
   JobThread::Character character_ = 0;

@@ -9,9 +9,9 @@
 #include <cstring>
 #include <optional>
 
-#include "runtime/clip/clip.h"
-#include "runtime/pose/local_to_model.h"
-#include "runtime/pose/sample_clip.h"
+#include <sinew/animation.h>
+#include <sinew/clip.h>
+#include <sinew/pose_jobs.h>
 
 namespace {
 

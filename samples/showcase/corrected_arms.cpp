@@ -83,7 +83,7 @@ ShowcaseScene corrected_arms() {
   Mesh corrected = scene.meshes[scene.instances[kLinearArm].mesh];
   corrected.name = "corrected arm";
   {
-    const Plan plan = compile_plan(scene, out.needs);
+    const Plan plan = compile_plan(lend(scene), out.needs);
     FrameBuffer frame(plan);
     for (const double degrees : kSculpted_deg) {
       const ClipLayer layer{.clip = 0, .time_s = degrees * kSecondsPerDegree};

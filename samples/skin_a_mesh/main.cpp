@@ -8,10 +8,9 @@
 #include <cstring>
 #include <vector>
 
-#include "runtime/deform/skin_dual_quaternion.h"
-#include "runtime/deform/skin_linear.h"
-#include "runtime/pose/joint_palette.h"
-#include "runtime/pose/local_to_model.h"
+#include <sinew/deform_jobs.h>
+#include <sinew/math.h>
+#include <sinew/pose_jobs.h>
 
 namespace {
 

@@ -22,7 +22,7 @@ namespace {
 const std::map<std::string, std::set<std::string>>& runtime_rows() {
   static const std::map<std::string, std::set<std::string>> rows = [] {
     std::map<std::string, std::set<std::string>> found;
-    static const std::regex row(R"re(^\| `(\w+)/` \|.*\|([\w ]*)\|$)re");
+    static const std::regex row(R"re(^\| `([\w/]+)/` \|.*\|([\w/ ]*)\|$)re");
     std::ifstream in(std::filesystem::path(SINEW_SOURCE_DIR) / "runtime/README.md");
     for (std::string line; std::getline(in, line);) {
       std::smatch match;
@@ -39,8 +39,8 @@ const std::map<std::string, std::set<std::string>>& runtime_rows() {
 /// The part of the tree that a path belongs to: "runtime/pose", "importer", "importer/tool", "viewer/app", ...
 std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
-  for (const auto& [folder, sees] : runtime_rows())
-    if (starts(folder)) return folder;
+  for (auto row = runtime_rows().rbegin(); row != runtime_rows().rend(); ++row)  // subfolders before their folder
+    if (starts(row->first)) return row->first;
   for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "viewer/app",
                            "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
@@ -62,7 +62,8 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
   if (from == "runtime") return to == "runtime/c";  // sinew.h
   const auto row = runtime_rows().find(from);
-  return row != runtime_rows().end() && (to == from || row->second.contains(to));
+  if (row == runtime_rows().end()) return false;
+  return to == from || to.starts_with(from + "/") || row->second.contains(to);
 }
 
 /// Libraries that only some parts of the tree may include, by the start of the header's name.
@@ -137,6 +138,10 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
          {"runtime/pose/x.cpp", "runtime/deform/simd/x-inl.h", "runtime/plan/x.cpp", "runtime/threads/x.cpp"})
       EXPECT_EQ(count(frame, offline), 1u) << frame << offline;
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"importer/import_gltf.h\""), 1u);
+  EXPECT_EQ(count("runtime/plan/x.cpp", "\"runtime/plan/evaluate/x.h\""), 0u);
+  EXPECT_EQ(count("runtime/plan/evaluate/x.cpp", "\"runtime/plan/reuse/x.h\""), 0u);
+  EXPECT_EQ(count("runtime/plan/reuse/x.cpp", "\"runtime/plan/evaluate/x.h\""), 1u);
+  EXPECT_EQ(count("runtime/plan/reuse/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);
   EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);
   EXPECT_EQ(count("importer/tool/x.cpp", "\"runtime/pose/sample_clip.h\""), 0u);
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"runtime/c/frame.h\""), 1u);

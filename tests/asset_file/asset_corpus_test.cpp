@@ -40,7 +40,7 @@ void expect_pages_play(const Scene& scene, const std::vector<std::byte>& file, c
   ASSERT_TRUE(tables && heads);
   Needs needs;
   needs.skeleton_lod = level.detail;
-  const Plan plan = compile_plan(scene, needs), of_heads = compile_plan(scene, *heads, needs);
+  const Plan plan = compile_plan(lend(scene), needs), of_heads = compile_plan(lend(scene), *heads, needs);
   FrameBuffer whole(plan), paged(of_heads);
   std::vector<std::byte> unpacked;
   for (std::uint32_t c = 0; c < tables->size() && c < 3; ++c) {

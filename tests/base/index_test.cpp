@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/base/index.h"
+#include "runtime/base/all_below.h"
 
 #include <gtest/gtest.h>
 

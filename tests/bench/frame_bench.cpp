@@ -42,7 +42,8 @@ struct PlannedFrames {
   FrameBuffer frame;
   double time_s = 0.0;
 
-  PlannedFrames(const Scene& shown, const Needs& needs) : scene(shown), plan(compile_plan(shown, needs)), frame(plan) {}
+  PlannedFrames(const Scene& shown, const Needs& needs)
+      : scene(shown), plan(compile_plan(lend(shown), needs)), frame(plan) {}
 
   FrameInput input(std::uint32_t layer_count) {
     layers_[0] = {0, clip_time(scene, 0, time_s), layer_count == 1 ? 1.0f : 0.7f};
@@ -164,7 +165,7 @@ struct FrameCrowd {
   double time_s = 0.0;
 
   FrameCrowd(const Scene& scene, const Needs& needs)
-      : plan(compile_plan(scene, needs)),
+      : plan(compile_plan(lend(scene), needs)),
         duration_s(scene.animations[0].duration_s),
         plain(kCount, PlainFrames(scene, needs)) {
     for (std::size_t c = 0; c < kCount; ++c) frames.emplace_back(plan);

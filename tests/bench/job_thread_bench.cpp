@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/threads/job_thread.h"
 #include "runtime/threads/default_executor.h"
+#include "runtime/threads/job_thread.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/measure.h"
 
@@ -25,7 +25,7 @@ class Crowd {
  public:
   Crowd(const Character& character, std::size_t count, std::size_t part_bytes)
       : scene_(skeleton_alone(character)),
-        plan_(compile_plan(scene_, {})),
+        plan_(compile_plan(lend(scene_), {})),
         jobs_({.executor = executor(), .inline_below_bytes = 0, .part_bytes = part_bytes}),
         layers_(count),
         inputs_(count) {

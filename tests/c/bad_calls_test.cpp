@@ -175,7 +175,7 @@ TEST(c_bad_calls, frames_take_as_many_adding_layers_as_were_asked_for) {
   EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 0, &placed), SINEW_OK);
   EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 1, &placed), SINEW_INDEX_OUT_OF_RANGE);
   input.layer_count = 3;
-  EXPECT_EQ(sinew_run(frame, &input), SINEW_SIZE_MISMATCH);
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_TOO_MANY_LAYERS);
   sinew_frame_destroy(frame);
   sinew_plan_destroy(plan);
 }
@@ -242,9 +242,9 @@ TEST_F(c_bad_calls_of_a_plan, interpolation_needs_a_plan_that_has_it) {
   input.next_layer_count = 1;
   EXPECT_EQ(sinew_run(frame_, &input), SINEW_OK) << "not looked at while the factor is 0";
   input.interpolation_factor = 0.5f;
-  EXPECT_EQ(sinew_run(frame_, &input), SINEW_UNSUPPORTED);
+  EXPECT_EQ(sinew_run(frame_, &input), SINEW_NOT_IN_NEEDS);
   sinew_interpolated_input* interpolated = nullptr;
-  EXPECT_EQ(sinew_interpolated_input_create(plan_, &interpolated), SINEW_UNSUPPORTED);
+  EXPECT_EQ(sinew_interpolated_input_create(plan_, &interpolated), SINEW_NOT_IN_NEEDS);
   EXPECT_EQ(interpolated, nullptr);
 
   sinew_needs needs = sinew_default_needs();
@@ -256,11 +256,11 @@ TEST_F(c_bad_calls_of_a_plan, interpolation_needs_a_plan_that_has_it) {
   EXPECT_EQ(sinew_run(between_frame, &input), SINEW_OK);
   for (const float bad : {-0.1f, 1.1f, std::nanf("")}) {
     input.interpolation_factor = bad;
-    EXPECT_EQ(sinew_run(between_frame, &input), SINEW_UNSUPPORTED);
+    EXPECT_EQ(sinew_run(between_frame, &input), SINEW_NOT_A_FRACTION);
   }
   input.interpolation_factor = 0.5f;
   input.next_layer_count = 5;
-  EXPECT_EQ(sinew_run(between_frame, &input), SINEW_SIZE_MISMATCH);
+  EXPECT_EQ(sinew_run(between_frame, &input), SINEW_TOO_MANY_LAYERS);
   input.next_layers = nullptr;
   EXPECT_EQ(sinew_run(between_frame, &input), SINEW_NULL_ARGUMENT);
   sinew_frame_destroy(between_frame);

@@ -121,7 +121,7 @@ TEST_F(c_geometry, bad_files_and_calls_answer_codes) {
   EXPECT_EQ(sinew_geometry_open(nullptr, 0, 0, &cache, nullptr), SINEW_NULL_ARGUMENT);
   ASSERT_EQ(engine_cloth_create(&file_, 0, &cloth_), SINEW_OK);
   EXPECT_EQ(engine_cloth_run(&cloth_, std::numeric_limits<double>::quiet_NaN(), 1.0f), SINEW_NOT_FINITE);
-  EXPECT_EQ(engine_cloth_run(&cloth_, 0.0, 1.5f), SINEW_UNSUPPORTED);
+  EXPECT_EQ(engine_cloth_run(&cloth_, 0.0, 1.5f), SINEW_NOT_A_FRACTION);
   sinew_geometry_player* player = nullptr;
   sinew_geometry_player_options options = sinew_default_geometry_player_options();
   const sinew_geometry_binding outside{1, 0, 0};

@@ -161,7 +161,7 @@ TEST_F(CPages, pages_for_a_plan_with_a_skeleton_lod_have_its_joints) {
   input.layer_count = 1;
   input.pages = pages;
   ASSERT_EQ(sinew_paged_clip_at(paged, 0.1, 0, page), SINEW_OK);
-  EXPECT_EQ(sinew_run(frame, &input), SINEW_SIZE_MISMATCH) << "a page of all joints";
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_WRONG_PAGE) << "a page of all joints";
   ASSERT_EQ(sinew_paged_clip_at(reduced, 0.1, 0, page), SINEW_OK);
   EXPECT_EQ(sinew_run(frame, &input), SINEW_OK) << "the start, while no page is there";
   ASSERT_EQ(sinew_assets_load_page(reduced, 0, bytes[0].data(), bytes[0].size(), nullptr, nullptr), SINEW_OK);

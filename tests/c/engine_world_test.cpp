@@ -139,7 +139,7 @@ TEST(c_world, sockets_and_skeleton_lod_are_those_of_the_cpp_interface) {
       const CompiledSkeletonLod lod = compile_skeleton_lod(scene.scene, tolerance_m);
       Needs needs;
       needs.skeleton_lod = lod.detail;
-      const Plan plan = compile_plan(scene.scene, needs);
+      const Plan plan = compile_plan(lend(scene.scene), needs);
       FrameBuffer frame(plan);
       const ClipLayer in_cpp{0, 0.7};
       ASSERT_EQ(run_plan(plan, {.layers = {&in_cpp, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -240,10 +240,10 @@ std::vector<float> played_in_cpp(const Scene& scene, UpdateLevel level, std::uin
                                  double dt_s, std::uint64_t frames) {
   Needs needs;
   needs.between_updates = true;
-  const Plan plan = compile_plan(scene, interpolated ? needs : Needs{});
+  const Plan plan = compile_plan(lend(scene), interpolated ? needs : Needs{});
   FrameBuffer buffer(plan);
   HeldInput held(plan);
-  InterpolatedInput between(compile_plan(scene, needs));
+  InterpolatedInput between(compile_plan(lend(scene), needs));
   std::vector<float> all;
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
     const ClipLayer layer{0, dt_s * static_cast<double>(frame)};

@@ -99,7 +99,7 @@ TEST(combine_influences, weights_of_other_bits_are_another_combination) {
 
 /// Compares frames with and without combined influences.
 void expect_same_vertices(const Scene& scene, const Needs& needs) {
-  const Plan combined = compile_plan(scene, needs), plain = without_combinations(combined);
+  const Plan combined = compile_plan(lend(scene), needs), plain = without_combinations(combined);
   ASSERT_TRUE(stage(combined, "combinations").runs);
   FrameBuffer with(combined), without(plain);
   for (const double time_s : {0.0, 0.3, 1.1}) {
@@ -148,7 +148,7 @@ TEST(combinations_in_frames, N22_give_the_same_bits_where_matrices_leave_normals
 
 TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_for_linear_skinning) {
   const Scene scene = random_scene(2, repeating(2));
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   const CompiledPlan& compiled = *plan.compiled();
   std::size_t of_primitives = 0, tables = 0;
   for (const PrimitiveSkinning& s : compiled.primitive_skinning) of_primitives += s.combined != kNone;
@@ -156,18 +156,19 @@ TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_
   EXPECT_LT(tables, of_primitives);
   Needs needs;
   needs.skinning = Skinning::dual_quaternion;
-  EXPECT_FALSE(stage(compile_plan(scene, needs), "combinations").runs);
+  EXPECT_FALSE(stage(compile_plan(lend(scene), needs), "combinations").runs);
   const auto palette_bytes = [](const Plan& of) {
-    const std::vector<std::size_t>& at = of.compiled()->layout.palette_at;
-    return at.back() - at.front();
+    std::size_t matrices = 0;
+    for (const Block<JointMatrix>& block : of.compiled()->layout.palettes) matrices += block.count;
+    return matrices * sizeof(JointMatrix);
   };
-  EXPECT_LT(palette_bytes(compile_plan(scene, needs)), palette_bytes(plan))
+  EXPECT_LT(palette_bytes(compile_plan(lend(scene), needs)), palette_bytes(plan))
       << "no memory for matrices that nobody shares";
 }
 
 TEST(combinations_in_frames, the_plan_says_how_many_and_why) {
   const Scene scene = random_scene(2, repeating(2));
-  const PlanStage runs = stage(compile_plan(scene, {}), "combinations");
+  const PlanStage runs = stage(compile_plan(lend(scene), {}), "combinations");
   EXPECT_TRUE(runs.runs);
   EXPECT_EQ(runs.bytes, runs.count * sizeof(JointMatrix));
   EXPECT_NE(runs.reason.find(std::to_string(runs.count) + " combinations of joints and weights for "),
@@ -180,7 +181,7 @@ TEST(combinations_in_frames, the_plan_says_how_many_and_why) {
 
 TEST(combinations_in_frames, P19_follow_the_palette_through_buffers_that_take_turns_and_allocate_nothing) {
   const Scene scene = random_scene(5, repeating(5));
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer buffers[] = {FrameBuffer(plan), FrameBuffer(plan)};
   const double times_s[] = {0.2, 0.2, 0.2, 0.7, 0.7, 0.2, 0.9};
   std::size_t turn = 0;

@@ -49,7 +49,7 @@ TEST(bounds, G54_boxes_hold_all_shown_vertices_in_every_frame) {
     Needs needs;
     needs.bounds = true;
     needs.skinning = skinning;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (double time_s = 0.0; time_s <= 2.0; time_s += 0.125) {
       const ClipLayer layer{0, time_s, 1.0f};
@@ -68,7 +68,7 @@ TEST(bounds, G54_the_box_of_a_bent_arm_is_tight) {
   Needs needs;
   needs.bounds = true;
   needs.positions = needs.normals = needs.tangents = false;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   const ClipLayer layer{0, 1.0, 1.0f};
   ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -83,7 +83,7 @@ TEST(bounds, a_rigid_mesh_moves_its_rest_box_without_looking_at_vertices) {
   const Scene scene = prop_scene();
   Needs needs;
   needs.bounds = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   ASSERT_EQ(
       run_plan(plan, {.layers = {}, .weights = {}, .root = affine_from(glm::mat3(2.0f), glm::vec3(0, 0, 7))}, frame),

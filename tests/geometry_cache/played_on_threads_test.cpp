@@ -23,7 +23,7 @@ class played_on_threads : public testing::Test {
  protected:
   played_on_threads() {
     needs_.cached_instances = {0};
-    plan_ = compile_plan(made_.scene, needs_);
+    plan_ = compile_plan(lend(made_.scene), needs_);
     GeometryDecoder decoder(cache_);
     for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {
       EXPECT_EQ(decoder.decode(f, mapped_), GeometryStatus::ok);

@@ -56,7 +56,7 @@ TEST(bake_command, bakes_a_clip_within_the_budget_and_info_tells_about_it) {
 
   const auto file = import_gltf(model.path());
   ASSERT_TRUE(file.has_value());
-  const Plan plan = compile_plan(file->scene, Needs{});
+  const Plan plan = compile_plan(lend(file->scene), Needs{});
   FrameBuffer frame(plan);
   const ClipLayer layers[] = {{.clip = 0, .time_s = 3 / 20.0}};
   FrameInput input;

@@ -41,7 +41,7 @@ std::vector<Method> methods() {
 /// Frames of one scene with one method: each clip alone at the golden times, then two clips blended.
 class Frames {
  public:
-  Frames(const Scene& scene, const Needs& needs) : plan_(compile_plan(scene, needs)), buffer_(plan_) {
+  Frames(const Scene& scene, const Needs& needs) : plan_(compile_plan(lend(scene), needs)), buffer_(plan_) {
     layers_.push_back({});
     for (std::uint32_t clip = 0; clip < scene.clips.size(); ++clip)
       for (const double t : kGoldenTimes_s) layers_.push_back({{clip, t, 1.0f}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Baked ambient visibility, against closed forms and a double-precision reference, and the rules of its mean.
+// Ambient visibility, compared with closed forms and a double-precision reference, and the rules of averaging.
 #include "importer/ambient/bake_ambient_visibility.h"
 
 #include <gtest/gtest.h>

@@ -90,7 +90,7 @@ struct Vertex {
 using VertexByName = std::map<std::pair<float, float>, Vertex>;  // the key is the texture coordinate
 
 VertexByName vertices_at(const Scene& scene, double time_s) {
-  const Plan plan = compile_plan(scene, Needs{});
+  const Plan plan = compile_plan(lend(scene), Needs{});
   FrameBuffer frame(plan);
   const ClipLayer layers[] = {{.clip = 0, .time_s = time_s}};
   FrameInput input;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sparse displacements of a file give the same morph targets as dense ones.
+// Sparse displacements in a file give the same result as dense ones.
 #include "importer/build/build_morph_sets.h"
 
 #include <gmock/gmock.h>
@@ -70,7 +70,7 @@ TEST(build_morph_sets, sparse_and_dense_displacements_are_the_same_of_vertices_i
   }
 }
 
-/// For each vertex, `components` numbers that equal its index plus one.
+/// Values that number the vertices of the file, `components` per vertex.
 std::vector<float> counted(std::size_t components) {
   std::vector<float> out;
   for (std::uint32_t v = 0; v < kVertices; ++v) out.insert(out.end(), components, static_cast<float>(v + 1));

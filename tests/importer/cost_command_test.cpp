@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of `sinew cost`: which clip it measures, which files it refuses, and errors while writing reports.
+// Clip choice of `sinew cost`, refused inputs, and reports that cannot be written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -18,12 +18,12 @@ namespace sinew::test {
 namespace {
 using testing::StartsWith;
 
-/// Invented result of a method, in the units of its group.
+/// Error, time and size of a point, in the units of its group.
 struct Cost {
   double error = 0.0, time_ns = 0.0, size = 0.0;
 };
 
-/// The findings of a study whose methods have these costs. A method that is not listed costs more than all listed ones.
+/// The findings of a study with these costs; unnamed points cost more than all others.
 std::vector<std::string> said(const Study& study, const std::map<std::string, Cost>& costs) {
   Group group = study.group;
   for (Point& point : group.points) {

@@ -236,6 +236,19 @@ TEST(document_rules, all_errors_of_a_step_are_reported_together) {
   EXPECT_EQ(result.error().more_errors[0].json_pointer, "/nodes/1/skin");
 }
 
+TEST(document_rules, a_later_step_reports_its_errors_only_if_all_are_collected) {
+  const std::string shape = R"("nodes":[{"matrix":[1]}])", reference = R"("scenes":[{"nodes":[7]}])";
+  const std::string text = R"({"asset":{"version":"2.0"},)" + shape + ',' + reference + '}';
+  const auto first = import_gltf(bytes_of(text), "x");
+  ASSERT_FALSE(first);
+  EXPECT_TRUE(first.error().more_errors.empty());
+  const auto all = import_gltf(bytes_of(text), "x", {.collect_all_errors = true});
+  ASSERT_FALSE(all);
+  EXPECT_EQ(all.error().issue.json_pointer, first.error().issue.json_pointer);
+  ASSERT_EQ(all.error().more_errors.size(), 1u);
+  EXPECT_EQ(all.error().more_errors[0].json_pointer, "/scenes/0/nodes/0");
+}
+
 TEST(document_rules, G55_the_nodes_are_a_forest) {
   EXPECT_EQ(import_json(R"("nodes":[{"children":[1]},{"children":[0]}])"), "node-cycle at /nodes/0");
   EXPECT_EQ(import_json(R"("nodes":[{"children":[0]}])"), "node-cycle at /nodes/0");

@@ -27,7 +27,7 @@ struct Shown {
 
   explicit Shown(const TinyGltf& gltf, std::uint32_t clip = kNone, double time_s = 0.0,
                  NormalRule rule = NormalRule::linear)
-      : file(gltf.import()), plan(compile_plan(scene(), needs(rule))), frame(plan) {
+      : file(gltf.import()), plan(compile_plan(lend(scene()), needs(rule))), frame(plan) {
     const ClipLayer layer{clip, time_s, 1.0f};
     error = run_plan(plan, {clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}}, frame);
     EXPECT_EQ(error, ErrorCode::ok);
@@ -68,8 +68,8 @@ TEST(evaluated_file, N26_displacements_and_skin_weights_too_small_to_show_are_dr
 }
 
 TEST(evaluated_file, G18_neighbours_on_other_hemispheres_turn_the_short_way_after_decoding) {
-  // 80 and 100 degrees about z as 8-bit integers. The encoder makes the largest component positive: w in the first key,
-  // z in the second. So the second key is stored as -q.
+  // 80 and 100 degrees about z as 8-bit integers, with the largest component positive. It is w in the first key and z
+  // in the second, so the second is stored as -q.
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});
   const auto byte = [](double v) { return static_cast<std::int8_t>(std::lround(127 * v)); };
@@ -366,7 +366,7 @@ TEST(evaluated_file,
     Needs needs;
     needs.skinning = skinning;
     needs.bounds = true;
-    const Plan plan = compile_plan(file->scene, needs);
+    const Plan plan = compile_plan(lend(file->scene), needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
     EXPECT_EQ(frame.result().work.vertices_skinned_center_of_rotation,
@@ -396,7 +396,7 @@ TEST(evaluated_file, G59_quantised_positions_of_an_unskinned_mesh_are_scaled_by_
   ASSERT_EQ(outcome(read), "ok");
   Needs needs;
   needs.bounds = true;
-  const Plan plan = compile_plan(read->scene, needs);
+  const Plan plan = compile_plan(lend(read->scene), needs);
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   const double half = 50.0 * 16384.0 / 32767.0;

@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// A .glb of this JSON text and binary chunk, padded as the container demands.
+/// Makes a .glb from JSON text and a binary chunk, with padding.
 std::vector<std::byte> make_glb(std::string json, std::vector<std::byte> bin);
 
 /// Small valid files that together touch every part of the importer: skin, morph targets, sparse accessors, animations

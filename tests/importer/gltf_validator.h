@@ -13,11 +13,11 @@ namespace sinew::test {
 inline constexpr const char* kNoValidator =
     "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
 
-/// Runs the npm package gltf-validator on files: returns {file: [[code, pointer and message], ...]}. It also reads the
-/// buffers and images beside a file.
-/// in    folder         for the validator's script and output
+/// Issues that the npm package gltf-validator finds in each file: {file: [[code, pointer and message], ...]}. It also
+/// reads buffers and images of the file.
+/// in    folder         folder for the validator's input files
 ///       most_severity  0 = errors alone, 3 = also warnings, infos and hints
-/// out   std::nullopt if the validator is not installed
+/// out   empty if the validator is not installed
 std::optional<nlohmann::json> issues_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files,
                                                   int most_severity);
 

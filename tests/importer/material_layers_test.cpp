@@ -10,7 +10,7 @@ namespace {
 using gltf::Json;
 using testing::IsEmpty;
 
-/// A material read from its extensions, and the warnings as "rule at place".
+/// The layers read from a material's extensions, and the warnings as "rule at location".
 struct LayerReading {
   Material material;
   std::vector<std::string> warnings;

@@ -10,8 +10,8 @@
 namespace sinew::test {
 namespace {
 
-/// Imports a clip that moves the default weights of a mesh shown by `nodes` nodes. Accessor `end` of its sampler claims
-/// 16 MiB of floats without any bytes in the file.
+/// A clip that animates the default weights of a mesh used by `nodes` nodes. `end` of its sampler (input or output) has
+/// 16 MiB of floats and no bytes in the file.
 std::string outcome_of(std::size_t nodes, const char* end) {
   TinyGltf file;
   Json& primitive = file.add_triangle();

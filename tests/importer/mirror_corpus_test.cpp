@@ -70,8 +70,8 @@ TEST(mirror_corpus, names_that_tell_a_side_have_a_partner_or_are_listed) {
   }
 }
 
-/// Bodies whose rest pose is symmetric within 2 % of their size. In every pose they must be mirror images within 6 %,
-/// since hands and feet add up the errors of the bones above them.
+/// Bodies that are symmetric at rest within 2 % of their size must mirror within 6 % in every pose: deviations of bones
+/// add up along a limb.
 TEST(mirror_corpus, joints_of_the_mirrored_clip_are_where_the_mirror_image_of_the_clip_has_them) {
   std::size_t clips = 0;
   each_scene([&](const Scene& scene, const std::string& file) {

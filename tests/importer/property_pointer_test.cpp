@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "importer/read/property_pointer.h"
 
 #include <gmock/gmock.h>

@@ -8,8 +8,8 @@
 namespace sinew::test {
 namespace {
 
-/// A document with two entries of each kind: number 0 lies on buffer 0, number 1 on buffer 1. Further entries reach
-/// buffer 0 in other ways.
+/// For each kind of entry: entry 0 depends on buffer 0, entry 1 on buffer 1. Further entries depend on buffer 0 in
+/// other ways.
 gltf::Document document() {
   gltf::Document d;
   d.buffers.resize(2);

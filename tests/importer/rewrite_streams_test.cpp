@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kSide = 24;
 
-/// A bumpy, skinned, coloured grid of squares, whose corners are stored once per triangle. It has three morph targets:
-/// one moves a few vertices, one moves none. The third is dense and changes normals and tangents, too.
+/// A bumpy grid of squares with unshared corners, skinned and coloured. It has three morph targets. One moves a few
+/// vertices, one moves none, and one is stored dense and also changes normals and tangents.
 TinyGltf grid() {
   TinyGltf gltf;
   FixedRandom random(7);
@@ -213,7 +213,7 @@ TinyGltf bounded_grid() {
   return gltf;
 }
 
-/// Storage of a stream as text: its component type, normalised or not, bounds or none, and its filter.
+/// A rewritten stream: component type, normalised or not, bounds or not, and filter.
 std::string stored_as(const Json& json, const Json& accessor_index) {
   const Json& accessor = json["accessors"][accessor_index.get<std::size_t>()];
   const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];

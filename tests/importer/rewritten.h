@@ -9,7 +9,7 @@
 #include "importer/rewrite_gltf.h"
 #include "tests/importer/tiny_gltf.h"
 
-/// Helpers for tests of rewrite_gltf(): a call from document to document, and the parts of a .glb.
+/// Helpers for tests of rewrite_gltf(): one call from document to document, and the parts of a .glb.
 namespace sinew::test {
 
 inline ImportOptions carrying() {
@@ -57,7 +57,7 @@ inline GlbParts rewritten(const TinyGltf& gltf, const RewriteOptions& options = 
   return split_glb(out->file);
 }
 
-/// The document without its buffers, buffer views and references to them.
+/// The document without buffers and buffer views.
 inline Json without_places(Json root) {
   for (const char* list : {"buffers", "bufferViews"}) root.erase(list);
   return root;

@@ -250,7 +250,7 @@ TEST(sample_features, G29_skinned_meshes_may_hang_on_their_own_joints) {
                                     {{"children", {0}}, {"mesh", 0}, {"scale", {-1, 1, 1}}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
-  const Plan plan = compile_plan(result->scene, Needs{});
+  const Plan plan = compile_plan(lend(result->scene), Needs{});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {{}, {}, {}}, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().primitives.size(), 2u);
@@ -405,6 +405,7 @@ TEST(sample_features, one_run_finds_the_errors_after_a_broken_scene_or_too_deep_
   file.animate("translation", times, times);
   ImportOptions options;
   options.max_node_depth = 2;
+  options.collect_all_errors = true;
   const auto result = file.import(options);
   ASSERT_FALSE(result);
   std::vector<std::string> rules{result.error().issue.rule};

@@ -13,9 +13,9 @@ namespace sinew::test {
 /// Vertex values by the name of their attribute: for each vertex as many floats as the attribute has components.
 using TriangleValues = std::map<std::string, std::vector<float>>;
 
-/// Encodes triangles as a Draco stream without quantisation. The encoder chooses the order of vertices.
-/// in   corners  [3 * triangles] vertices of `values`; each is used by some corner, and no two are equal
-/// out  ids      the Draco id of each attribute
+/// Encodes triangles as a Draco stream without quantization; the encoder chooses the vertex order.
+/// in   corners  [3 * triangles] vertices of `values`; all vertices are used and distinct
+/// out  ids      Draco id of each attribute
 std::vector<std::byte> draco_stream(const TriangleValues& values, const std::vector<std::uint32_t>& corners,
                                     std::map<std::string, int>& ids);
 

@@ -309,7 +309,7 @@ TEST(tinygltf_view, each_part_of_a_sparse_accessor_has_its_own_view_and_offset) 
   EXPECT_EQ(accessor.sparse.values_offset, 7u);
 }
 
-/// Files that tinygltf alone misreads; the importer reads them as written.
+/// Cases that tinygltf alone reads differently from the file, and the importer reads correctly.
 TEST(tinygltf_view, differs_where_tinygltf_loses_what_the_file_says) {
   const std::string text = R"({"asset": {"version": "2.0"},
     "nodes": [{"name": "first", "name": "last", "mesh": 0.0, "children": [1.0]},

@@ -14,6 +14,7 @@
 #include "runtime/asset_file/write_asset_file.h"
 #include "runtime/clip/clip_file.h"
 #include "tests/asset_file/full_scene.h"
+#include "tests/importer/tool_json.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/json.h"
 
@@ -70,7 +71,7 @@ TEST(tool_asset_info, of_compiled_clips_alone) {
       {"is_met", false},      {"worst_joint", 4},   {"worst_time_s", 0.5},
       {"times_checked", 33},  {"source_keys", 40},  {"kept_keys", 30},
       {"source_bytes", 5000}, {"bytes", 4000},      {"bytes_per_joint_second", 4000.0 / (3.0 * first.duration_s())}};
-  EXPECT_EQ(Json(info.json),
+  EXPECT_EQ(Json(parsed(info.json)),
             (Json{{"file", "a.sinew"}, {"version", 3}, {"bytes", bytes.size()}, {"compiled_clips", {with, without}}}));
   EXPECT_EQ(info.headline, fmt::format("compiled clips, version 3: 2 in {} bytes", bytes.size()));
   EXPECT_EQ(info.tables, tool::certificate_table(scene.clips, {}));
@@ -88,9 +89,9 @@ TEST(tool_asset_info, of_blocks_and_what_the_model_has) {
   const auto opened = AssetFile::open(bytes);
   ASSERT_TRUE(opened);
   const std::string signature = fmt::format("{:016x}", opened->blocks()[0].skeleton_signature);
-  EXPECT_EQ(info.json["asset_file"]["version"], 1);
-  EXPECT_EQ(info.json["asset_file"]["skeleton_signature"], signature);
-  EXPECT_EQ(info.json["bytes"], bytes.size());
+  EXPECT_EQ(parsed(info.json)["asset_file"]["version"], 1);
+  EXPECT_EQ(parsed(info.json)["asset_file"]["skeleton_signature"], signature);
+  EXPECT_EQ(parsed(info.json)["bytes"], bytes.size());
   EXPECT_EQ(info.headline, fmt::format("asset file, version 1: 5 blocks, {} clips, {} bytes, skeleton {}",
                                        scene.clips.size(), bytes.size(), signature));
   std::istringstream lines(info.tables);
@@ -99,12 +100,12 @@ TEST(tool_asset_info, of_blocks_and_what_the_model_has) {
   std::size_t packed = 0;
   for (std::size_t b = 0; b < opened->blocks().size(); ++b) {
     const AssetBlock& block = opened->blocks()[b];
-    EXPECT_EQ(Json(info.json["asset_file"]["blocks"][b]), (Json{{"kind", name_of(block.kind)},
-                                                                {"version", block.version},
-                                                                {"offset", block.offset},
-                                                                {"stored_bytes", block.stored_bytes},
-                                                                {"bytes", block.bytes},
-                                                                {"packed", block.is_packed}}));
+    EXPECT_EQ(Json(parsed(info.json)["asset_file"]["blocks"][b]), (Json{{"kind", name_of(block.kind)},
+                                                                        {"version", block.version},
+                                                                        {"offset", block.offset},
+                                                                        {"stored_bytes", block.stored_bytes},
+                                                                        {"bytes", block.bytes},
+                                                                        {"packed", block.is_packed}}));
     std::getline(lines, line);
     std::istringstream words(line);
     std::string kind;
@@ -131,23 +132,23 @@ TEST(tool_asset_info, of_blocks_and_what_the_model_has) {
     }
   }
   EXPECT_GT(primitives, scene.meshes.size());
-  EXPECT_EQ(Json(info.json["model"]), (Json{{"joints", 9},
-                                            {"meshes", scene.meshes.size()},
-                                            {"primitives", primitives},
-                                            {"vertices", vertices},
-                                            {"morph_targets", targets},
-                                            {"skins", scene.skins.size()},
-                                            {"instances", scene.instances.size()},
-                                            {"materials", 2},
-                                            {"images", 2},
-                                            {"animations", scene.animations.size()}}));
+  EXPECT_EQ(Json(parsed(info.json)["model"]), (Json{{"joints", 9},
+                                                    {"meshes", scene.meshes.size()},
+                                                    {"primitives", primitives},
+                                                    {"vertices", vertices},
+                                                    {"morph_targets", targets},
+                                                    {"skins", scene.skins.size()},
+                                                    {"instances", scene.instances.size()},
+                                                    {"materials", 2},
+                                                    {"images", 2},
+                                                    {"animations", scene.animations.size()}}));
   std::getline(lines, line);
   EXPECT_EQ(line,
             fmt::format("  joints 9, meshes {}, primitives {}, vertices {}, morph_targets {}, skins {}, instances {}, "
                         "materials 2, images 2, animations {}",
                         scene.meshes.size(), primitives, vertices, targets, scene.skins.size(), scene.instances.size(),
                         scene.animations.size()));
-  EXPECT_EQ(Json(info.json["skeleton_lods"]),
+  EXPECT_EQ(Json(parsed(info.json)["skeleton_lods"]),
             Json::array({{{"tolerance_m", 0.5}, {"measured_m", 0.25}, {"left_out", 0}}}));
   std::getline(lines, line);
   EXPECT_EQ(line, "skeleton LOD within 500 mm: 0 of 9 joints left out, measured 250 mm");
@@ -160,10 +161,10 @@ TEST(tool_asset_info, of_blocks_and_what_the_model_has) {
 TEST(tool_asset_info, of_a_skeleton_alone) {
   const std::vector<std::byte> bytes = write_asset_file(certified_scene(), {.model = false, .clips = false});
   const tool::AssetInfo plain = info_of(bytes);
-  EXPECT_EQ(plain.json["asset_file"]["blocks"].size(), 1u);
-  EXPECT_EQ(plain.json["asset_file"]["blocks"][0]["packed"], false);
+  EXPECT_EQ(parsed(plain.json)["asset_file"]["blocks"].size(), 1u);
+  EXPECT_EQ(parsed(plain.json)["asset_file"]["blocks"][0]["packed"], false);
   EXPECT_EQ(plain.tables.find("unpacked"), std::string::npos) << "the same size twice";
-  EXPECT_TRUE(plain.json["compiled_clips"].empty());
+  EXPECT_TRUE(parsed(plain.json)["compiled_clips"].empty());
   EXPECT_FALSE(plain.json.contains("skeleton_lods"));
 }
 

@@ -12,9 +12,8 @@
 #include <memory>
 #include <sstream>
 
-#include "importer/tool/help/help_formatter.h"
-#include "importer/tool/help/man_page.h"
-#include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/help/help.h"
+#include "importer/tool/wrapped_text.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
@@ -58,9 +57,13 @@ std::vector<std::string> options_of(const std::string& command) {
   return names;
 }
 
+tool::Program program_about(const std::string& about, const std::string& ending = "") {
+  return {tool::Command("", about), "sinew 1.2.3", ending, {}};
+}
+
 TEST(man_page, writes_characters_that_are_commands_of_roff_as_themselves) {
-  const CLI::App app("Reads C:\\files - all of them", "thing");
-  EXPECT_THAT(tool::man_page(app), HasSubstr("sinew \\- Reads C:\\efiles \\- all of them\n"));
+  EXPECT_THAT(tool::man_page(program_about("Reads C:\\files - all of them")),
+              HasSubstr("sinew \\- Reads C:\\efiles \\- all of them\n"));
 }
 
 TEST(wrapped_text, flows_words_and_keeps_lines_that_begin_with_a_space) {
@@ -93,15 +96,13 @@ TEST(help, no_line_is_wider_than_100_columns_and_none_ends_in_spaces) {
 }
 
 TEST(help, has_columns_as_wide_as_the_widest_name_that_is_not_too_wide) {
-  CLI::App app("Does a thing.", "thing");
-  app.formatter(std::make_shared<tool::HelpFormatter>());
+  tool::Command command("thing", "Does a thing.");
   std::string value;
-  app.set_help_flag();
-  app.add_option("FILE", value, "Which one.");
-  app.add_option("-o,--output", value, "Where it goes.")->type_name("OUT");
-  app.add_option("--with-a-name-of-27-letters", value, "Too wide.")->type_name("");
-  app.add_option("--with-a-name-of-26-letter", value, "Just wide enough.")->type_name("");
-  const std::string text = app.help();
+  command.argument("FILE", &value, "Which one.");
+  command.option("-o,--output", "OUT", &value, "Where it goes.");
+  command.option("--with-a-name-of-27-letters", "", &value, "Too wide.");
+  command.option("--with-a-name-of-26-letter", "", &value, "Just wide enough.");
+  const std::string text = tool::help_text(command);
   EXPECT_THAT(lines_of(text), Contains("  FILE  Which one."));
   EXPECT_THAT(lines_of(text), Contains("  -o,--output OUT             Where it goes."));
   EXPECT_THAT(lines_of(text), Contains("  --with-a-name-of-26-letter  Just wide enough."));
@@ -111,15 +112,15 @@ TEST(help, has_columns_as_wide_as_the_widest_name_that_is_not_too_wide) {
 
 TEST(help, begins_with_lines_that_use_the_whole_width) {
   const std::string line = "a hundred letters " + std::string(82, 'x');
-  CLI::App app(line + " and more\n" + line + " and details", "thing");
-  app.formatter(std::make_shared<tool::HelpFormatter>());
-  EXPECT_EQ(lines_of(app.help()).at(0), line);
-  EXPECT_EQ(lines_of(app.help()).at(1), "and more");
-  EXPECT_EQ(lines_of(app.help()).at(3), line);
-  EXPECT_EQ(lines_of(app.help()).at(4), "and details");
-  app.footer(line + " and an ending");
-  EXPECT_THAT(lines_of(app.help()), Contains(line).Times(3));
-  EXPECT_EQ(lines_of(app.help()).back(), "and an ending");
+  const std::string about = line + " and more\n" + line + " and details";
+  const std::string text = tool::help_text(tool::Command("thing", about));
+  EXPECT_EQ(lines_of(text).at(0), line);
+  EXPECT_EQ(lines_of(text).at(1), "and more");
+  EXPECT_EQ(lines_of(text).at(3), line);
+  EXPECT_EQ(lines_of(text).at(4), "and details");
+  const std::string whole = tool::help_text(program_about("x\n" + line + " and details", line + " and an ending"));
+  EXPECT_THAT(lines_of(whole), Contains(line).Times(2));
+  EXPECT_EQ(lines_of(whole).back(), "and an ending");
 }
 
 TEST(help, has_a_line_for_each_command_and_everything_about_one_in_its_own) {
@@ -253,7 +254,7 @@ bool is_installed(const char* program) {
   return std::system((std::string("command -v ") + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// What a shell command prints, both streams together; its status must be 0.
+/// Output of a shell command, both streams together; its status must be 0.
 std::string printed(const ToolModelFile& folder, const std::string& command) {
   const std::string out = folder.beside("printed");
   EXPECT_EQ(std::system(("( " + command + " ) >" + out + " 2>&1").c_str()), 0) << command;
@@ -278,7 +279,7 @@ TEST(shell_files, roff_takes_the_manual_page_without_a_warning) {
     EXPECT_THAT(text, HasSubstr(words));
 }
 
-/// What bash offers for the last of some words.
+/// Bash's completions of the last word of a command line.
 std::vector<std::string> offered(const ToolModelFile& folder, const std::string& words) {
   std::string text = printed(folder, "bash -c 'source " + folder.beside("bash") + "; COMP_WORDS=(" + words +
                                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _sinew; printf \"%s\\n\" "
@@ -297,8 +298,8 @@ TEST(shell_files, bash_completes_commands_options_and_values) {
   EXPECT_THAT(offered(folder, "sinew sample x.glb -o ou"), ElementsAre(""));
 }
 
-/// What zsh lists when Tab is pressed behind some words, in an interactive shell on a terminal of its own. It is ready
-/// for keys once it edits a line: before, the terminal is not raw and takes them itself.
+/// Zsh's list after Tab, in an interactive shell on its own terminal. It is ready for keys once it edits a line:
+/// before, the terminal is not raw and takes them itself.
 std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words) {
   const std::string functions = folder.beside("functions"), script = folder.beside("tab.zsh");
   std::filesystem::create_directory(functions);

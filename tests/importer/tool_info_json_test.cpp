@@ -6,6 +6,7 @@
 #include "importer/tool/info/node_tree.h"
 #include "runtime/memory/memory_of.h"
 #include "tests/importer/tiny_gltf.h"
+#include "tests/importer/tool_json.h"
 
 namespace sinew::test {
 namespace {
@@ -143,8 +144,8 @@ class ToolInfoJson : public testing::Test {
     options.carry_document = true;
     auto file = whole_file().import(options);
     ASSERT_TRUE(file) << outcome(file);
-    info_ = new Json(tool::info_json("a file.glb", *file));
-    nodes_ = new Json(tool::node_list_json(file->scene));
+    info_ = new Json(parsed(tool::info_json("a file.glb", *file)));
+    nodes_ = new Json(parsed(tool::node_list_json(file->scene)));
     scene_ = new Scene(std::move(file->scene));
   }
   static void TearDownTestSuite() {
@@ -295,7 +296,7 @@ TEST_F(ToolInfoJson, each_texture_of_a_material_names_its_own_image) {
   options.carry_document = true;
   const auto read = file.import(options);
   ASSERT_EQ(outcome(read), "ok");
-  EXPECT_EQ(Json(tool::info_json("a", *read))["materials"][0]["texture_images"],
+  EXPECT_EQ(Json(parsed(tool::info_json("a", *read)))["materials"][0]["texture_images"],
             (Json{{"base_color", 4}, {"metallic_roughness", 3}, {"normal", 2}, {"occlusion", 1}, {"emissive", 0}}));
 }
 
@@ -346,7 +347,7 @@ TEST_F(ToolInfoJson, nodes) {
                   node("eye", nullptr, {{"children", {5, 6, 7}}, {"cameras", {0}}}), node("sun", 4, {{"lights", {0}}}),
                   node("", 4, {{"lights", {1}}}), node("beam", 4, {{"lights", {2}}}),
                   node("", nullptr, {{"cameras", {1}}}), node("twin", nullptr, {{"mesh", 1}, {"hidden", true}})}));
-  EXPECT_EQ(tool::node_tree_text(*nodes_), R"(  0 "strip": mesh 0, skin 0
+  EXPECT_EQ(tool::node_tree_text(tool_json(*nodes_)), R"(  0 "strip": mesh 0, skin 0
   1 "hip": joint of skin 0
     2 "knee": joint of skin 0, animated by clip 0
   3 "head": mesh 1, animated by clip 0

@@ -10,6 +10,7 @@
 #include "importer/tool/info/info_text.h"
 #include "importer/tool/info/skin_statistics.h"
 #include "runtime/memory/memory_of.h"
+#include "tests/importer/tool_json.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
@@ -95,7 +96,7 @@ lost by convert: 1
 )";
 
 TEST(tool_info_text, names_everything_that_the_document_holds) {
-  EXPECT_EQ(tool::info_text(nlohmann::ordered_json::parse(kInfo), false), kText);
+  EXPECT_EQ(tool::info_text(tool_json(nlohmann::ordered_json::parse(kInfo)), false), kText);
 }
 
 /// The least that a document holds.
@@ -108,7 +109,7 @@ nlohmann::ordered_json empty_info() {
 
 TEST(tool_info_text, leaves_out_what_is_not_there) {
   EXPECT_EQ(
-      tool::info_text(empty_info(), false),
+      tool::info_text(tool_json(empty_info()), false),
       "a.gltf\nglTF 2.0, 10 B with all that it refers to\nnodes: 0, 0 roots, 0 levels deep; scenes: 0\nmemory: 0 "
       "B\nextensions: 0\n"
       "mesh instances: 0, shown 0 times\nmeshes: 0\nskins: 0\nclips: 0\nmaterials: 0\nimages: 0\ncameras: 0\nlights: "
@@ -117,7 +118,7 @@ TEST(tool_info_text, leaves_out_what_is_not_there) {
 }
 
 TEST(tool_info_text, lists_everything_when_asked) {
-  const std::string text = tool::info_text(nlohmann::ordered_json::parse(kInfo), true);
+  const std::string text = tool::info_text(tool_json(nlohmann::ordered_json::parse(kInfo)), true);
   EXPECT_NE(
       text.find(
           "\nwarnings: 9\n  /nodes/3: node-empty: is empty\n  /meshes/0: mesh-odd: is odd\n  /nodes/4: node-empty: "),
@@ -160,11 +161,11 @@ TEST(tool_info_text, a_skin_counts_each_of_its_meshes_once) {
 TEST(tool_info_text, shows_the_first_joints_of_a_large_skin_in_lines_that_fit) {
   auto info = nlohmann::ordered_json::parse(kInfo);
   info["skins"][0]["joint_names"] = std::vector<std::string>(60, "a joint");
-  std::istringstream text(tool::info_text(info, false));
+  std::istringstream text(tool::info_text(tool_json(info), false));
   std::string words;
   for (std::string word; text >> word;) words += word + ' ';
   EXPECT_NE(words.find("\"a joint\" and 36 more (--all lists them) clips: "), std::string::npos) << words;
-  const std::string all = tool::info_text(info, true);
+  const std::string all = tool::info_text(tool_json(info), true);
   EXPECT_EQ(all.find("more (--all"), std::string::npos);
   const std::size_t begin = all.find("joints of skin 0"), end = all.find("\nclips");
   std::istringstream lines(all.substr(begin, end - begin));
@@ -172,7 +173,7 @@ TEST(tool_info_text, shows_the_first_joints_of_a_large_skin_in_lines_that_fit) {
 }
 
 TEST(tool_info_text, one_line_has_the_counts) {
-  EXPECT_EQ(tool::info_line(nlohmann::ordered_json::parse(kInfo)),
+  EXPECT_EQ(tool::info_line(tool_json(nlohmann::ordered_json::parse(kInfo))),
             "robot.glb: 9999 B, 7 nodes, 2 meshes, 11 vertices, 13 triangles, 1 skin, 1 clip, 9 warnings\n");
 }
 

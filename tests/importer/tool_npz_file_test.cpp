@@ -30,8 +30,8 @@ std::string unpacked(const std::string& file) {
   return out;
 }
 
-/// What Python's zipfile says of a zip, "name size place_of_head", and the content of those that are short. It finds
-/// no wrong checksum, and does not read files that have holes.
+/// Python zipfile's listing of a zip, "name size header_offset", and the content of short entries. It finds no wrong
+/// checksum, and does not read files that have holes.
 std::string listed_by_python(const ToolModelFile& folder, const std::string& zip, bool has_holes = false) {
   const std::string script = folder.beside("list.py"), out = folder.beside("listed");
   std::ofstream(script) << "import sys, zipfile\n"

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "tests/importer/tool_model.h"
 #include "tests/support/file_text.h"
@@ -110,6 +113,67 @@ TEST(tool_outputs, what_is_no_file_is_never_replaced_by_one) {
     EXPECT_THAT(outcome.err, HasSubstr(taken + " exists and is not a regular file")) << command;
     EXPECT_TRUE(fs::is_directory(taken)) << command;
   }
+}
+
+/// The commands that write one output, and those of them that this build has.
+std::vector<std::string> commands_of_one_output() {
+  std::vector<std::string> names;
+  for (const std::string& command : commands_of_help())
+    if (kWriting.contains(command) && command != "cost") names.push_back(command);
+  return names;
+}
+
+/// Runs a command on the model. `bake` needs to know which of the clips.
+CommandOutcome run_writing(const std::string& command, const ToolModelFile& model, const std::string& out) {
+  std::vector<std::string> arguments = kWriting.at(command)(model.path(), out);
+  if (command == "bake") arguments.insert(arguments.end(), {"--clip", "0"});
+  return run_tool(arguments);
+}
+
+/// The bytes that a command writes to a regular file. Its name has the extension that each command wants.
+std::string bytes_in_a_file(const ToolModelFile& model, const std::string& command) {
+  const std::string out = model.beside(command == "sample" ? "file.json" : "file.glb");
+  EXPECT_EQ(run_writing(command, model, out).status, 0) << command;
+  const std::string bytes = text_of_file(out);
+  fs::remove(out);
+  return bytes;
+}
+
+TEST(tool_outputs, a_device_is_written_and_stays_a_device) {
+  const ToolModelFile model;
+  for (const std::string& command : commands_of_one_output()) {
+    const CommandOutcome outcome = run_writing(command, model, "/dev/null");
+    EXPECT_EQ(outcome.status, 0) << command << ": " << outcome.err;
+    EXPECT_TRUE(fs::is_character_file("/dev/null")) << command;
+  }
+}
+
+TEST(tool_outputs, a_pipe_gets_the_bytes_of_a_file) {
+  const ToolModelFile model;
+  const std::string pipe = model.beside("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& command : commands_of_one_output()) {
+    std::string read;
+    std::thread reader([&] { read = text_of_file(pipe); });
+    const CommandOutcome outcome = run_writing(command, model, pipe);
+    // A command that fails before it opens the pipe would leave the reader waiting.
+    if (outcome.status != 0) std::ofstream(pipe).close();
+    reader.join();
+    EXPECT_EQ(outcome.status, 0) << command << ": " << outcome.err;
+    EXPECT_EQ(read, bytes_in_a_file(model, command)) << command;
+    EXPECT_TRUE(fs::is_fifo(pipe)) << command;
+  }
+}
+
+TEST(tool_outputs, the_standard_output_gets_the_bytes_alone) {
+  const ToolModelFile model;
+  for (const std::string& command : commands_of_one_output())
+    for (const char* name : {"-", "/dev/stdout"}) {
+      const CommandOutcome outcome = run_writing(command, model, name);
+      EXPECT_EQ(outcome.status, 0) << command << ' ' << name << ": " << outcome.err;
+      EXPECT_EQ(outcome.out, bytes_in_a_file(model, command)) << command << ' ' << name;
+    }
+  EXPECT_FALSE(fs::exists("-"));
 }
 
 TEST(tool_outputs, buffers_and_images_of_a_file_are_inputs_too) {

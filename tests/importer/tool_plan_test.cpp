@@ -51,7 +51,7 @@ class PlanModel {
 
 json stages_of(const Scene& scene, const Needs& needs) {
   json out = json::array();
-  for (const PlanStage& stage : compile_plan(scene, needs).stages())
+  for (const PlanStage& stage : compile_plan(lend(scene), needs).stages())
     out.push_back({{"stage", stage.stage},
                    {"runs", stage.runs},
                    {"reason", stage.reason},
@@ -75,7 +75,7 @@ TEST(tool_plan, each_need_alone_is_that_need_of_the_library) {
     needs.*flag = true;
     const json report = model.report({"--needs", name});
     EXPECT_EQ(report["stages"], stages_of(model.scene, needs)) << name;
-    EXPECT_EQ(report["frame_bytes"], compile_plan(model.scene, needs).frame_bytes()) << name;
+    EXPECT_EQ(report["frame_bytes"], compile_plan(lend(model.scene), needs).frame_bytes()) << name;
   }
 }
 

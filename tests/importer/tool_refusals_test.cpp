@@ -2,6 +2,7 @@
 // Why commands refuse what they are asked for: exit status, and the sentence word for word.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What stands on stderr, with the folder of the model left out of every name.
+/// The text on stderr, without the model's folder in file names.
 std::string without_folder(const ToolModelFile& model, std::string text) {
   const std::string folder = model.beside("");
   for (std::size_t at = 0; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());

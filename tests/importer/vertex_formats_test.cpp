@@ -20,7 +20,7 @@ constexpr std::pair<ComponentType, const char*> kComponents[] = {
 constexpr ElementType kElements[] = {ElementType::scalar, ElementType::vec2, ElementType::vec3, ElementType::vec4,
                                      ElementType::mat2,   ElementType::mat3, ElementType::mat4};
 
-/// One row of the tables; "n" behind a type marks normalised integers.
+/// Allowed formats; a trailing "n" means normalised integers.
 struct Row {
   Attribute attribute;
   bool displacement;

@@ -12,7 +12,7 @@ namespace sinew::test {
 namespace {
 
 Plan plan_for(const ClipLibrary& library, const Scene& scene) {
-  return compile_plan(scene, clips_for(library, scene).clips, Needs{});
+  return compile_plan(lend(scene), clips_for(library, scene).clips, Needs{});
 }
 
 void play(const Plan& plan, std::uint32_t clip, double time_s, FrameBuffer& frame) {
@@ -22,7 +22,7 @@ void play(const Plan& plan, std::uint32_t clip, double time_s, FrameBuffer& fram
 
 /// The first difference between this frame and the frame of a plan with the scene's own clips; empty if there is none.
 std::string difference_from_own(const Scene& scene, const FrameBuffer& frame, std::uint32_t clip, double time_s) {
-  const Plan plan = compile_plan(scene, Needs{});
+  const Plan plan = compile_plan(lend(scene), Needs{});
   FrameBuffer own(plan);
   play(plan, clip, time_s, own);
   return first_difference(frame.result(), own.result());

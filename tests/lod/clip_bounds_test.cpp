@@ -33,7 +33,7 @@ Needs boxes_for(Skinning skinning) {
 /// of the frames' boxes.
 std::vector<Aabb> expect_holds(const Scene& scene, const Needs& needs, std::uint32_t clip, int times) {
   const std::vector<Aabb> reach = clip_bounds(scene, needs, clip);
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   std::vector<Aabb> all(scene.instances.size());
   for (int n = 0; n <= times; ++n) {

@@ -70,7 +70,7 @@ struct HeldInputTest : testing::Test {
     Needs needs;
     needs.between_updates = true;
     needs.cached_instances = {0};
-    plan = compile_plan(scene, needs);
+    plan = compile_plan(lend(scene), needs);
   }
   Scene scene;
   Plan plan;
@@ -85,7 +85,7 @@ TEST_F(held_input, a_copy_has_every_field_and_views_nothing_of_the_caller) {
     FullInput given(scene, 0.25f);
     given.input.asleep = true;
     const AllocationCounter counter;
-    EXPECT_TRUE(copy.has_room_for(given.input));
+    EXPECT_EQ(copy.check_room(given.input), ErrorCode::ok);
     copy.assign(given.input);
     EXPECT_EQ(counter.count(), 0u);
     std::fill(given.weights.begin(), given.weights.end(), -1.0f);

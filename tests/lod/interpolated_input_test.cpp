@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +23,7 @@ std::uint32_t period_of(UpdateLevel level) { return 1u << static_cast<unsigned>(
 Plan plan_between(const Scene& scene) {
   Needs needs;
   needs.between_updates = true;
-  return compile_plan(scene, needs);
+  return compile_plan(lend(scene), needs);
 }
 
 /// A character that plays clip 0 in frames of `frame_s`.
@@ -68,7 +69,7 @@ TEST(interpolated_input, frames_are_counted_to_the_next_turn) {
 
 TEST(interpolated_input, N27_the_finest_level_has_the_bits_of_frames_without_levels) {
   const Scene scene = random_scene(3);
-  const Plan plan = plan_between(scene), plain = compile_plan(scene, {});
+  const Plan plan = plan_between(scene), plain = compile_plan(lend(scene), {});
   Player player(plan, 1.0 / 60.0);
   FrameBuffer expected(plain);
   for (std::uint64_t number = 0; number < 12; ++number) {

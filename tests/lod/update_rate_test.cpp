@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -91,7 +92,7 @@ struct Player {
 TEST(update_rate, the_finest_level_has_the_bits_and_the_work_of_frames_without_levels) {
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
     const Scene scene = random_scene(seed);
-    const Plan plan = compile_plan(scene, {});
+    const Plan plan = compile_plan(lend(scene), {});
     Player player(plan);
     FrameBuffer plain(plan);
     for (std::uint64_t number = 0; number < 12; ++number) {
@@ -108,7 +109,7 @@ TEST(update_rate, the_finest_level_has_the_bits_and_the_work_of_frames_without_l
 
 TEST(update_rate, P19_frames_between_updates_cost_exactly_nothing) {
   const Scene scene = random_scene(4);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   for (const UpdateLevel level : kLevels) {
     Player player(plan);
     player.play(0, level);
@@ -125,7 +126,7 @@ TEST(update_rate, P19_frames_between_updates_cost_exactly_nothing) {
 
 TEST(update_rate, what_is_held_is_off_by_no_more_than_its_speed_allows) {
   const Scene scene = arm_scene();  // the tip, one metre away, turns by 90 degrees in a second
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   for (const UpdateLevel level : kLevels) {
     Player player(plan), exact(plan);
     const double bound_m = 0.5 * std::numbers::pi * static_cast<double>(period_of(level) - 1) * kFrame_s;
@@ -143,7 +144,7 @@ TEST(update_rate, what_is_held_is_off_by_no_more_than_its_speed_allows) {
 
 TEST(update_rate, characters_take_turns) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   std::vector<Player> crowd;
   crowd.reserve(8);
   for (int c = 0; c < 8; ++c) crowd.emplace_back(plan);
@@ -157,7 +158,7 @@ TEST(update_rate, characters_take_turns) {
 
 TEST(update_rate, who_wakes_up_shows_no_pose_from_before) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   Player player(plan), exact(plan);
   player.play(0, UpdateLevel::every_fourth);
   for (std::uint64_t number = 1; number < 21; ++number) player.play(number, UpdateLevel::every_fourth, 0, true);

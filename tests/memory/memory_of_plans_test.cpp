@@ -42,7 +42,7 @@ class MemoryOfPlans : public testing::Test {
   }
 
   const Scene scene_ = arm_scene();
-  const CompiledPlan plan_ = *compile_plan(scene_, Needs{}).compiled();
+  const CompiledPlan plan_ = *compile_plan(lend(scene_), Needs{}).compiled();
 };
 
 #define EXPECT_COUNTED(array) \
@@ -64,8 +64,8 @@ TEST_F(MemoryOfPlans, tables_of_poses_and_primitives) {
   EXPECT_COUNTED(instance_scales);
   EXPECT_COUNTED(combined);
   EXPECT_COUNTED(hemisphere_edges);
-  EXPECT_COUNTED(layout.palette_at);
-  EXPECT_COUNTED(layout.split_at);
+  EXPECT_COUNTED(layout.palettes);
+  EXPECT_COUNTED(layout.splits);
   EXPECT_COUNTED(layout.primitives);
   EXPECT_COUNTED(assets.skins);
 }
@@ -164,7 +164,7 @@ TEST_F(MemoryOfPlans, what_several_share_counts_once) {
 
 TEST_F(MemoryOfPlans, the_plan_itself_and_reduced_copies_of_assets) {
   CompiledPlan empty;
-  empty.scene = &scene_;
+  empty.scene = lend(scene_);
   empty.assets.skeleton = &scene_.skeleton;
   EXPECT_EQ(memory_of(Plan(std::make_shared<const CompiledPlan>(empty))).total(), sizeof(CompiledPlan));
   Skeleton fewer = scene_.skeleton;

@@ -145,7 +145,7 @@ TEST(memory_of, a_plan_and_a_frame_take_what_making_them_leaves) {
       needs.skeleton_lod.kept.back() = false;
     }
     const BytesInUse in_use;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     const std::size_t of_plan = in_use.count();
     MemoryCount count;
     const std::size_t of_scene = count.add(scene).bytes().total();  // clips share keys
@@ -165,9 +165,9 @@ TEST(memory_of, a_plan_and_a_frame_take_what_making_them_leaves) {
 TEST(memory_of, how_plans_mirror_counts_once) {
   const Scene scene = scene_with_everything();
   Needs needs;
-  const Plan plain = compile_plan(scene, needs);
+  const Plan plain = compile_plan(lend(scene), needs);
   needs.mirror = std::make_shared<const MirrorMap>(make_mirror_map(scene));
-  const Plan a = compile_plan(scene, needs), b = compile_plan(scene, needs);
+  const Plan a = compile_plan(lend(scene), needs), b = compile_plan(lend(scene), needs);
   const std::size_t of_map = sizeof(MirrorMap) + needs.mirror->joints.size() * sizeof(needs.mirror->joints[0]);
   const std::size_t of_a = memory_of(a).plans, both = MemoryCount().add(a).add(b).bytes().plans;
   EXPECT_GE(of_a, memory_of(plain).plans + of_map);

@@ -52,7 +52,7 @@ TEST(page_layers, frames_from_pages_have_the_bits_of_frames_from_whole_clips) {
   std::size_t frames = 0;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     const Scene scene = busy_scene(seed);
-    const Plan plan = compile_plan(scene, busy_needs(seed, scene));
+    const Plan plan = compile_plan(lend(scene), busy_needs(seed, scene));
     FrameBuffer whole(plan), paged(plan);
     Pages pages(scene, kept_joints(plan));
     RandomInputs inputs(plan);
@@ -78,7 +78,7 @@ TEST(page_layers, pages_for_a_plan_with_a_skeleton_lod_have_the_bits_of_its_whol
     Needs needs;
     needs.skeleton_lod.kept.resize(scene.skeleton.joint_count());
     for (std::size_t j = 0; j < needs.skeleton_lod.kept.size(); ++j) needs.skeleton_lod.kept[j] = j % 5 == 1;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     ASSERT_LT(kept_joints(plan).size(), scene.skeleton.joint_count()) << seed;
     FrameBuffer whole(plan), paged(plan);
     Pages pages(scene, kept_joints(plan));
@@ -103,7 +103,7 @@ TEST(page_layers, a_plan_compiled_with_first_keys_plays_all_pages) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     Scene scene = busy_scene(seed), heads = scene;
     for (Clip& clip : heads.clips) clip = first_keys(clip);
-    const Plan plan = compile_plan(scene, {}), paged_plan = compile_plan(heads, {});
+    const Plan plan = compile_plan(lend(scene), {}), paged_plan = compile_plan(lend(heads), {});
     FrameBuffer whole(plan), paged(paged_plan);
     Pages pages(scene);
     for (double t = 0.0; t < scene.clips[0].duration_s(); t += 0.07) {
@@ -137,11 +137,11 @@ TEST(page_layers, a_plan_expects_any_scale_of_keys_that_are_elsewhere) {
 
 TEST(page_layers, a_page_of_another_size_is_refused) {
   const Scene scene = busy_scene(1);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   const Clip other = clip_of({}, chain_skeleton(static_cast<std::uint32_t>(scene.skeleton.joint_count() + 1)));
   const ClipLayer layer{.clip = 0, .page = &other};
-  EXPECT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::size_mismatch);
+  EXPECT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::wrong_page);
 }
 
 }  // namespace

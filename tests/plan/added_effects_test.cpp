@@ -16,7 +16,7 @@ namespace {
 /// A joint of the last level but one that no clip moves; kNone if clips move all of them.
 std::uint32_t unmoved_parent(const Scene& scene) {
   const std::vector<std::uint32_t>& begin = scene.skeleton.level_begin;
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   const std::span<const std::uint32_t> moved = plan.moved_joints();
   for (std::uint32_t j = begin[begin.size() - 3]; j < begin[begin.size() - 2]; ++j)
     if (!std::binary_search(moved.begin(), moved.end(), j)) return j;
@@ -96,7 +96,7 @@ TEST(added_effects, P01_nodes_that_no_clip_moves_add_no_work_to_frames) {
     const std::uint32_t parent = unmoved_parent(scene);
     if (parent == kNone) continue;
     ++scenes;
-    const Plan plan = compile_plan(scene, {});
+    const Plan plan = compile_plan(lend(scene), {});
     FrameBuffer frame(plan);
     const WorkCounters work = work_of_frames(scene, frame, plan);
     ASSERT_GT(work.joints_composed, 0u);
@@ -106,7 +106,7 @@ TEST(added_effects, P01_nodes_that_no_clip_moves_add_no_work_to_frames) {
     for (const std::uint32_t count : {1u, 50u, 1000u}) {
       Scene more = make();
       add_static_nodes(more, parent, count);
-      const Plan other = compile_plan(more, {});
+      const Plan other = compile_plan(lend(more), {});
       FrameBuffer same(other);
       EXPECT_EQ(work_of_frames(more, same, other), work) << count << " static nodes";
       EXPECT_TRUE(same_bits<Affine>(same.result().model.first(frame.result().model.size()), frame.result().model));
@@ -122,7 +122,7 @@ TEST(added_effects, P10_targets_of_weight_zero_add_no_work_to_frames) {
   const Scene resting = resting_face();
   Scene many = resting_face();
   add_targets(many, 500);
-  const Plan few_plan = compile_plan(resting, {}), many_plan = compile_plan(many, {});
+  const Plan few_plan = compile_plan(lend(resting), {}), many_plan = compile_plan(lend(many), {});
   FrameBuffer few_frame(few_plan), many_frame(many_plan);
   ASSERT_EQ(run_plan(few_plan, {}, few_frame), ErrorCode::ok);
   ASSERT_EQ(run_plan(many_plan, {}, many_frame), ErrorCode::ok);
@@ -146,14 +146,14 @@ TEST(added_effects, take_no_memory_of_frames_while_nothing_calls_for_them) {
   }
   more.clips.clear();
   finish_scene(more);
-  EXPECT_EQ(compile_plan(more, {}).frame_bytes(), compile_plan(scene, {}).frame_bytes());
+  EXPECT_EQ(compile_plan(lend(more), {}).frame_bytes(), compile_plan(lend(scene), {}).frame_bytes());
 
   const std::size_t vertices = scene.meshes[0].primitives[0].vertex_count(), least = 64;
   const auto bytes = [&](void (*change)(Needs&)) {
     Needs needs;
     needs.max_layers = 1;
     change(needs);
-    return compile_plan(scene, needs).frame_bytes();
+    return compile_plan(lend(scene), needs).frame_bytes();
   };
   const std::size_t all = bytes([](Needs&) {});
   EXPECT_LE(bytes([](Needs& n) { n.normals = false; }) + vertices * sizeof(glm::vec3), all);

@@ -29,7 +29,7 @@ TEST(compile_plan, no_frame_waits_for_the_choice_of_an_instruction_set) {
 
 TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
   const Scene scene = prop_scene();
-  EXPECT_EQ(dump(compile_plan(scene, {})),
+  EXPECT_EQ(dump(compile_plan(lend(scene), {})),
             "- sample [0, 0 B]: no clips: the rest pose is written once\n"
             "- mirror [0, 0 B]: nothing is sampled\n"
             "- blend [0, 0 B]: nothing is sampled\n"
@@ -55,7 +55,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   const Scene scene = arm_scene();
   Needs needs;
   needs.max_layers = 1;
-  EXPECT_EQ(dump(compile_plan(scene, needs)),
+  EXPECT_EQ(dump(compile_plan(lend(scene), needs)),
             "+ sample [1, 640 B]: 1 clip; the one with most tracks has 1 slerp\n"
             "- mirror [0, 0 B]: no mirrored layers are asked for\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
@@ -85,7 +85,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   needs.bounds = true;
   needs.max_layers = 2;
   EXPECT_EQ(
-      dump(compile_plan(scene, needs)),
+      dump(compile_plan(lend(scene), needs)),
       "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
       "- mirror [0, 0 B]: no mirrored layers are asked for\n"
       "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
@@ -110,19 +110,19 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
 TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
   const Scene scene = random_scene(1);
   Needs needs;
-  const Plan linear = compile_plan(scene, needs);
+  const Plan linear = compile_plan(lend(scene), needs);
   EXPECT_FALSE(stage(linear, "split_palette").runs);
   EXPECT_FALSE(stage(linear, "skin_dual_quaternion").runs);
 
   needs.skinning = Skinning::dual_quaternion;
-  const Plan dual = compile_plan(scene, needs);
+  const Plan dual = compile_plan(lend(scene), needs);
   EXPECT_EQ(stage(dual, "split_palette").count, stage(dual, "palette").count);
   EXPECT_FALSE(stage(dual, "skin_linear").runs);
 
   // Instances 0 and 2 are skinned, by skins 0 and 1.
   needs.skinning = Skinning::linear;
   needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::linear};
-  const Plan mixed = compile_plan(scene, needs);
+  const Plan mixed = compile_plan(lend(scene), needs);
   EXPECT_EQ(stage(mixed, "split_palette").count, scene.skins[1].joints.size());
   EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count,
             stage(linear, "skin_linear").count);
@@ -133,7 +133,7 @@ TEST(compile_plan, center_of_rotation_skinning_takes_palette_and_split_of_primit
   Primitive& arm = scene.meshes[0].primitives[0];
   arm.centers_of_rotation = arm.positions;
   const Needs needs{.skinning = Skinning::center_of_rotation, .instance_skinning = {}};
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   EXPECT_TRUE(stage(plan, "palette").runs);
   EXPECT_TRUE(stage(plan, "split_palette").runs);
   EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive with joints and weights");
@@ -144,13 +144,13 @@ TEST(compile_plan, center_of_rotation_skinning_takes_palette_and_split_of_primit
 
 TEST(compile_plan, N21_a_primitive_without_centers_is_skinned_linearly_and_the_plan_says_so) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}});
+  const Plan plan = compile_plan(lend(scene), {.skinning = Skinning::center_of_rotation, .instance_skinning = {}});
   EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive without centers of rotation: skinned linearly");
   EXPECT_FALSE(stage(plan, "skin_center_of_rotation").runs);
   EXPECT_EQ(stage(plan, "skin_linear").reason,
             "1 primitive with joints and weights; 1 for want of centers of rotation");
   EXPECT_FALSE(stage(plan, "split_palette").runs);
-  EXPECT_EQ(compile_plan(scene, {}).frame_bytes(), plan.frame_bytes());
+  EXPECT_EQ(compile_plan(lend(scene), {}).frame_bytes(), plan.frame_bytes());
 }
 
 TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
@@ -158,7 +158,7 @@ TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
   options.skins = 5;
   options.instances = 3;  // instances 0 and 2 use skins 0 and 1
   const Scene scene = random_scene(2, options);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   EXPECT_EQ(stage(plan, "palette").count, scene.skins[0].joints.size() + scene.skins[1].joints.size());
   EXPECT_EQ(plan.compiled()->palette, (std::vector<bool>{true, true, false, false, false}));
 }
@@ -166,11 +166,11 @@ TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
 TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
   const Scene scene = random_scene(3);
   Needs needs;
-  const Plan all = compile_plan(scene, needs);
+  const Plan all = compile_plan(lend(scene), needs);
   needs.tangents = false;
-  const Plan fewer = compile_plan(scene, needs);
+  const Plan fewer = compile_plan(lend(scene), needs);
   needs.normals = false;
-  const Plan positions = compile_plan(scene, needs);
+  const Plan positions = compile_plan(lend(scene), needs);
   EXPECT_LT(fewer.frame_bytes(), all.frame_bytes());
   EXPECT_LT(positions.frame_bytes(), fewer.frame_bytes());
   for (const PrimitivePlan& p : positions.primitives())
@@ -180,7 +180,7 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
 TEST(compile_plan, P13_tangents_are_deformed_only_where_a_normal_map_looks_at_them) {
   Scene scene = random_scene(3);
   const auto with_tangents = [&](const Needs& needs = {}) {
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     return std::ranges::count_if(plan.primitives(),
                                  [](const PrimitivePlan& p) { return p.skin.tangents || p.morph.tangents; });
   };
@@ -214,9 +214,9 @@ TEST(compile_plan, P13_tangents_are_deformed_only_where_a_normal_map_looks_at_th
 TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
   const Scene scene = random_scene(7);
   Needs needs;
-  const Plan without = compile_plan(scene, needs);
+  const Plan without = compile_plan(lend(scene), needs);
   needs.bounds = true;
-  const Plan with = compile_plan(scene, needs);
+  const Plan with = compile_plan(lend(scene), needs);
   EXPECT_FALSE(stage(without, "bounds").runs);
   EXPECT_TRUE(stage(with, "bounds").runs);
   const ClipLayer layer{0, 0.4};
@@ -235,10 +235,10 @@ TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   one.max_layers = 1;
   four.max_layers = 4;
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
-  const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
+  const Plan small = compile_plan(lend(scene), one), large = compile_plan(lend(scene), four);
   EXPECT_GE(large.frame_bytes(), small.frame_bytes() + 3 * layer_bytes);
-  EXPECT_EQ(large.compiled()->layout.layer_poses_at + 3 * layer_bytes, large.compiled()->layout.layer_weights_at);
-  EXPECT_EQ(small.compiled()->layout.layer_poses_at, small.compiled()->layout.layer_weights_at);
+  EXPECT_EQ(large.compiled()->layout.layer_poses.count * sizeof(float), 3 * layer_bytes);
+  EXPECT_EQ(small.compiled()->layout.layer_poses.count, 0u);
 }
 
 TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_before_vertices) {
@@ -247,7 +247,7 @@ TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_befor
     Needs needs;
     needs.positions = needs.normals = needs.tangents = false;
     needs.palettes = needs.weights = needs.properties = true;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     const std::size_t front_bytes = plan.compiled()->layout.front_bytes;
     ASSERT_LT(front_bytes, plan.frame_bytes());
     struct alignas(64) Line {
@@ -273,7 +273,7 @@ TEST(compile_plan, P05_tracks_are_told_by_the_way_they_take_between_keys) {
   BoneAnimation& lower = bend.bones[0];
   const auto reason = [&] {
     finish_scene(scene);
-    return stage(compile_plan(scene, {}), "sample").reason;
+    return stage(compile_plan(lend(scene), {}), "sample").reason;
   };
   lower.rotation.interpolation = Interpolation::step;
   EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 step");
@@ -291,8 +291,8 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
   Needs needs;
   needs.joints = needs.positions = needs.normals = needs.tangents = false;
   const Scene face = face_scene(), arm = arm_scene();
-  EXPECT_TRUE(compile_plan(face, needs).runs(Stage::sample));
-  const Plan plan = compile_plan(arm, needs);
+  EXPECT_TRUE(compile_plan(lend(face), needs).runs(Stage::sample));
+  const Plan plan = compile_plan(lend(arm), needs);
   for (const PlanStage& stage : plan.stages()) EXPECT_FALSE(stage.runs) << stage.stage;
   EXPECT_EQ(stage(plan, "sample").reason, "neither joints nor vertices nor morph weights are asked for");
   EXPECT_EQ(stage(plan, "skin_linear").reason, "no vertices are asked for");
@@ -300,7 +300,7 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
 
 TEST(compile_plan, morphing_that_is_left_out_says_whether_scene_or_needs_call_for_none) {
   const auto reason = [](const Scene& scene, const Needs& needs) {
-    return stage(compile_plan(scene, needs), "morph").reason;
+    return stage(compile_plan(lend(scene), needs), "morph").reason;
   };
   Scene turning = face_scene();
   for (MorphTarget& target : turning.meshes[0].primitives[0].morphs.targets)
@@ -325,7 +325,7 @@ TEST(compile_plan, every_stage_says_why) {
     Needs needs;
     needs.bounds = seed % 2 == 0;
     needs.normals = seed % 4 != 0;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     const std::vector<PlanStage> stages = plan.stages();
     ASSERT_EQ(stages.size(), kStageCount);
     for (std::size_t s = 0; s < stages.size(); ++s) {
@@ -342,34 +342,35 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   const Scene scene = random_scene(5, options);
   Needs needs;
   needs.additive = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   const CompiledPlan& compiled = *plan.compiled();
   const FrameLayout& layout = compiled.layout;
   std::vector<std::pair<std::size_t, std::size_t>> places;
-  const auto take = [&](std::size_t at, std::size_t bytes) {
-    if (bytes > 0) places.emplace_back(at, at + bytes);
+  const auto take = [&]<class T>(const Block<T>& block, std::size_t count) {
+    EXPECT_EQ(block.count, count);
+    if (count > 0) places.emplace_back(block.offset, block.offset + count * sizeof(T));
   };
-  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
-  take(layout.rest_pose_at, pose_bytes);
-  take(layout.pose_at, pose_bytes);
-  take(layout.layer_poses_at, 3 * pose_bytes);
-  take(layout.weights_at, 4 * scene.weight_count());
-  take(layout.layer_weights_at, 3 * 4 * scene.weight_count());
-  take(layout.added_pose_at, pose_bytes);
-  take(layout.reference_pose_at, pose_bytes);
-  take(layout.added_weights_at, 4 * scene.weight_count());
-  take(layout.reference_weights_at, 4 * scene.weight_count());
-  take(layout.model_at, sizeof(Affine) * scene.skeleton.joint_count());
+  const std::size_t pose_floats = PoseSpan::floats_for(scene.skeleton.joint_count()), weights = scene.weight_count();
+  take(layout.rest_pose.planes, pose_floats);
+  take(layout.pose.pose.planes, pose_floats);
+  take(layout.layer_poses, 3 * pose_floats);
+  take(layout.pose.weights, weights);
+  take(layout.layer_weights, 3 * weights);
+  take(layout.added.pose.planes, pose_floats);
+  take(layout.reference.pose.planes, pose_floats);
+  take(layout.added.weights, weights);
+  take(layout.reference.weights, weights);
+  take(layout.model, scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    if (compiled.palette[s]) take(layout.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());
+    take(layout.palettes[s], compiled.palette[s] ? matrix_count(compiled, s) : 0);
   for (std::size_t i = 0; i < compiled.primitives.size(); ++i) {
     const PrimitivePlan& p = compiled.primitives[i];
-    const PrimitiveLayout& at = layout.primitives[i];
+    const VertexBlocks& blocks = layout.primitives[i];
     const std::size_t count = primitive_of(plan, p).vertex_count();
-    if (p.morph.positions || p.skin.positions) take(at.positions_at, 12 * count);
-    if (p.morph.normals || p.skin.normals || p.flat_normals) take(at.normals_at, 12 * count);
-    if (p.morph.tangents || p.skin.tangents) take(at.tangents_at, 16 * count);
-    if (p.morph_colors) take(at.colors_at, 16 * count);
+    take(blocks.positions, p.morph.positions || p.skin.positions ? count : 0);
+    take(blocks.normals, p.morph.normals || p.skin.normals || p.flat_normals ? count : 0);
+    take(blocks.tangents, p.morph.tangents || p.skin.tangents ? count : 0);
+    take(blocks.colors, p.morph_colors ? count : 0);
   }
   std::sort(places.begin(), places.end());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -404,7 +405,7 @@ TEST(compile_plan, each_skin_is_bent_as_it_is_alone_whatever_kind_the_others_are
     Needs needs;
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
       needs.instance_skinning.push_back(i % 4 == 1 ? Skinning::dual_quaternion : Skinning::linear);
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layer{0, 0.3 + 0.1 * seed};
     const Affine turned = affine_from_transform(Transform{{1, 2, 3}, quat_xyzw(0.0f, 1.0f, 0.0f, 0.0f), {1, 1, 1}});
@@ -415,7 +416,7 @@ TEST(compile_plan, each_skin_is_bent_as_it_is_alone_whatever_kind_the_others_are
       const Scene alone = only_instance(scene, i);
       Needs own;
       own.skinning = needs.instance_skinning[i];
-      const Plan own_plan = compile_plan(alone, own);
+      const Plan own_plan = compile_plan(lend(alone), own);
       FrameBuffer own_frame(own_plan);
       ASSERT_EQ(run_plan(own_plan, input, own_frame), ErrorCode::ok);
       const auto mine = own_frame.result().primitives;

@@ -30,7 +30,7 @@ Scene face_that_bends() {
 }
 
 std::vector<float> weights_of(const Scene& scene, const Needs& needs, const FrameInput& input) {
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
   return {frame.result().weights.begin(), frame.result().weights.end()};
@@ -52,27 +52,27 @@ TEST(correctives, add_to_rest_sampled_and_given_weights) {
 TEST(correctives, run_when_weights_or_morphed_vertices_are_asked_for_and_say_why) {
   const Scene scene = face_that_bends();
   Needs needs;
-  const PlanStage runs = stage(compile_plan(scene, needs), "correctives");
+  const PlanStage runs = stage(compile_plan(lend(scene), needs), "correctives");
   EXPECT_TRUE(runs.runs);
   EXPECT_EQ(runs.reason, "1 corrective adds to morph weights");
   EXPECT_EQ(runs.count, 2u);
   EXPECT_EQ(runs.bytes, sizeof(double) * scratch_size(scene.correctives[0]));
   needs.weights = false;
-  EXPECT_TRUE(stage(compile_plan(scene, needs), "correctives").runs);
+  EXPECT_TRUE(stage(compile_plan(lend(scene), needs), "correctives").runs);
   needs.positions = needs.normals = needs.tangents = false;
-  const PlanStage left_out = stage(compile_plan(scene, needs), "correctives");
+  const PlanStage left_out = stage(compile_plan(lend(scene), needs), "correctives");
   EXPECT_FALSE(left_out.runs);
   EXPECT_EQ(left_out.reason, "neither morph weights nor morphed vertices are asked for");
   EXPECT_EQ(left_out.bytes, 0u);
   needs.weights = true;
-  EXPECT_TRUE(stage(compile_plan(scene, needs), "correctives").runs);
+  EXPECT_TRUE(stage(compile_plan(lend(scene), needs), "correctives").runs);
 }
 
 TEST(correctives, move_the_vertices_of_the_frame) {
   Scene scene = face_that_bends();
   scene.skeleton.rest[0].rotation = about_z(1.5707963267948966);
   finish_scene(scene);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().primitives[0].positions[0].z, 1.25f);
@@ -90,7 +90,7 @@ TEST(correctives, agree_with_plain_double_loops) {
     RandomSceneOptions options;
     options.correctives = 2;
     const Scene scene = random_scene(seed, options);
-    const Plan plan = compile_plan(scene, {});
+    const Plan plan = compile_plan(lend(scene), {});
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.31, 0.6f}, {1, 1.63, 0.3f}};
     double added = 0.0;

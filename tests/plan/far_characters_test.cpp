@@ -44,7 +44,7 @@ Vertices true_vertices(const Scene& scene, const Needs& needs, const Affine& roo
 
 /// Vertices of a frame, moved by `place` in double precision.
 Vertices vertices(const Scene& scene, const Needs& needs, const Affine& root, const Vec3d& place = Vec3d(0.0)) {
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   EXPECT_EQ(run_plan(plan, walking(root), frame), ErrorCode::ok);
   Vertices out;

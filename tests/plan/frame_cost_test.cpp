@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stages that a plan leaves out take no work and no memory. No frame allocates.
+// Stages that are left out cost nothing: no work and no memory. No frame allocates.
+#include <algorithm>
 #include <new>
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
     options.correctives = options.targets > 0 ? seed % 3 : 0;
     const Scene scene = random_scene(seed, options);
     for (std::uint32_t bits = 0; bits < 128; ++bits) {
-      const Plan plan = compile_plan(scene, needs_by_bits(bits));
+      const Plan plan = compile_plan(lend(scene), needs_by_bits(bits));
       FrameBuffer frame(plan);
       std::vector<ClipLayer> layers;
       if (!scene.clips.empty()) layers.push_back({0, 0.4, 1.0f});
@@ -92,11 +93,11 @@ TEST(frame_cost, no_stage_changes_what_another_shows) {
   const ClipLayer layer{0, 0.4, 1.0f};
   const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
   Needs everything = needs_by_bits(31);
-  const Plan whole = compile_plan(scene, everything);
+  const Plan whole = compile_plan(lend(scene), everything);
   FrameBuffer all(whole);
   ASSERT_EQ(run_plan(whole, input, all), ErrorCode::ok);
   for (std::uint32_t bits = 0; bits < 32; ++bits) {
-    const Plan plan = compile_plan(scene, needs_by_bits(bits));
+    const Plan plan = compile_plan(lend(scene), needs_by_bits(bits));
     FrameBuffer some(plan);
     ASSERT_EQ(run_plan(plan, input, some), ErrorCode::ok);
     const auto same = [](const auto& a, const auto& b) {
@@ -121,7 +122,7 @@ TEST(frame_cost, static_nodes_and_targets_of_weight_zero_do_not_change_the_work_
   const Scene more_targets = random_scene(22, options);
   const ClipLayer layer{0, 0.4, 1.0f};
   const auto work = [&](const Scene& shown, std::vector<float> weights) {
-    const Plan plan = compile_plan(shown, {});
+    const Plan plan = compile_plan(lend(shown), {});
     FrameBuffer frame(plan);
     EXPECT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = weights, .root = {}}, frame), ErrorCode::ok);
     return frame.result().work;
@@ -138,7 +139,7 @@ TEST(frame_cost, a_frame_allocates_nothing) {
     options.flat_normals = bits % 2;
     options.correctives = bits % 3;
     const Scene scene = random_scene(bits, options);
-    const Plan plan = compile_plan(scene, needs_by_bits(bits));
+    const Plan plan = compile_plan(lend(scene), needs_by_bits(bits));
     FrameBuffer frame(plan);
     const AllocationCounter counter;
     for (const double time_s : {0.0, 0.7, 1.9}) {
@@ -163,7 +164,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
   const Scene scene = random_scene(23);
   Needs needs;
   needs.bounds = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer fresh(plan), used(plan);
   const ClipLayer now[] = {{0, 0.4, 0.8f}, {1, 1.2, 0.1f}}, before{1, 1.9, 1.0f};
   const std::vector<float> odd(scene.weight_count(), 7.0f);
@@ -211,7 +212,7 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
     Needs needs = needs_by_bits(127);
     needs.max_layers = 2;
     needs.stage_times = true;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}, {1, 0.7, 0.5f, kNone, LayerKind::add_to_start}};
     ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -230,9 +231,9 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
 TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
   const Scene scene = random_scene(3);
   Needs needs;
-  const Plan without = compile_plan(scene, needs);
+  const Plan without = compile_plan(lend(scene), needs);
   needs.stage_times = true;
-  EXPECT_LT(without.frame_bytes(), compile_plan(scene, needs).frame_bytes());
+  EXPECT_LT(without.frame_bytes(), compile_plan(lend(scene), needs).frame_bytes());
   FrameBuffer frame(without);
   ASSERT_EQ(run_plan(without, {}, frame), ErrorCode::ok);
   EXPECT_TRUE(frame.result().stage_ns.empty());
@@ -240,7 +241,7 @@ TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
 
 TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
   const Scene scene = random_scene(3);
-  const std::vector<PlanStage> stages = compile_plan(scene, Needs{}).stages();
+  const std::vector<PlanStage> stages = compile_plan(lend(scene), Needs{}).stages();
   ASSERT_EQ(stages.size(), kStageCount);
   const char* names[kStageCount] = {"sample",
                                     "mirror",

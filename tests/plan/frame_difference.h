@@ -38,8 +38,8 @@ struct Difference {
 /// times of a clip.
 inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, std::uint32_t clip, int times,
                                 Skinning skinning = Skinning::linear) {
-  const Plan full = compile_plan(scene, needs_with({}, skinning)),
-             lean = compile_plan(scene, needs_with(detail, skinning));
+  const Plan full = compile_plan(lend(scene), needs_with({}, skinning)),
+             lean = compile_plan(lend(scene), needs_with(detail, skinning));
   FrameBuffer all(full), some(lean);
   Difference found;
   for (int n = 0; n <= times; ++n) {

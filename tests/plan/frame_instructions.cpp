@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   add_joints(scene, count);
   scene.clips.clear();
   add_unused(scene, count);
-  const sinew::Plan plan = sinew::compile_plan(scene, without_joints(joints, count));
+  const sinew::Plan plan = sinew::compile_plan(lend(scene), without_joints(joints, count));
   sinew::FrameBuffer frame(plan);
   play(plan, frame, 0, 3);  // warms up: afterwards the kernels have chosen their instruction set
   CALLGRIND_START_INSTRUMENTATION;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/interpolate_poses.h"
+#include "runtime/plan/evaluate/interpolate_poses.h"
 
 #include <gtest/gtest.h>
 
@@ -51,9 +51,9 @@ TEST(interpolate_poses, N27_at_both_ends_frames_have_the_bits_of_frames_without_
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     const Scene scene = random_scene(seed);
     Needs needs = between();
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     needs.between_updates = false;
-    const Plan plain = compile_plan(scene, needs);
+    const Plan plain = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan), expected(plain);
     expect_same(run(plan, from_to(kStart, kEnd, 0.0f), frame), run(plain, from_to(kStart, {}, 0.0f), expected));
     expect_same(run(plan, from_to(kStart, kEnd, 1.0f), frame), run(plain, from_to(kEnd, {}, 0.0f), expected));
@@ -71,7 +71,7 @@ std::vector<Transformd> locals_at(const Scene& scene, double time_s) {
 TEST(interpolate_poses, N17_between_them_rotations_take_the_shorter_arc_and_numbers_the_straight_line) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     const Scene scene = random_scene(seed);
-    const Plan plan = compile_plan(scene, between());
+    const Plan plan = compile_plan(lend(scene), between());
     FrameBuffer frame(plan), at_start(plan), at_end(plan);
     const ClipLayer start{0, 0.4}, end{0, 0.9};
     const std::vector<Transformd> a = locals_at(scene, start.time_s), b = locals_at(scene, end.time_s);
@@ -101,7 +101,7 @@ TEST(interpolate_poses, N17_between_them_rotations_take_the_shorter_arc_and_numb
 
 TEST(interpolate_poses, P19_each_end_is_sampled_once_however_many_frames_lie_between) {
   const Scene scene = random_scene(4);
-  const Plan plan = compile_plan(scene, between());
+  const Plan plan = compile_plan(lend(scene), between());
   FrameBuffer frame(plan);
   const std::uint64_t tracks = plan.clip_tracks()[0].joints + plan.clip_tracks()[0].weights;
   std::uint64_t sampled = 0, interpolated = 0;
@@ -119,7 +119,7 @@ TEST(interpolate_poses, P19_each_end_is_sampled_once_however_many_frames_lie_bet
 
 TEST(interpolate_poses, P19_buffers_that_take_turns_share_the_ends) {
   const Scene scene = random_scene(4);
-  const Plan plan = compile_plan(scene, between());
+  const Plan plan = compile_plan(lend(scene), between());
   FrameBuffer buffers[3] = {FrameBuffer(plan), FrameBuffer(plan), FrameBuffer(plan)}, alone(plan);
   std::uint64_t sampled = 0, sampled_alone = 0;
   for (std::uint64_t n = 0; n < 40; ++n) {
@@ -137,7 +137,7 @@ TEST(interpolate_poses, P19_buffers_that_take_turns_share_the_ends) {
 
 TEST(interpolate_poses, N27_frames_do_not_depend_on_those_before) {
   const Scene scene = random_scene(9);
-  const Plan plan = compile_plan(scene, between());
+  const Plan plan = compile_plan(lend(scene), between());
   FrameBuffer used(plan);
   const FrameInput inputs[] = {from_to(kStart, kEnd, 0.5f), from_to(kEnd, kStart, 0.25f), from_to(kEnd, {}, 0.75f),
                                from_to({}, kEnd, 0.5f),     from_to(kStart, kEnd, 0.5f),  from_to(kEnd, kEnd, 0.5f),
@@ -159,7 +159,7 @@ TEST(interpolate_poses, N27_any_frame_may_follow_any_other) {
   finish_scene(scene);
   Needs needs = between();
   needs.properties = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<ClipLayer> rest = {{still, 0.5}}, moved = {{0, 0.7}}, later = {{0, 0.8}}, other = {{1, 0.7}},
                                weaker = {{0, 0.7, 0.5f}};
   const FrameInput inputs[] = {from_to(rest, {}, 0.0f),      from_to(moved, {}, 0.0f),   from_to(rest, moved, 0.5f),
@@ -176,7 +176,7 @@ TEST(interpolate_poses, N27_any_frame_may_follow_any_other) {
 
 TEST(interpolate_poses, weights_of_the_caller_are_those_of_the_frame) {
   const Scene scene = random_scene(4);
-  const Plan plan = compile_plan(scene, between());
+  const Plan plan = compile_plan(lend(scene), between());
   FrameBuffer frame(plan);
   const std::vector<float> given(scene.weight_count(), 0.625f);
   FrameInput input = from_to(kStart, kEnd, 0.5f);
@@ -190,15 +190,15 @@ TEST(interpolate_poses, weights_of_the_caller_are_those_of_the_frame) {
 TEST(interpolate_poses, what_nobody_asks_for_takes_no_memory_and_is_refused) {
   const Scene scene = random_scene(4);
   Needs needs = between();
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   needs.between_updates = false;
-  const Plan plain = compile_plan(scene, needs);
+  const Plan plain = compile_plan(lend(scene), needs);
   EXPECT_GT(plan.frame_bytes(), plain.frame_bytes());
   FrameBuffer frame(plain), asked(plan);
-  EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.5f), frame), ErrorCode::unsupported);
+  EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.5f), frame), ErrorCode::not_in_needs);
   EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.0f), frame), ErrorCode::ok);
   for (const float wrong : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
-    EXPECT_EQ(run_plan(plan, from_to(kStart, kEnd, wrong), asked), ErrorCode::unsupported);
+    EXPECT_EQ(run_plan(plan, from_to(kStart, kEnd, wrong), asked), ErrorCode::not_a_fraction);
   const ClipLayer nowhere{99, 0.0};
   EXPECT_EQ(run_plan(plan, from_to(kStart, {&nowhere, 1}, 0.5f), asked), ErrorCode::index_out_of_range);
   EXPECT_EQ(run_plan(plan, from_to(kStart, {&nowhere, 1}, 0.0f), asked), ErrorCode::ok) << "not looked at";

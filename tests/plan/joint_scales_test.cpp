@@ -158,7 +158,7 @@ Affine root_of(bool mirrored) {
 /// Expects the windings that determinants give.
 /// out  the number of mirrored instances; `known` += those whose winding no frame had to test
 std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& needs, std::size_t& known) {
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<JointScale>& scales = plan.compiled()->instance_scales;
   const Plan tested = changed(plan, [](CompiledPlan& all_tested) {
     for (JointScale& scale : all_tested.instance_scales) scale.may_change = true;
@@ -206,9 +206,9 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
 TEST(joint_pairs, are_those_that_share_vertices_where_dual_quaternions_are_asked_for) {
   const Scene scene = arm_scene();
   Needs needs;
-  EXPECT_TRUE(compile_plan(scene, needs).compiled()->primitive_skinning[0].pairs.empty());
+  EXPECT_TRUE(compile_plan(lend(scene), needs).compiled()->primitive_skinning[0].pairs.empty());
   needs.skinning = Skinning::dual_quaternion;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   const auto& pairs = plan.compiled()->primitive_skinning[0].pairs;
   ASSERT_EQ(pairs.size(), 1u) << "two joints share two vertices";
   EXPECT_NE(pairs[0].first, pairs[0].second);
@@ -216,7 +216,7 @@ TEST(joint_pairs, are_those_that_share_vertices_where_dual_quaternions_are_asked
 
 TEST(windings, P09_a_root_without_volume_mirrors_nothing) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   const ClipLayer layers[] = {{0, 0.3, 1.0f}};
   Affine flat;
@@ -227,7 +227,7 @@ TEST(windings, P09_a_root_without_volume_mirrors_nothing) {
 
 TEST(windings, P09_change_with_the_sign_of_a_scale_and_are_then_tested) {
   const Scene scene = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, -1)}});
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   EXPECT_TRUE(stage(plan, "winding").runs);
   FrameBuffer frame(plan);
   for (const double time_s : {0.0, 0.25, 0.75, 1.0}) {
@@ -258,17 +258,17 @@ TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_u
   Needs needs;
   std::uint64_t count = 0;
   const Scene even = rigid_arm(1.5f), uneven = rigid_arm(0.5f);
-  const std::uint64_t linear = run_arm(compile_plan(even, needs), {}, count),
-                      linear_uneven = run_arm(compile_plan(uneven, needs), {}, count);
+  const std::uint64_t linear = run_arm(compile_plan(lend(even), needs), {}, count),
+                      linear_uneven = run_arm(compile_plan(lend(uneven), needs), {}, count);
   EXPECT_EQ(count, 0u);
   needs.normal_rule = NormalRule::cofactor;
-  EXPECT_EQ(run_arm(compile_plan(even, needs), {}, count), linear);
+  EXPECT_EQ(run_arm(compile_plan(lend(even), needs), {}, count), linear);
   EXPECT_EQ(count, 0u);
-  EXPECT_NE(stage(compile_plan(even, needs), "skin_linear").reason.find("normals of 1 primitive without"),
+  EXPECT_NE(stage(compile_plan(lend(even), needs), "skin_linear").reason.find("normals of 1 primitive without"),
             std::string::npos);
-  EXPECT_NE(run_arm(compile_plan(uneven, needs), {}, count), linear_uneven);
+  EXPECT_NE(run_arm(compile_plan(lend(uneven), needs), {}, count), linear_uneven);
   EXPECT_EQ(count, 4u);
-  EXPECT_NE(stage(compile_plan(uneven, needs), "skin_linear").reason.find("normals of 1 primitive by cofactors"),
+  EXPECT_NE(stage(compile_plan(lend(uneven), needs), "skin_linear").reason.find("normals of 1 primitive by cofactors"),
             std::string::npos);
   run_arm(compile_plan(arm_scene(), needs), {}, count);
   EXPECT_EQ(count, 4u) << "a blend of two turns is uneven itself";
@@ -281,7 +281,7 @@ TEST(normals_by_cofactors, P08_come_with_an_uneven_inverse_bind_matrix) {
   for (const std::size_t entry : {0u, 1u}) {
     Scene scene = rigid_arm(1.5f);
     scene.skins[0].inverse_bind[entry].row[1] *= 3.0f;
-    run_arm(compile_plan(scene, needs), {}, count);
+    run_arm(compile_plan(lend(scene), needs), {}, count);
     EXPECT_EQ(count, 4u) << entry;
   }
 }
@@ -291,7 +291,7 @@ TEST(normals_by_cofactors, P08_come_with_an_uneven_root) {
   Needs needs;
   needs.normal_rule = NormalRule::cofactor;
   const Affine root = affine_from_transform(Transform{{0, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, 2, 1)});
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   std::uint64_t count = 0;
   const std::uint64_t found = run_arm(plan, root, count);
   EXPECT_EQ(count, 4u);

@@ -62,7 +62,7 @@ void expect_near(const std::vector<Affine>& a, const std::vector<Affine>& b, dou
 TEST(mirrored_layers, each_kind_gives_what_the_clip_that_was_mirrored_key_by_key_gives) {
   for (const scenes::RightSide right : scenes::kRightSides) {
     const TwoClips two(right);
-    const Plan plan = compile_plan(two.scene, two.needs());
+    const Plan plan = compile_plan(lend(two.scene), two.needs());
     const double tolerance = scenes::is_symmetric(right) ? 0.0 : 2e-6;
     for (const LayerKind kind : {LayerKind::blend, LayerKind::add_to_rest, LayerKind::add_to_start})
       for (const std::uint32_t mask : {kNone, 0u}) {
@@ -79,15 +79,15 @@ TEST(mirrored_layers, each_kind_gives_what_the_clip_that_was_mirrored_key_by_key
 TEST(mirrored_layers, P06_a_plan_without_a_mirror_refuses_them_and_frames_without_one_do_no_work) {
   const TwoClips two(scenes::RightSide::any_axes);
   Needs needs = two.needs();
-  const Plan with = compile_plan(two.scene, needs);
+  const Plan with = compile_plan(lend(two.scene), needs);
   needs.mirror = nullptr;
-  const Plan without = compile_plan(two.scene, needs);
+  const Plan without = compile_plan(lend(two.scene), needs);
   EXPECT_TRUE(with.runs(Stage::mirror));
   EXPECT_FALSE(without.runs(Stage::mirror));
   EXPECT_LT(without.frame_bytes(), with.frame_bytes());
   FrameBuffer frame(without), other(with);
   const ClipLayer plain{kClip, 0.4}, turned{.clip = kClip, .time_s = 0.4, .mirrored = true};
-  EXPECT_EQ(run_plan(without, {.layers = {&turned, 1}, .weights = {}, .root = {}}, frame), ErrorCode::unsupported);
+  EXPECT_EQ(run_plan(without, {.layers = {&turned, 1}, .weights = {}, .root = {}}, frame), ErrorCode::not_in_needs);
   ASSERT_EQ(run_plan(without, {.layers = {&plain, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
   ASSERT_EQ(run_plan(with, {.layers = {&plain, 1}, .weights = {}, .root = {}}, other), ErrorCode::ok);
   EXPECT_EQ(frame.result().work.poses_mirrored, 0u);
@@ -107,7 +107,7 @@ TEST(mirrored_layers, joints_that_only_the_other_side_moves_are_moved) {
   scene.clips.clear();
   finish_scene(scene);
   Needs needs = two.needs();
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer kept(plan), fresh(plan);
   const ClipLayer plain{kClip, 0.4}, turned{.clip = kClip, .time_s = 0.8, .mirrored = true};
   ASSERT_EQ(run_plan(plan, {.layers = {&plain, 1}, .weights = {}, .root = {}}, kept), ErrorCode::ok);
@@ -140,7 +140,7 @@ struct LopsidedRest {
 
 TEST(mirrored_layers, a_clip_that_rests_adds_nothing_on_the_other_side_either) {
   const LopsidedRest lopsided;
-  const Plan plan = compile_plan(lopsided.scene, lopsided.needs);
+  const Plan plan = compile_plan(lend(lopsided.scene), lopsided.needs);
   FrameBuffer without(plan), with(plan);
   for (const LayerKind kind : {LayerKind::add_to_rest, LayerKind::add_to_start}) {
     const ClipLayer layers[] = {{0, 0.6}, {1, 0.3, 0.75f, kNone, kind, true}};
@@ -157,7 +157,7 @@ TEST(mirrored_layers, joints_that_the_mirror_alone_moves_are_moved) {
   scene.animations.erase(scene.animations.begin());  // the remaining clip rests
   scene.clips.clear();
   finish_scene(scene);
-  const Plan plan = compile_plan(scene, lopsided.needs);
+  const Plan plan = compile_plan(lend(scene), lopsided.needs);
   FrameBuffer kept(plan), fresh(plan);
   const ClipLayer plain{0, 0.4}, turned{.clip = 0, .time_s = 0.4, .mirrored = true};
   ASSERT_EQ(run_plan(plan, {.layers = {&plain, 1}, .weights = {}, .root = {}}, kept), ErrorCode::ok);
@@ -176,7 +176,7 @@ TEST(mirrored_layers, P07_scales_of_one_side_reach_the_other) {
   two.scene.clips.clear();
   finish_scene(two.scene);
   const auto kind = [&](const Needs& needs, std::uint32_t joint) {
-    return compile_plan(two.scene, needs).compiled()->joint_scales[joint].kind;
+    return compile_plan(lend(two.scene), needs).compiled()->joint_scales[joint].kind;
   };
   Needs needs = two.needs();
   EXPECT_EQ(kind(needs, 3), ScaleKind::uneven);
@@ -188,9 +188,9 @@ TEST(mirrored_layers, P07_scales_of_one_side_reach_the_other) {
 TEST(mirrored_layers, partners_of_joints_that_are_kept_stay_in_a_skeleton_lod) {
   const TwoClips two(scenes::RightSide::any_axes);
   Needs needs = two.needs();
-  const Plan full = compile_plan(two.scene, needs);
+  const Plan full = compile_plan(lend(two.scene), needs);
   needs.skeleton_lod.kept = {true, true, true, true, true, true, false, true, false, false, false, false, false, false};
-  const Plan lean = compile_plan(two.scene, needs);
+  const Plan lean = compile_plan(lend(two.scene), needs);
   const ClipLayer turned{.clip = kClip, .time_s = 0.8, .mirrored = true};
   const std::vector<Affine> all = two.model(full, {&turned, 1}), some = two.model(lean, {&turned, 1});
   ASSERT_EQ(some.size(), 9u) << "the right arm and foot are kept with the left ones";
@@ -203,7 +203,7 @@ TEST(mirrored_layers, morph_weights_of_partners_are_exchanged) {
   const Scene scene = random_scene(5, options);
   Needs needs;
   needs.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer plain(plan), turned(plan);
   const ClipLayer layer{0, 0.6}, mirrored{.clip = 0, .time_s = 0.6, .mirrored = true};
   ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, plain), ErrorCode::ok);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mesh instances whose vertices come from a vertex source instead of their pose.
-#include "runtime/plan/play_geometry.h"
+// Mesh instances whose vertices come from a source in place of their pose.
+#include "runtime/plan/evaluate/play_geometry.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ class play_geometry : public testing::Test {
   }
 
   void compile() {
-    plan_ = compile_plan(scene_, needs_);
+    plan_ = compile_plan(lend(scene_), needs_);
     frame_.emplace(plan_);
     geometry_.assign(needs_.cached_instances.size(), {});
   }
@@ -77,7 +77,7 @@ TEST_F(play_geometry, at_weight_1_vertices_are_those_of_the_source_bit_for_bit_a
 }
 
 TEST_F(play_geometry, at_weight_0_nothing_is_asked_of_the_source) {
-  const Plan without = compile_plan(scene_, Needs{});
+  const Plan without = compile_plan(lend(scene_), Needs{});
   FrameBuffer posed(without);
   FrameInput input = input_at(0.5, 0.0f);
   const FrameResult& shown = run(input);
@@ -127,7 +127,7 @@ TEST_F(play_geometry, frames_have_room_for_each_attribute_of_the_largest_source)
     Needs with = needs_, without = needs_;
     if (!plays) with.cached_instances = without.cached_instances = {};
     without.tangents = false;
-    return compile_plan(scene_, with).frame_bytes() - compile_plan(scene_, without).frame_bytes();
+    return compile_plan(lend(scene_), with).frame_bytes() - compile_plan(lend(scene_), without).frame_bytes();
   };
   EXPECT_GE(bytes_of_tangents(true), bytes_of_tangents(false) + largest * sizeof(glm::vec4));
 }
@@ -256,9 +256,9 @@ TEST_F(play_geometry, bad_inputs_answer_codes_and_leave_the_last_frame) {
             ErrorCode::not_finite);
   EXPECT_EQ(refused([&](FrameInput&) { geometry_[0].weight = std::numeric_limits<float>::quiet_NaN(); }),
             ErrorCode::not_finite);
-  EXPECT_EQ(refused([&](FrameInput&) { geometry_[0].weight = -0.5f; }), ErrorCode::unsupported);
-  EXPECT_EQ(refused([&](FrameInput&) { geometry_[0].weight = 1.5f; }), ErrorCode::unsupported);
-  EXPECT_EQ(refused([&](FrameInput&) { geometry_[1].time_s += 1.0; }), ErrorCode::unsupported) << "one time a source";
+  EXPECT_EQ(refused([&](FrameInput&) { geometry_[0].weight = -0.5f; }), ErrorCode::not_a_fraction);
+  EXPECT_EQ(refused([&](FrameInput&) { geometry_[0].weight = 1.5f; }), ErrorCode::not_a_fraction);
+  EXPECT_EQ(refused([&](FrameInput&) { geometry_[1].time_s += 1.0; }), ErrorCode::two_times) << "one time a source";
   waves_.without.insert(0);
   EXPECT_EQ(refused([](FrameInput&) {}), ErrorCode::index_out_of_range);
 }
@@ -268,7 +268,7 @@ TEST_F(play_geometry, a_source_has_one_time_among_those_that_play_from_it_and_an
   for (const std::size_t idle : {0u, 1u}) {
     const FrameInput input = input_at(0.75, 1.0f);
     geometry_[idle].time_s = 9.0;
-    EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::unsupported);
+    EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::two_times);
     geometry_[idle].weight = 0.0f;
     EXPECT_EQ(run_plan(plan_, input, *frame_), ErrorCode::ok);
     WavingVertices others(scene_);
@@ -320,7 +320,7 @@ TEST_F(play_geometry, in_the_space_of_meshes_turns_over_where_the_joint_mirrors_
 }
 
 TEST_F(play_geometry, a_plan_without_it_has_no_stage_and_no_memory) {
-  const Plan without = compile_plan(scene_, Needs{});
+  const Plan without = compile_plan(lend(scene_), Needs{});
   EXPECT_FALSE(without.runs(Stage::geometry_cache));
   EXPECT_EQ(stage(without, "geometry_cache").reason, "no mesh instance is asked to play from a cache");
   EXPECT_TRUE(plan_.runs(Stage::geometry_cache));
@@ -329,7 +329,8 @@ TEST_F(play_geometry, a_plan_without_it_has_no_stage_and_no_memory) {
       std::to_string(plan_.primitives().size()) +
           " primitives may play from a cache, in place of morph and skin; normals that it lacks follow the triangles");
   needs_ = {.joints = true, .positions = false, .normals = false, .tangents = false, .cached_instances = {0}};
-  EXPECT_EQ(stage(compile_plan(scene_, needs_), "geometry_cache").reason, "no attribute that is asked for can play");
+  EXPECT_EQ(stage(compile_plan(lend(scene_), needs_), "geometry_cache").reason,
+            "no attribute that is asked for can play");
   EXPECT_LT(without.frame_bytes(), plan_.frame_bytes());
   std::uint64_t vertices = 0;
   for (const DeformedPrimitive& shape : play(0.5, 1.0f).primitives)

@@ -54,7 +54,7 @@ Scene blinking_arm(float on_s) {
 }
 
 SceneLook look_at_time(const Scene& scene, std::span<const ClipLayer> layers) {
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   EXPECT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
   SceneLook look(scene);
@@ -110,7 +110,7 @@ TEST(properties, sampled_ones_agree_with_the_tracks_in_double) {
   scene.materials.resize(3);
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(scene, {.max_layers = 1});
+  const Plan plan = compile_plan(lend(scene), {.max_layers = 1});
   FrameBuffer frame(plan);
   for (double time_s = -0.1; time_s < 2.2; time_s += 0.0137) {
     const ClipLayer layer{0, time_s, 1.0f};
@@ -129,7 +129,7 @@ TEST(properties, sampled_ones_agree_with_the_tracks_in_double) {
 TEST(properties, P15_the_stage_runs_only_for_scenes_and_needs_that_call_for_it) {
   EXPECT_FALSE(stage(compile_plan(arm_scene(), {}), "properties").runs);
   const Scene scene = lit_scene();
-  const Plan asked = compile_plan(scene, {}), unasked = compile_plan(scene, {.properties = false});
+  const Plan asked = compile_plan(lend(scene), {}), unasked = compile_plan(lend(scene), {.properties = false});
   EXPECT_TRUE(stage(asked, "properties").runs);
   EXPECT_EQ(stage(asked, "properties").count, 9u);
   EXPECT_FALSE(stage(unasked, "properties").runs);
@@ -144,7 +144,7 @@ TEST(properties, P15_the_stage_runs_only_for_scenes_and_needs_that_call_for_it) 
 
 TEST(properties, hidden_instances_cost_nothing_and_come_back) {
   const Scene scene = blinking_arm(0.5f);
-  const Plan plan = compile_plan(scene, {.bounds = true});
+  const Plan plan = compile_plan(lend(scene), {.bounds = true});
   EXPECT_TRUE(stage(plan, "properties").runs);
   FrameBuffer frame(plan);
   const auto at = [&](double time_s) -> const FrameResult& {
@@ -178,7 +178,7 @@ TEST(properties, flags_hide_whatever_is_asked_for) {
   };
   for (const Needs& needs : {with(&Needs::palettes), with(&Needs::positions), with(&Needs::normals),
                              with(&Needs::bounds), with(&Needs::properties)}) {
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (const double time_s : {0.25, 0.75}) {
       const ClipLayer layer{0, time_s, 1.0f};
@@ -195,7 +195,7 @@ TEST(properties, a_flag_hides_what_is_below_its_node) {
   scene.instances[0].skin = kNone;
   scene.hidden_joints = {0};
   finish_scene(scene);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   EXPECT_FALSE(frame.result().instances[0].visible);
@@ -208,7 +208,7 @@ TEST(properties, meshes_that_no_clip_ever_shows_are_left_out_of_the_plan) {
   scene.hidden_joints = {1};
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(scene, {}), all = compile_plan(scene, {.hidden_meshes = true});
+  const Plan plan = compile_plan(lend(scene), {}), all = compile_plan(lend(scene), {.hidden_meshes = true});
   EXPECT_FALSE(stage(plan, "skin_linear").runs);
   EXPECT_FALSE(stage(plan, "palette").runs);
   EXPECT_TRUE(stage(all, "skin_linear").runs);
@@ -220,7 +220,7 @@ TEST(properties, meshes_that_no_clip_ever_shows_are_left_out_of_the_plan) {
 
 TEST(properties, a_frame_allocates_nothing) {
   const Scene scene = blinking_arm(0.5f);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   const ClipLayer layers[] = {{0, 0.25, 0.5f}, {0, 0.75, 0.5f}};
   ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -236,7 +236,7 @@ TEST(properties, boxes_hold_all_copies_of_a_mesh) {
                                {{0, 0, 5}, glm::quat(0, 0, 0, 1), {2, 2, 2}}};
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(scene, {.bounds = true});
+  const Plan plan = compile_plan(lend(scene), {.bounds = true});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().instances[0].bounds.lower, glm::vec3(-2, -2, 0));

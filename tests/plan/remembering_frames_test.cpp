@@ -111,7 +111,7 @@ class StampHistory {
 class Character {
  public:
   Character(std::uint64_t seed, std::size_t plan_count, std::size_t buffer_count) : scene_(busy_scene(seed)) {
-    for (std::size_t p = 0; p < plan_count; ++p) plans_.push_back(compile_plan(scene_, needs(seed + p, p)));
+    for (std::size_t p = 0; p < plan_count; ++p) plans_.push_back(compile_plan(lend(scene_), needs(seed + p, p)));
     std::size_t most = 0;
     for (const Plan& plan : plans_) most = std::max(most, plan.frame_bytes());
     for (std::size_t b = 0; b < buffer_count; ++b)
@@ -235,7 +235,7 @@ class HeldCharacter {
  public:
   explicit HeldCharacter(std::uint64_t seed) : scene_(busy_scene(seed)), phase_(static_cast<std::uint32_t>(seed % 5)) {
     for (const std::uint64_t other : {seed, seed + 1})
-      plans_.push_back(compile_plan(scene_, busy_needs(other, scene_)));
+      plans_.push_back(compile_plan(lend(scene_), busy_needs(other, scene_)));
     take_plan(0);
   }
 

@@ -22,7 +22,7 @@ struct Frame {
   FrameBuffer buffer;
   ErrorCode error = ErrorCode::ok;
 
-  Frame(const Scene& scene, const Needs& needs) : plan(compile_plan(scene, needs)), buffer(plan) {}
+  Frame(const Scene& scene, const Needs& needs) : plan(compile_plan(lend(scene), needs)), buffer(plan) {}
   Frame(const Scene& scene, const Needs& needs, const FrameInput& input) : Frame(scene, needs) { run(input); }
 
   const FrameResult& run(const FrameInput& input) {
@@ -269,10 +269,10 @@ TEST(run_plan, rejects_what_it_cannot_show_and_keeps_the_last_good_frame) {
                {{{kNone, 0.0, 0.0f}}, {}, ErrorCode::index_out_of_range},
                {{{0, inf, 1.0f}}, {}, ErrorCode::not_finite},
                {{{0, 0.0, kNan}}, {}, ErrorCode::not_finite},
-               {{{0, 0.0, -0.5f}}, {}, ErrorCode::unsupported},
+               {{{0, 0.0, -0.5f}}, {}, ErrorCode::negative_weight},
                {{{0, 0.0, 1.0f, 0}}, {}, ErrorCode::index_out_of_range},
-               {{{0, 0.0, 1.0f, kNone, LayerKind::add_to_rest}}, {}, ErrorCode::unsupported},
-               {{{0, 0.0, 1.0f}, {0, 0.0, 1.0f}, {0, 0.0, 1.0f}}, {}, ErrorCode::size_mismatch},
+               {{{0, 0.0, 1.0f, kNone, LayerKind::add_to_rest}}, {}, ErrorCode::not_in_needs},
+               {{{0, 0.0, 1.0f}, {0, 0.0, 1.0f}, {0, 0.0, 1.0f}}, {}, ErrorCode::too_many_layers},
                {{}, one, ErrorCode::size_mismatch},
                {{}, bad, ErrorCode::not_finite}};
   for (const auto& c : cases) {
@@ -289,7 +289,7 @@ TEST(run_plan, a_plan_without_blending_rejects_partial_weights) {
   Frame frame(scene, needs);
   const ClipLayer half{0, 0.0, 0.5f}, full{0, 0.0, 1.0f};
   frame.run({.layers = {&half, 1}, .weights = {}, .root = {}});
-  EXPECT_EQ(frame.error, ErrorCode::unsupported);
+  EXPECT_EQ(frame.error, ErrorCode::not_in_needs);
   frame.run({.layers = {&full, 1}, .weights = {}, .root = {}});
   EXPECT_EQ(frame.error, ErrorCode::ok);
 }
@@ -313,15 +313,50 @@ TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_the
   EXPECT_EQ(frame.result().model[0], rest);
 }
 
+TEST(run_plan, a_layer_with_a_mask_below_a_joint_moves_that_limb_alone) {
+  const Scene scene = random_scene(12);
+  const Skeleton& skeleton = scene.skeleton;
+  const std::uint32_t joint = skeleton.level_begin[1];
+  Needs needs;
+  needs.masks = {mask_below(skeleton, joint)};
+  const ClipLayer masked{0, 0.7, 1.0f, 0};
+  const Frame rest(scene, needs, {}), moved(scene, needs, {.layers = {&masked, 1}, .weights = {}, .root = {}});
+  ASSERT_EQ(moved.error, ErrorCode::ok);
+  std::size_t below = 0;
+  for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
+    std::uint32_t above = j;
+    while (above != joint && above != kNone) above = skeleton.parents[above];
+    EXPECT_EQ(needs.masks[0][j], above == joint ? 1.0f : 0.0f) << j;
+    below += above == joint;
+    if (above == kNone) {
+      EXPECT_EQ(moved.result().model[j], rest.result().model[j]) << j;
+    }
+  }
+  EXPECT_TRUE(below > 0 && below < skeleton.joint_count());
+  EXPECT_NE(moved.result().model[joint], rest.result().model[joint]);
+  EXPECT_EQ(mask_below(skeleton, joint, 0.25f)[joint], 0.25f);
+  EXPECT_DEATH(mask_below(skeleton, 999), "contract broken: .*a mask begins at a joint");
+}
+
+TEST(run_plan, clips_are_found_by_the_first_of_a_name) {
+  Scene scene = arm_scene();
+  scene.animations.push_back(scene.animations[0]);
+  scene.animations.push_back(scene.animations[0]);
+  scene.animations[1].name = scene.animations[2].name = "walk";
+  finish_scene(scene);
+  EXPECT_EQ(find_clip(scene, "walk"), 1u);
+  EXPECT_EQ(find_clip(scene, "wal"), std::nullopt);
+}
+
 TEST(run_plan, rejects_the_frame_buffer_of_another_plan) {
   const Scene arm = arm_scene(), face = face_scene();
-  const Plan plan = compile_plan(arm, {}), other = compile_plan(face, {});
+  const Plan plan = compile_plan(lend(arm), {}), other = compile_plan(lend(face), {});
   Needs fewer;
   fewer.tangents = fewer.normals = false;
-  const Plan same_scene = compile_plan(arm, fewer);
+  const Plan same_scene = compile_plan(lend(arm), fewer);
   FrameBuffer of_other(other), of_same_scene(same_scene);
-  EXPECT_EQ(run_plan(plan, {}, of_other), ErrorCode::size_mismatch);
-  EXPECT_EQ(run_plan(plan, {}, of_same_scene), ErrorCode::size_mismatch);
+  EXPECT_EQ(run_plan(plan, {}, of_other), ErrorCode::wrong_plan);
+  EXPECT_EQ(run_plan(plan, {}, of_same_scene), ErrorCode::wrong_plan);
 }
 
 TEST(run_plan, an_empty_scene_gives_an_empty_frame) {

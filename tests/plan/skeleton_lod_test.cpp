@@ -80,9 +80,9 @@ TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
     options.correctives = seed % 3;
     const Scene scene = random_scene(seed, options);
     Needs needs = rich_needs(scene, seed);
-    const Plan full = compile_plan(scene, needs);
+    const Plan full = compile_plan(lend(scene), needs);
     needs.skeleton_lod = some_detail(scene, seed);
-    const Plan lean = compile_plan(scene, needs);
+    const Plan lean = compile_plan(lend(scene), needs);
     const PlanAssets& kept = lean.compiled()->assets;
     ASSERT_TRUE(kept.leaves_out() && !full.compiled()->assets.leaves_out());
     FrameBuffer all(full), some(lean);
@@ -112,10 +112,10 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
       needs.skinning = skinning;
       needs.bounds = true;
       needs.skeleton_lod = some_detail(scene, seed);
-      const Plan lean = compile_plan(scene, needs);
+      const Plan lean = compile_plan(lend(scene), needs);
       const Scene held = held_scene(random_scene(seed, options), lean.compiled()->assets, needs.skeleton_lod);
       needs.skeleton_lod = {};
-      const Plan full = compile_plan(held, needs);
+      const Plan full = compile_plan(lend(held), needs);
       FrameBuffer expected(full), found(lean);
       const ClipLayer layer{0, 0.1 * seed};
       ASSERT_EQ(run_plan(full, {.layers = {&layer, 1}, .weights = {}, .root = {}}, expected), ErrorCode::ok);
@@ -170,16 +170,16 @@ TEST(skeleton_lod, P01_joints_left_out_cost_exactly_nothing) {
   const Scene scene = random_scene(8);
   const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
   Needs needs = rich_needs(scene, 1);
-  const Plan plain = compile_plan(scene, needs);
+  const Plan plain = compile_plan(lend(scene), needs);
   FrameBuffer frame(plain);
   for (const std::uint32_t count : {1u, 40u, 1000u}) {
     Scene more = random_scene(8);
     add_moved_joints(more, joints - 1, count);
     needs.masks = {some_mask(more, 1)};
     needs.skeleton_lod = {};
-    const Plan full = compile_plan(more, needs);
+    const Plan full = compile_plan(lend(more), needs);
     needs.skeleton_lod = without(more, joints);
-    const Plan lean = compile_plan(more, needs);
+    const Plan lean = compile_plan(lend(more), needs);
     EXPECT_GT(full.frame_bytes(), lean.frame_bytes());
     EXPECT_EQ(plain.frame_bytes(), lean.frame_bytes());
     FrameBuffer with(full), same(lean);
@@ -217,7 +217,7 @@ TEST(skeleton_lod, a_plan_that_leaves_nothing_out_copies_nothing) {
   const Scene scene = random_scene(2);
   Needs needs;
   needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
-  for (const Plan& plan : {compile_plan(scene, {}), compile_plan(scene, needs)}) {
+  for (const Plan& plan : {compile_plan(lend(scene), {}), compile_plan(lend(scene), needs)}) {
     const PlanAssets& assets = plan.compiled()->assets;
     EXPECT_EQ(assets.skeleton, &scene.skeleton);
     EXPECT_EQ(&assets.clips[1].layout(), &scene.clips[1].layout());
@@ -229,9 +229,9 @@ TEST(skeleton_lod, a_plan_that_leaves_nothing_out_copies_nothing) {
 TEST(skeleton_lod, a_character_changes_detail_in_one_block_of_memory_without_allocating) {
   const Scene scene = random_scene(6);
   Needs needs;
-  const Plan full = compile_plan(scene, needs);
+  const Plan full = compile_plan(lend(scene), needs);
   needs.skeleton_lod = some_detail(scene, 6);
-  const Plan lean = compile_plan(scene, needs);
+  const Plan lean = compile_plan(lend(scene), needs);
   ASSERT_LT(lean.frame_bytes(), full.frame_bytes());
   alignas(64) static std::byte block[1 << 20];
   ASSERT_LE(full.frame_bytes(), sizeof block);
@@ -247,7 +247,7 @@ TEST(skeleton_lod, a_character_changes_detail_in_one_block_of_memory_without_all
     const std::uint64_t last = frame.result().frame;
     frame = FrameBuffer(plan, std::span<std::byte>(block));
     frame.count_from(last);
-    EXPECT_EQ(run_plan(is_lean ? full : lean, input, frame), ErrorCode::size_mismatch);
+    EXPECT_EQ(run_plan(is_lean ? full : lean, input, frame), ErrorCode::wrong_plan);
     ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
     EXPECT_EQ(frame.result().frame, last + 1);
     EXPECT_TRUE(same_bits<Affine>(frame.result().model, (is_lean ? lean_fresh : fresh).result().model));
@@ -258,9 +258,9 @@ TEST(skeleton_lod, a_character_changes_detail_in_one_block_of_memory_without_all
 TEST(skeleton_lod, on_a_job_thread_levels_are_characters_of_which_one_is_awake) {
   const Scene scene = random_scene(6);
   Needs needs;
-  const Plan full = compile_plan(scene, needs);
+  const Plan full = compile_plan(lend(scene), needs);
   needs.skeleton_lod = some_detail(scene, 6);
-  const Plan lean = compile_plan(scene, needs);
+  const Plan lean = compile_plan(lend(scene), needs);
   const Plan* levels[] = {&full, &lean};
   JobThread jobs;
   for (const Plan* level : levels) jobs.add_character(*level);
@@ -282,11 +282,11 @@ TEST(skeleton_lod, frame_buffers_of_another_detail_are_refused) {
   const Scene scene = random_scene(6);
   Needs needs;
   needs.skeleton_lod = some_detail(scene, 6);
-  const Plan lean = compile_plan(scene, needs);
+  const Plan lean = compile_plan(lend(scene), needs);
   needs.skeleton_lod.held[3].translation.x += 1.0f;
-  const Plan other = compile_plan(scene, needs);
+  const Plan other = compile_plan(lend(scene), needs);
   FrameBuffer frame(lean);
-  EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::size_mismatch);
+  EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::wrong_plan);
 }
 
 TEST(skeleton_lod, G54_boxes_of_clips_hold_characters_that_leave_joints_out) {
@@ -298,7 +298,7 @@ TEST(skeleton_lod, G54_boxes_of_clips_hold_characters_that_leave_joints_out) {
     needs.bounds = true;
     needs.skeleton_lod = some_detail(scene, seed);
     const std::vector<Aabb> reach = clip_bounds(scene, needs, 0);
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (int n = 0; n <= 100; ++n) {
       const ClipLayer layer{0, 0.021 * n};
@@ -317,7 +317,7 @@ TEST(skeleton_lod, the_plan_says_what_is_left_out) {
   const Scene scene = arm_scene();
   Needs needs;
   needs.skeleton_lod.kept = {true, true, false};
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<PlanStage> stages = plan.stages();
   const auto stage =
       std::find_if(stages.begin(), stages.end(), [](const PlanStage& s) { return s.stage == "local_to_model"; });
@@ -340,7 +340,7 @@ TEST(skeleton_lod, G48_a_mesh_on_a_joint_that_is_left_out_keeps_its_winding) {
     Needs needs;
     needs.skeleton_lod.kept = {true, false};
     needs.skeleton_lod.held = scene.skeleton.rest;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
     EXPECT_EQ(frame.result().instances[0].mirrored, mirrored);

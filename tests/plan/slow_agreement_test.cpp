@@ -77,7 +77,7 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
     Needs needs;
     needs.skinning = c.skinning;
     needs.normal_rule = c.rule;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.31, 0.6f}, {1, 1.63, 0.3f}, {0, 5.0, 0.4f}};
     for (std::size_t count = 0; count <= 3; ++count) {
@@ -123,7 +123,7 @@ TEST(slow_agreement, squad_shows_what_plain_double_loops_give) {
     ASSERT_GT(squads, 0u);
     scene.clips.clear();
     finish_scene(scene);
-    const Plan plan = compile_plan(scene, {});
+    const Plan plan = compile_plan(lend(scene), {});
     FrameBuffer frame(plan);
     for (const double time_s : {0.0, 0.03, 0.31, 0.9, 1.4, 1.98}) {
       const ClipLayer layer{0, time_s};
@@ -147,7 +147,7 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
     for (auto& mask : needs.masks)
       for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j)
         mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.31, 0.6f, 0},
                                 {1, 1.63, 0.7f, 1},
@@ -178,7 +178,7 @@ TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
     Needs needs = busy_needs(seed, scene);
     needs.skinning = Skinning::linear;
     needs.instance_skinning.clear();
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     RandomInputs inputs(plan);
     for (std::uint32_t step = 0; step < 40; ++step) {
@@ -212,7 +212,7 @@ TEST(slow_agreement, instances_that_play_show_what_plain_double_loops_give) {
     waves.has_normals = seed % 7 == 0;
     Needs needs;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) needs.cached_instances.push_back(i);
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layer{0, 0.31, 1.0f};
     for (const float weight : {0.0f, 0.3f, 0.8f, 1.0f}) {

@@ -50,7 +50,7 @@ TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_n
     Needs needs = all_needs();
     needs.hidden_meshes = seed % 4 == 0;  // independent of the view
     needs.skinning = seed % 5 == 0 ? Skinning::dual_quaternion : Skinning::linear;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     const ClipLayer layer{0, 0.6};
     FrameBuffer seen(plan), unseen(plan);
     const std::vector<std::uint8_t> all(scene.instances.size(), 1);
@@ -73,7 +73,7 @@ TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_n
 
 TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
   const Scene scene = random_scene(31);  // instances 0 and 2 are skinned, by skins 0 and 1
-  const Plan plan = compile_plan(scene, all_needs());
+  const Plan plan = compile_plan(lend(scene), all_needs());
   const ClipLayer layer{1, 0.8};
   FrameBuffer seen(plan);
   ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, seen), ErrorCode::ok);
@@ -110,7 +110,7 @@ TEST(unseen_characters, one_that_sleeps_does_exactly_nothing_and_gives_nothing) 
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
     needs.stage_times = true;
-    const Plan plan = compile_plan(scene, needs);
+    const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (int number = 0; number < 6; ++number) {
       const ClipLayer layers[] = {{0, 0.1 * number, 0.5f}, {1, 0.2 * number, 0.5f}};
@@ -135,7 +135,7 @@ TEST(unseen_characters, one_that_sleeps_does_exactly_nothing_and_gives_nothing) 
 
 TEST(unseen_characters, P15_clocks_events_and_root_motion_go_on_while_one_sleeps) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   const std::vector<double> events_s{0.25, 0.75};
   BoneAnimation walk;
   walk.translation = {.interpolation = Interpolation::linear,
@@ -172,7 +172,7 @@ TEST(unseen_characters, P15_clocks_events_and_root_motion_go_on_while_one_sleeps
 
 TEST(unseen_characters, a_pose_from_before_the_sleep_is_not_taken_for_the_resting_one) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan), fresh(plan);
   const ClipLayer bent{0, 1.0};
   ASSERT_EQ(run_plan(plan, {.layers = {&bent, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -187,7 +187,7 @@ TEST(unseen_characters, a_pose_from_before_the_sleep_is_not_taken_for_the_restin
 
 TEST(unseen_characters, a_paused_one_that_comes_back_into_view_is_there_again_in_one_buffer_or_in_turns) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, all_needs());
+  const Plan plan = compile_plan(lend(scene), all_needs());
   const ClipLayer paused{0, 0.7};
   const std::uint8_t away[] = {1};
   FrameInput seen{.layers = {&paused, 1}, .weights = {}, .root = {}}, unseen = seen;
@@ -219,7 +219,7 @@ TEST(unseen_characters, a_paused_one_that_comes_back_into_view_is_there_again_in
 
 TEST(unseen_characters, the_job_thread_passes_on_who_is_seen) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   JobThread jobs;
   for (int c = 0; c < 3; ++c) jobs.add_character(plan);
   const ClipLayer layer{0, 0.5};
@@ -237,7 +237,7 @@ TEST(unseen_characters, the_job_thread_passes_on_who_is_seen) {
 
 TEST(unseen_characters, as_many_instances_as_the_scene_has_are_in_or_out_of_view) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer frame(plan);
   const std::vector<std::uint8_t> too_many(2, 0);
   EXPECT_EQ(run_plan(plan, {.layers = {}, .weights = {}, .root = {}, .out_of_view = too_many}, frame),

@@ -57,7 +57,7 @@ TEST(add_pose, rejects_other_joint_counts_and_weights_that_are_none) {
   job.joint_weights = std::span(p.mask).first(3);
   EXPECT_EQ(check(job), ErrorCode::size_mismatch);
   EXPECT_EQ(check(p.job(std::numeric_limits<float>::quiet_NaN())), ErrorCode::not_finite);
-  EXPECT_EQ(check(p.job(-1.0f)), ErrorCode::not_finite);
+  EXPECT_EQ(check(p.job(-1.0f)), ErrorCode::negative_weight);
 }
 
 TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_the_same_bits) {

@@ -44,10 +44,11 @@ TEST(blend_poses, rejections_name_the_broken_rule) {
       {"no output", [](BlendPosesJob& j, BlendLayer&) { j.pose.planes = nullptr; }, ErrorCode::size_mismatch},
       {"short mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = ones; }, ErrorCode::size_mismatch},
       {"NaN weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = std::nanf(""); }, ErrorCode::not_finite},
-      {"negative weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = -0.1f; }, ErrorCode::not_finite},
+      {"negative weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = -0.1f; }, ErrorCode::negative_weight},
       {"infinite weight", [](BlendPosesJob&, BlendLayer& l) { l.weight = kInfinity; }, ErrorCode::not_finite},
       {"NaN in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[0]; }, ErrorCode::not_finite},
-      {"negative in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[1]; }, ErrorCode::not_finite},
+      {"negative in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[1]; },
+       ErrorCode::negative_weight},
       {"infinite in a mask", [&](BlendPosesJob&, BlendLayer& l) { l.joint_weights = masks[2]; }, ErrorCode::not_finite},
   };
   for (const auto& c : cases) {

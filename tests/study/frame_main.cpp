@@ -38,8 +38,8 @@ void print(const FrameTrial& t) {
 bool study_file(Device& device, const std::string& file, const FrameEffort& effort) {
   Options options;
   options.file = file;
-  options.environment = "none";  // the study uses its own
-  const auto say = [](const std::string& line) { std::fprintf(stderr, "sinew-frame-study: %s\n", line.c_str()); };
+  options.environment = "none";  // the study brings its own
+  const auto log_line = [](const std::string& line) { std::fprintf(stderr, "sinew-frame-study: %s\n", line.c_str()); };
   const auto loaded_scenes = load_scenes(options, log_line, {});
   if (!loaded_scenes) {
     log_line(loaded_scenes.error().message);
@@ -47,7 +47,7 @@ bool study_file(Device& device, const std::string& file, const FrameEffort& effo
   }
   const Scene& scene = loaded_scenes->front().scene;
   const std::uint32_t clip = scene.animations.empty() ? kNone : 0;
-  const Plan plan = compile_plan(scene, needs_of(loaded_scenes->front(), {}));
+  const Plan plan = compile_plan(lend(scene), needs_of(loaded_scenes->front(), {}));
   FrameBuffer buffer(plan);
   const ClipLayer layer{.clip = clip, .time_s = clip == kNone ? 0.0 : 0.5 * scene.animations[clip].duration_s};
   FrameInput input;

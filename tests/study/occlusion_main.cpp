@@ -37,7 +37,7 @@ View view_of(const LoadedScene& loaded, const ClipExtent& bounds, double aspect)
 }
 
 OcclusionStudy study_of(Device& device, const LoadedScene& loaded, std::uint32_t clip, const OcclusionEffort& effort) {
-  const Plan plan = compile_plan(loaded.scene, needs_of(loaded, {}));
+  const Plan plan = compile_plan(lend(loaded.scene), needs_of(loaded, {}));
   FrameBuffer frame(plan);
   const ClipLayer layer{clip, clip == kNone ? 0.0 : kMoment * loaded.scene.animations[clip].duration_s, 1.0f};
   FrameInput input;

@@ -112,7 +112,7 @@ Scene sphere_with_tangents(bool mapped) {
   return builder.finish();
 }
 
-Still::Still(Scene made) : scene(std::move(made)), plan(compile_plan(scene, {})), buffer(plan) {
+Still::Still(Scene made) : scene(std::move(made)), plan(compile_plan(lend(scene), {})), buffer(plan) {
   if (run_plan(plan, {}, buffer) != ErrorCode::ok) throw std::runtime_error("the frame cannot be evaluated");
   bounds = clip_extent(scene, kNone);
 }

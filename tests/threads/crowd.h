@@ -22,7 +22,7 @@ class Crowd {
     Needs needs;
     needs.bounds = true;
     for (const Scene& scene : scenes_) {
-      plans_.push_back(compile_plan(scene, needs));
+      plans_.push_back(compile_plan(lend(scene), needs));
       needs.skinning = Skinning::dual_quaternion;
     }
   }

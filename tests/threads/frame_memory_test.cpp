@@ -118,7 +118,7 @@ TEST(frame_memory, no_frame_asks_for_memory_whatever_layers_its_plan_declares) {
   needs.additive = true;
   needs.max_layers = 2;
   needs.max_additive_layers = 5;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   CountedMemory memory;
   JobThread jobs(with_buffers(3, false, &memory));
   jobs.add_character(plan);
@@ -140,7 +140,7 @@ TEST(frame_memory, no_frame_asks_for_memory_whatever_layers_its_plan_declares) {
 
   layers.push_back(layers.back());
   input.layers = layers;
-  EXPECT_EQ(jobs.submit({&input, 1}).error(), ErrorCode::size_mismatch) << "more layers than declared";
+  EXPECT_EQ(jobs.submit({&input, 1}).error(), ErrorCode::too_many_layers) << "more layers than declared";
   EXPECT_EQ(memory.calls, calls);
   EXPECT_EQ(jobs.last_submitted(), 1u);
 }

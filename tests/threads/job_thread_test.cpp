@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -210,7 +211,7 @@ TEST(job_thread, P19_a_paused_crowd_is_not_run_again) {
 TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run) {
   constexpr std::uint32_t kCount = 8;
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   JobThread jobs(spread());
   std::vector<HeldInput> held;
   for (std::uint32_t c = 0; c < kCount; ++c) {
@@ -231,6 +232,35 @@ TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run
   }
 }
 
+TEST(job_thread, keeps_alive_the_scenes_of_its_characters) {
+  JobThread jobs(spread());
+  std::weak_ptr<const Scene> watched;
+  {
+    const std::shared_ptr<const Scene> scene = share(random_scene(0));
+    watched = scene;
+    jobs.add_character(compile_plan(scene, {}));
+  }
+  EXPECT_FALSE(watched.expired());
+  const ClipLayer layer{0, 0.5};
+  const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+  const auto ticket = jobs.submit({&input, 1});
+  ASSERT_TRUE(ticket);
+  jobs.wait(*ticket);
+  EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
+  EXPECT_NE(jobs.latest(0), nullptr);
+}
+
+TEST(job_thread, characters_that_were_not_added_and_default_plans_break_a_contract) {
+  JobThreadOptions options;
+  options.own_thread = false;
+  JobThread jobs(options);
+  EXPECT_DEATH(jobs.latest(0), "contract broken: .*a character that add_character");
+  EXPECT_DEATH(jobs.add_character(Plan{}), "contract broken: .*a character needs a plan");
+  EXPECT_EQ(jobs.add_character(compile_plan(random_scene(0), {})), 0u);
+  EXPECT_EQ(jobs.latest(0), nullptr);
+  EXPECT_DEATH(jobs.latest(1), "contract broken: .*a character that add_character");
+}
+
 TEST(job_thread, rejects_another_number_of_inputs) {
   Crowd crowd(2);
   JobThread jobs(spread());
@@ -241,7 +271,7 @@ TEST(job_thread, rejects_another_number_of_inputs) {
 
 TEST(job_thread, each_character_has_room_for_what_its_own_plan_declares) {
   const Scene scene = random_scene(0);
-  const Plan one = compile_plan(scene, {.max_layers = 1}), two = compile_plan(scene, {.max_layers = 2});
+  const Plan one = compile_plan(lend(scene), {.max_layers = 1}), two = compile_plan(lend(scene), {.max_layers = 2});
   const ClipLayer layers[] = {{0, 0.5, 0.5f}, {0, 0.75, 0.5f}};
   const FrameInput single{.layers = std::span(layers, 1), .weights = {}, .root = {}},
       both{.layers = layers, .weights = {}, .root = {}};
@@ -250,7 +280,7 @@ TEST(job_thread, each_character_has_room_for_what_its_own_plan_declares) {
     jobs.add_character(wide_first ? two : one);
     jobs.add_character(wide_first ? one : two);
     const FrameInput right[] = {wide_first ? both : single, wide_first ? single : both}, wrong[] = {right[1], right[0]};
-    EXPECT_EQ(jobs.submit(wrong).error(), ErrorCode::size_mismatch);
+    EXPECT_EQ(jobs.submit(wrong).error(), ErrorCode::too_many_layers);
     EXPECT_TRUE(jobs.submit(right));
   }
 }
@@ -284,7 +314,7 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
 
 TEST(job_thread, P19_shapes_that_rest_while_their_character_walks_hold_since_the_first_frame) {
   const Scene face = face_scene();
-  const Plan plan = compile_plan(face, {});
+  const Plan plan = compile_plan(lend(face), {});
   JobThread jobs;
   jobs.add_character(plan);
   std::size_t deformed = 0;

@@ -63,7 +63,7 @@ class Drive {
   };
 
   void add(const Scene& scene, std::uint64_t seed) {
-    const Driven& added = driven_.emplace_back(Driven{.plan = compile_plan(scene, busy_needs(seed, scene))});
+    const Driven& added = driven_.emplace_back(Driven{.plan = compile_plan(lend(scene), busy_needs(seed, scene))});
     jobs_.add_character(added.plan);
   }
 

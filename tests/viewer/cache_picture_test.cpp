@@ -53,7 +53,7 @@ class Pictures {
  public:
   Pictures(const Scene& scene, const CacheOnScene& cache, CacheReader::Reads reads = CacheReader::Reads::blocking)
       : cache_(cache, scene, reads),
-        plan_(compile_plan(scene, needs(cache))),
+        plan_(compile_plan(lend(scene), needs(cache))),
         frame_(plan_),
         headless_(*test_device(), scene, 96, 80) {}
 
@@ -119,7 +119,7 @@ TEST_F(cache_picture, on_a_scene_replaces_the_mesh_of_its_name_and_nothing_else)
   flag.normals = normals_of(points, flag.indices);
   flag.bounds = {};
   for (const glm::vec3& p : points) flag.bounds.add(p);
-  const Plan plan = compile_plan(posed, {});
+  const Plan plan = compile_plan(lend(posed), {});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   Headless other_way(*test_device(), posed, 96, 80);

@@ -22,7 +22,9 @@ using Reads = CacheReader::Reads;
 class Played {
  public:
   Played(const CacheAlone& alone, Reads reads)
-      : playback(*alone.cache, alone.scene, reads), plan_(compile_plan(alone.scene, needs(alone))), frame_(plan_) {}
+      : playback(*alone.cache, alone.scene, reads),
+        plan_(compile_plan(lend(alone.scene), needs(alone))),
+        frame_(plan_) {}
 
   const FrameResult& at(double time_s, float weight = 1.0f) {
     FrameInput input;

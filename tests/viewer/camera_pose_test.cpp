@@ -23,7 +23,7 @@ TEST(camera_pose, N27_is_what_the_whole_pose_says) {
     for (std::uint32_t joint = 0; joint < 14; joint += 3)
       scene.cameras.push_back(
           {.name = "camera", .joint = joint, .fov_y_rad = 0.5f + 0.01f * static_cast<float>(joint)});
-    const Plan plan = compile_plan(scene, {});
+    const Plan plan = compile_plan(lend(scene), {});
     FrameBuffer frame(plan);
     for (std::uint32_t c = 0; c < scene.cameras.size(); ++c) {
       CameraPose pose(scene, c);

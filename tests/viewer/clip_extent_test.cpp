@@ -43,7 +43,7 @@ TEST(clip_extent, of_no_clip_are_those_of_the_rest_pose) {
 
 TEST(clip_extent, is_not_that_of_what_is_not_shown) {
   const Scene scene = flyer(true);
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   FrameBuffer buffer(plan);
   ASSERT_EQ(run_plan(plan, {}, buffer), ErrorCode::ok);
   for (const bool visible : {true, false}) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "viewer/app/framing.h"
 
 #include <gtest/gtest.h>

@@ -127,7 +127,7 @@ TEST(frustum_culling, a_character_sleeps_only_while_nobody_watches_its_joints) {
 
 TEST_F(frustum_culling_on_device, pictures_have_the_same_bytes_and_cost_less) {
   const Scene scene = three_arms();
-  const Plan plan = compile_plan(scene, viewer_needs());
+  const Plan plan = compile_plan(lend(scene), viewer_needs());
   FrustumCulling culling(scene, plan.needs());
   FrameBuffer whole(plan), seen(plan);
   Headless renderer(*test_device(), scene, 96, 64);

@@ -93,7 +93,7 @@ class HeadlessRunTest : public DeviceTest {
                     std::uint32_t clip = 0) {
     options.headless = "a.png";
     const Settings settings = settings_from(options, loaded.scene);
-    const Plan plan = compile_plan(loaded.scene, needs_of(loaded, {settings.skinning, Updates::every}));
+    const Plan plan = compile_plan(lend(loaded.scene), needs_of(loaded, {settings.skinning, Updates::every}));
     FrameBuffer frame(plan);
     const ClipLayer layer{clip, time_s};
     FrameInput input;

@@ -75,7 +75,7 @@ TEST(live_plan, tells_what_a_frame_took_from_a_geometry_cache) {
 
 TEST(live_plan, says_how_often_poses_are_evaluated) {
   const Scene scene = test::arm_scene();
-  const Plan plan = compile_plan(scene, {});
+  const Plan plan = compile_plan(lend(scene), {});
   UpdateLevels levels(plan, Updates::held);
   LivePlan live;
   levels.begin_frame(0.04, 0.01);

@@ -25,8 +25,8 @@ VkPhysicalDeviceMemoryProperties device_with(std::initializer_list<VkMemoryPrope
 
 using Types = std::vector<std::uint32_t>;
 
-/// Memory types as in drivers of graphics cards. They are: system memory that cannot be mapped, memory of the card, two
-/// kinds of mapped system memory, and card memory that the CPU can write.
+/// Memory types as in drivers of graphics cards. In order: unmappable system memory, card memory, two kinds of mapped
+/// system memory, and card memory that the CPU can write.
 VkPhysicalDeviceMemoryProperties card() {
   return device_with({0, kLocal, kMapped, kMapped | kCached, kLocal | kMapped});
 }

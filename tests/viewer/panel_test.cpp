@@ -395,7 +395,7 @@ TEST_F(PanelTest, the_live_plan_is_as_high_as_its_rows_and_no_higher_than_the_wi
   EXPECT_EQ(height(70, rows), 4 * unit) << "two rows are seen in any window";
 }
 
-TEST_F(PanelTest, another_scene_is_wished_by_its_number) {
+TEST_F(PanelTest, another_scene_is_requested_by_its_index) {
   Playback playback(scene_);
   EXPECT_FALSE(click("scene", playback).scene);
   frame(playback);

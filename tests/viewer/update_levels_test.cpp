@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/plan/run_plan.h"
@@ -19,7 +20,7 @@ Plan plan_for(const Scene& scene, Updates updates) {
   needs.bounds = true;
   needs.max_layers = 1;
   needs.between_updates = updates == Updates::interpolated;
-  return compile_plan(scene, needs);
+  return compile_plan(lend(scene), needs);
 }
 
 /// Plays 24 frames of a character that is seen from a distance.

@@ -55,9 +55,9 @@ tl::expected<void, std::string> bake_missing_visibility(LoadedScene& loaded, con
   if (loaded.visibility) return {};
   const auto start = std::chrono::steady_clock::now();
   VertexVisibility visibility = key_poses_of(loaded, baking);
-  const VisibilityOptions how{.progress = progress};
+  const VisibilityOptions options{.progress = progress};
   try {
-    KeyPoseBaker baker(loaded.scene, how, std::nullopt, visibility);
+    KeyPoseBaker baker(loaded.scene, options, std::nullopt, visibility);
     for_each_pose(loaded.scene, visibility.clip, loaded.cache.get(), visibility.times_s,
                   [&](const FrameResult& pose) { baker.add(pose); });
   } catch (const std::runtime_error& error) {
@@ -65,7 +65,7 @@ tl::expected<void, std::string> bake_missing_visibility(LoadedScene& loaded, con
   }
   char text[128];
   std::snprintf(text, sizeof text, "%zu %s, %u rays a vertex, baked in %.2f s", visibility.times_s.size(),
-                visibility.times_s.size() == 1 ? "pose" : "key poses", how.rays,
+                visibility.times_s.size() == 1 ? "pose" : "key poses", options.rays,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   log_line(loaded.name + ": ambient visibility of " + text);
   loaded.visibility = std::make_shared<const VertexVisibility>(std::move(visibility));

@@ -21,7 +21,7 @@ Needs needs_for(const Scene& scene, std::uint32_t camera) {
 CameraPose::CameraPose(const Scene& scene, std::uint32_t camera)
     : scene_(&scene),
       camera_(camera),
-      plan_(compile_plan(scene, needs_for(scene, camera))),
+      plan_(compile_plan(lend(scene), needs_for(scene, camera))),
       frame_(plan_),
       look_(scene) {}
 

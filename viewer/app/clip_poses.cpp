@@ -28,7 +28,7 @@ void for_each_pose(const Scene& scene, std::uint32_t clip, const CacheOnScene* c
     needs.cached_instances = cache->instances();
     played.emplace(*cache, scene, CacheReader::Reads::blocking);
   }
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   for (const double time_s : times_s) {
     const ClipLayer layer{clip, time_s, 1.0f};

@@ -36,7 +36,7 @@ class PoseEvaluator {
   PoseEvaluator(const LoadedScene& loaded, const Evaluation& evaluation, std::uint32_t clip, float cache_weight)
       : clip_(clip),
         cache_weight_(cache_weight),
-        plan_(compile_plan(loaded.scene, needs_of(loaded, evaluation))),
+        plan_(compile_plan(lend(loaded.scene), needs_of(loaded, evaluation))),
         stages_(plan_.stages()),
         frame_(plan_),
         levels_(plan_, evaluation.updates) {

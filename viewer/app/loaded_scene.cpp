@@ -100,11 +100,11 @@ tl::expected<LoadedScene, LoadError> from_cache(const std::string& path) {
 tl::expected<LoadedScene, LoadError> from_file(const Options& options, const LogLine& log_line,
                                                const std::function<void(double)>& progress) {
   const std::string &file = options.file, &cache = options.cache;
-  ImportOptions how;
+  ImportOptions import_options;
   const bool reads_visibility = options.occlusion_method == OcclusionMethod::rays && options.key_poses == 1;
-  how.carry_document = reads_visibility;
-  if (progress) how.progress = [&](const char*, double done) { progress(done); };
-  auto imported = import_gltf(std::filesystem::path(file), how);
+  import_options.carry_document = reads_visibility;
+  if (progress) import_options.progress = [&](const char*, double done) { progress(done); };
+  auto imported = import_gltf(std::filesystem::path(file), import_options);
   const auto& warnings = imported ? imported->warnings : imported.error().warnings;
   for (const auto& warning : warnings) log_line(describe(file, warning));
   if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
@@ -186,9 +186,9 @@ void add_missing_centers(LoadedScene& loaded, Skinning skinning, const std::func
   const bool asked_for = own.empty() ? skinning == Skinning::center_of_rotation
                                      : std::find(own.begin(), own.end(), Skinning::center_of_rotation) != own.end();
   if (!asked_for) return;
-  CentersOptions how;
-  how.progress = progress;
-  add_centers_of_rotation(loaded.scene, how);
+  CentersOptions options;
+  options.progress = progress;
+  add_centers_of_rotation(loaded.scene, options);
 }
 
 }  // namespace sinew::viewer

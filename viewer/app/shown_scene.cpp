@@ -37,7 +37,7 @@ void ShownScene::stop() noexcept {
 void ShownScene::plan_for(const Evaluation& evaluation) {
   stop();
   evaluation_ = evaluation;
-  plan_ = compile_plan(loaded_.scene, needs_of(loaded_, evaluation));
+  plan_ = compile_plan(lend(loaded_.scene), needs_of(loaded_, evaluation));
   stages_ = plan_.stages();
   levels_ = std::make_unique<UpdateLevels>(plan_, evaluation.updates);
   levels_->begin_exact_frame("the first");

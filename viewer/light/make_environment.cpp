@@ -21,8 +21,8 @@ constexpr std::uint32_t kDiffuseSize = 32;  // map size for the projection; band
 /// Sample directions per texel of each level: more for wide lobes, whose levels have fewer texels.
 constexpr std::array<std::uint32_t, kEnvironmentLevels> kSamples = {1, 16, 48, 128, 384, 1024};
 
-/// Least face size of the pyramid level that is sampled. On smaller faces, clamped filtering at the edges becomes
-/// visible.
+/// Face size of the coarsest pyramid level. Coarser levels are not used: filtering does not cross face edges, so their
+/// large texels would make the edges visible.
 constexpr std::uint32_t kCoarsest = 8;
 
 /// Squared constants of the real spherical harmonics, times the cosine lobe's factor of their band.

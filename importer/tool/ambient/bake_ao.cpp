@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/ambient/ambient_attribute.h"
 #include "importer/ambient/bake_key_poses.h"
 #include "importer/file/json_pointer.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/commands.h"
-#include "importer/tool/files/output_check.h"
-#include "importer/tool/files/output_files.h"
+#include "importer/tool/files/model_output.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -102,7 +102,7 @@ tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, c
   }
   Needs needs;
   needs.positions = needs.normals = true;
-  const Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   ProgressLine progress;
   const auto show = [&](double done) { progress.show("casting rays", done); };
@@ -119,17 +119,17 @@ tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, c
 }
 
 /// Warns of meshes that a file shows several times: they have one value for a vertex.
-void say_means(const BakeAoOptions& options, const Scene& scene) {
+void warn_of_shared_meshes(const BakeAoOptions& options, const Scene& scene) {
   std::vector<std::size_t> places(scene.meshes.size());
   for (const MeshInstance& instance : scene.instances)
     places[instance.mesh] += std::max<std::size_t>(instance.copies.size(), 1);
   for (std::size_t m = 0; m < places.size(); ++m)
     if (places[m] > 1)
-      say_error(fmt::format("{}: {}: warning: is at {}; its vertices get the mean of them", options.file,
-                            pointer("meshes", m), counted(places[m], "place")));
+      print_error(fmt::format("{}: {}: warning: is at {}; its vertices get the mean of them", options.file,
+                              pointer("meshes", m), counted(places[m], "place")));
 }
 
-void print_summary(const VertexVisibility& visibility, const std::vector<AddedAttribute>& attributes) {
+std::string summary(const VertexVisibility& visibility, const std::vector<AddedAttribute>& attributes) {
   std::size_t values = 0;
   double sum = 0.0, darkest = 1.0;
   for (const AddedAttribute& attribute : attributes)
@@ -139,47 +139,44 @@ void print_summary(const VertexVisibility& visibility, const std::vector<AddedAt
       darkest = std::min(darkest, static_cast<double>(value));
     }
   const std::size_t poses = visibility.times_s.size();
-  print_result("{} vertices of {}{}: mean visibility {:.3f}, darkest {:.3f}\n", values / poses,
-               counted(attributes.size() / poses, "primitive"), poses > 1 ? fmt::format(" in {} key poses", poses) : "",
-               sum / static_cast<double>(values), darkest);
+  return fmt::format("{} vertices of {}{}: mean visibility {:.3f}, darkest {:.3f}\n", values / poses,
+                     counted(attributes.size() / poses, "primitive"),
+                     poses > 1 ? fmt::format(" in {} key poses", poses) : "", sum / static_cast<double>(values),
+                     darkest);
 }
 
 ExitCode bake_ao(const BakeAoOptions& options) {
-  const auto outputs = output_files(options.out);
-  if (!outputs) return fail_with(ExitCode::wrong_usage, options.out + ": OUT must end in .glb or .gltf");
+  const ResultsToStderr redirected(is_standard_output(options.out));
+  const auto output = model_output(options.out);
+  if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   import.carry_document = true;
   const auto model = load_file(options.file, import);
   if (!model) return ExitCode::input_at_fault;
-  for (const std::filesystem::path& output : outputs->all())
-    if (const auto why = check_output_path(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto error = find_output_error(*output, model->facts.files))
+    return fail_with(ExitCode::wrong_usage, *error);
   const auto visibility = bake(options, model->scene);
   if (!visibility) return fail_with(ExitCode::wrong_usage, visibility.error());
   const std::vector<AddedAttribute> attributes = ambient_attributes(model->scene, *visibility);
   if (attributes.empty())
     return fail_with(ExitCode::input_at_fault, options.file + ": no node shows triangles, so nothing is baked");
-  say_means(options, model->scene);
+  warn_of_shared_meshes(options, model->scene);
   const std::vector<std::string> older = ambient_attribute_names(*model);
-  RewriteOptions rewrite;
-  rewrite.left_out_attributes = older;
-  rewrite.added_attributes = attributes;
-  rewrite.drop.insert(options.drop.begin(), options.drop.end());
-  rewrite.buffer_uri = outputs->buffer.filename().string();
-  const auto written = rewrite_gltf(*model, rewrite);
-  if (!written) return refuse_rewrite(options.file, written.error());
-  for (const ImportIssue& drop : written->drops) say_issue(options.file, drop);
-  if (const ExitCode code = write_files(*outputs, *written); code != ExitCode::done) return code;
-  print_summary(*visibility, attributes);
-  print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
+  RewriteOptions changes;
+  changes.left_out_attributes = older;
+  changes.added_attributes = attributes;
+  const auto bytes = write_model(*model, options.file, std::move(changes), options.drop, *output);
+  if (!bytes) return bytes.error();
+  print_result("{}{}: {} bytes\n", summary(*visibility, attributes), options.out, *bytes);
   return ExitCode::done;
 }
 
 }  // namespace
 
-void add_bake_ao(CLI::App& program, ExitCode& outcome) {
+Command bake_ao_command() {
   auto options = std::make_shared<BakeAoOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "bake-ao",
       "Bake ambient visibility into the vertices of a file, by casting rays\n"
       "Ambient visibility is the fraction of the light from all around that arrives. Each vertex casts rays over the "
@@ -191,37 +188,30 @@ void add_bake_ao(CLI::App& program, ExitCode& outcome) {
       "OUT is FILE with this attribute and everything else that the file says; what cannot be carried is listed, and "
       "nothing is written unless --drop names it. The same file and options give the same bytes on the same kind of "
       "machine, for any number of threads.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
-  command->add_option("-o,--output", options->out, "The .glb or .gltf file to write")->required()->type_name("OUT");
-  command->add_option("--rays", options->rays, "Rays for each vertex, shared by its faces")
-      ->check(CLI::Range(1u, 1u << 20))
-      ->capture_default_str()
-      ->type_name("N");
+  command.argument("FILE", &options->file, "A .gltf or .glb file").required();
+  command.option("-o,--output", "OUT", &options->out, "The .glb or .gltf file to write").required();
   command
-      ->add_option("--distance", options->distance,
-                   fmt::format("What is farther blocks no light, {}; or none: nothing is too far (default: a quarter "
-                               "of the longest side of the model)",
-                               kLengthHelp))
-      ->type_name("LENGTH");
-  command->add_option("--seed", options->seed, "Another number gives other rays")
-      ->capture_default_str()
-      ->type_name("N");
-  CLI::Option* pose =
-      command->add_option("--pose", options->pose, "The pose to bake, such as Walk@0.5 (default: the rest pose)")
-          ->type_name("CLIP@SECONDS");
-  CLI::Option* key_poses = command
-                               ->add_option("--key-poses", options->key_poses,
-                                            "Bake this many poses, spread evenly over a clip, its ends included")
-                               ->check(CLI::Range(2u, kMostKeyPoses))
-                               ->excludes(pose)
-                               ->type_name("N");
-  command->add_option("--clip", options->clip, "The clip of the key poses (default: the first)")
-      ->needs(key_poses)
-      ->type_name("INDEX|NAME");
-  command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
-      ->delimiter(',')
-      ->type_name("NAME[,NAME...]");
-  command->callback([options, &outcome] { outcome = bake_ao(*options); });
+      .option("--rays", "N", &options->rays,
+              fmt::format("Rays for each vertex, shared by its faces (default: {})", options->rays))
+      .within(1, 1 << 20);
+  command.option("--distance", "LENGTH", &options->distance,
+                 fmt::format("What is farther blocks no light, {}; or none: nothing is too far (default: a quarter of "
+                             "the longest side of the model)",
+                             kLengthHelp));
+  command.option("--seed", "N", &options->seed,
+                 fmt::format("Another number gives other rays (default: {})", options->seed));
+  command.option("--pose", "CLIP@SECONDS", &options->pose,
+                 "The pose to bake, such as Walk@0.5 (default: the rest pose)");
+  command
+      .option("--key-poses", "N", &options->key_poses,
+              "Bake this many poses, spread evenly over a clip, its ends included")
+      .within(2, kMostKeyPoses)
+      .excludes("--pose");
+  command.option("--clip", "INDEX|NAME", &options->clip, "The clip of the key poses (default: the first)")
+      .needs("--key-poses");
+  add_drop_option(command, options->drop);
+  command.run = [options] { return bake_ao(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/assets/asset_bytes.h"
 #include "importer/tool/assets/asset_parts.h"
@@ -17,7 +17,6 @@
 namespace sinew::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Info = tl::expected<AssetInfo, std::string>;
 
 Json json_of(const Clip& clip) {

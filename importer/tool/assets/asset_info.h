@@ -3,14 +3,15 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
+
+#include "importer/tool/json.h"
 
 namespace sinew::tool {
 
-/// What `sinew info` says of an asset file, or of compiled clips.
+/// The output of `sinew info` for an asset file or a file of compiled clips.
 struct AssetInfo {
-  nlohmann::ordered_json json;
+  Json json;
   std::string headline;  ///< one line without its end
   std::string tables;    ///< blocks, what the model has, certificates of the clips
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/assets/asset_rules.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/assets/asset_bytes.h"
 #include "importer/tool/assets/asset_parts.h"

@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// What `sinew check` says of an asset file, or of compiled clips: the first rule that it breaks, if any.
+/// Checks an asset file or a file of compiled clips. Reports the first broken rule, or nothing.
 /// out   nothing when the file is neither
 std::optional<std::vector<ImportIssue>> broken_asset_rules(const std::string& file);
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/commands.h"
-
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -10,14 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/take_source.h"
+#include "importer/tool/commands.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/messages.h"
-#include "importer/write/replace_file.h"
 
 namespace sinew::tool {
 namespace {
@@ -58,6 +57,7 @@ tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
 }
 
 ExitCode bake_file(BakeOptions& options) {
+  const ResultsToStderr redirected(is_standard_output(options.out));
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   options.source.budget = *budget;
@@ -70,8 +70,7 @@ ExitCode bake_file(BakeOptions& options) {
   const auto bytes =
       encode_geometry_cache(*take, {.segment_frames = options.segment, .keep_triangles = !options.without_triangles});
   if (!bytes) return fail_with(ExitCode::input_at_fault, options.source.file, bytes.error().issue);
-  if (const auto fault = write::replace_file(options.out, *bytes))
-    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
+  if (const ExitCode code = write_output(options.out, *bytes); code != ExitCode::done) return code;
   const auto cache = GeometryCache::open(*bytes);
   print_result("{}{}\n", geometry_table(*cache), options.out);
   return ExitCode::done;
@@ -79,44 +78,40 @@ ExitCode bake_file(BakeOptions& options) {
 
 }  // namespace
 
-void add_bake(CLI::App& program, ExitCode& outcome) {
+Command bake_command() {
   auto options = std::make_shared<BakeOptions>();
-  CLI::App* command =
-      program.add_subcommand("bake",
-                             "Bake the vertices of every frame into a geometry cache (.sgeo), within an error budget\n"
-                             "Of the scene of a glTF file while a clip plays, of a mesh (glTF or OBJ) that a point "
-                             "cache moves, or of OBJ files whose names count up. Prints what was measured at every "
-                             "vertex of every frame, and half way between frames where the source is known there; OUT "
-                             "stores that as well. sinew::geometry_cache (runtime/geometry_cache/) plays it.");
-  command->add_option("FILE", options->source.file, "A .gltf, .glb or .obj file; the first of numbered .obj files")
-      ->required();
-  command->add_option("-o,--output", options->out, "The file to write")->required()->type_name("OUT.sgeo");
-  add_source_options(*command, options->source);
-  command->add_option("--fps", options->source.fps, "Frames per second; .mdd files have their own")
-      ->type_name("N")
-      ->check(CLI::Range(1e-3, 1e6))
-      ->capture_default_str();
+  Command command(
+      "bake",
+      "Bake the vertices of every frame into a geometry cache (.sgeo), within an error budget\n"
+      "Of the scene of a glTF file while a clip plays, of a mesh (glTF or OBJ) that a point cache moves, or "
+      "of OBJ files whose names count up. Prints what was measured at every vertex of every frame, and half "
+      "way between frames where the source is known there; OUT stores that as well. sinew::geometry_cache "
+      "(runtime/geometry_cache/) plays it.");
+  command.argument("FILE", &options->source.file, "A .gltf, .glb or .obj file; the first of numbered .obj files")
+      .required();
+  command.option("-o,--output", "OUT.sgeo", &options->out, "The file to write").required();
+  add_source_options(command, options->source);
   command
-      ->add_option("--budget", options->budget,
-                   fmt::format("Largest error, {} (default: {})", kLengthHelp, options->budget))
-      ->type_name("LENGTH");
+      .option("--fps", "N", &options->source.fps,
+              fmt::format("Frames per second; .mdd files have their own (default: {})", options->source.fps))
+      .within(1e-3, 1e6);
+  command.option("--budget", "LENGTH", &options->budget,
+                 fmt::format("Largest error, {} (default: {})", kLengthHelp, options->budget));
   command
-      ->add_option("--normals", options->normals,
-                   "Bake normals too, within this angle; without, they follow from the triangles")
-      ->type_name("[1deg]")
-      ->expected(0, 1)
-      ->default_str("1deg");
-  command->add_option("--colors", options->colors, "Bake colours too, within this difference of a linear component")
-      ->type_name("[0.004]")
-      ->expected(0, 1)
-      ->default_str("0.004");
-  command->add_option("--segment", options->segment, "Frames from one key frame to the next: most that a seek decodes")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->add_flag("--without-triangles", options->without_triangles,
-                    "Leave out the faces, for a mesh kept elsewhere");
-  command->callback([options, &outcome] { outcome = bake_file(*options); });
+      .option("--normals", "[1deg]", &options->normals,
+              "Bake normals too, within this angle; without, they follow from the triangles")
+      .bare("1deg");
+  command
+      .option("--colors", "[0.004]", &options->colors, "Bake colours too, within this difference of a linear component")
+      .bare("0.004");
+  command
+      .option("--segment", "N", &options->segment,
+              fmt::format("Frames from one key frame to the next: most that a seek decodes (default: {})",
+                          options->segment))
+      .within(1, 10000);
+  command.flag("--without-triangles", options->without_triangles, "Leave out the faces, for a mesh kept elsewhere");
+  command.run = [options] { return bake_file(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

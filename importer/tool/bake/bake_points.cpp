@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/file/sandboxed_files.h"
 #include "importer/geometry_cache/read_obj.h"

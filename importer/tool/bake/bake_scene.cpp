@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
@@ -24,7 +24,11 @@ struct Source {
 class SceneBaker {
  public:
   SceneBaker(const Scene& scene, std::uint32_t clip, const TakeBudgets& budgets)
-      : scene_(scene), clip_(clip), budgets_(budgets), plan_(compile_plan(scene, needs(budgets))), frame_(plan_) {}
+      : scene_(scene),
+        clip_(clip),
+        budgets_(budgets),
+        plan_(compile_plan(lend(scene), needs(budgets))),
+        frame_(plan_) {}
 
   void add_meshes(BakedScene& out) {
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
@@ -63,7 +67,7 @@ class SceneBaker {
     return run_plan(plan_, input, frame_);
   }
 
-  /// What the last frame shows of a mesh of the take.
+  /// The vertices of one mesh of the take in the last evaluated frame.
   std::vector<glm::vec3> values(std::size_t source, GeometryKind kind) const {
     const auto [i, p] = sources_[source];
     const InstanceResult& instance = frame_.result().instances[i];

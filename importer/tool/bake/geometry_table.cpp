@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/tool/length_text.h"
 #include "importer/tool/messages.h"
@@ -79,27 +78,22 @@ std::string geometry_table(const GeometryCache& cache) {
                             counted(segment, "frame"));
 }
 
-nlohmann::ordered_json geometry_json(const GeometryCache& cache) {
-  nlohmann::ordered_json out{{"frames", cache.frame_count()},
-                             {"segment_frames", cache.segment_frames()},
-                             {"segments", segments(cache)},
-                             {"bytes_a_second", bytes_a_second(cache)},
-                             {"start_s", cache.start_s()},
-                             {"frame_s", cache.frame_s()},
-                             {"bytes", cache.file_bytes()},
-                             {"raw_bytes", raw_bytes(cache)},
-                             {"meshes", nlohmann::ordered_json::array()}};
+Json geometry_json(const GeometryCache& cache) {
+  Json out{{"frames", cache.frame_count()}, {"segment_frames", cache.segment_frames()},
+           {"segments", segments(cache)},   {"bytes_a_second", bytes_a_second(cache)},
+           {"start_s", cache.start_s()},    {"frame_s", cache.frame_s()},
+           {"bytes", cache.file_bytes()},   {"raw_bytes", raw_bytes(cache)},
+           {"meshes", Json::array()}};
   for (const GeometryMesh& mesh : cache.meshes()) {
     const GeometryCertificate& c = mesh.certificate;
-    out["meshes"].push_back(
-        {{"name", mesh.name},
-         {"vertices", mesh.vertex_count},
-         {"points", mesh.streams[0].point_count},
-         {"triangles", mesh.triangles.size() / 3},
-         {"asked_m", c.asked_m},
-         {"measured_m", c.measured_m},
-         {"between_m", c.between_m < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(c.between_m)},
-         {"streams", nlohmann::ordered_json::array()}});
+    out["meshes"].push_back({{"name", mesh.name},
+                             {"vertices", mesh.vertex_count},
+                             {"points", mesh.streams[0].point_count},
+                             {"triangles", mesh.triangles.size() / 3},
+                             {"asked_m", c.asked_m},
+                             {"measured_m", c.measured_m},
+                             {"between_m", c.between_m < 0.0 ? Json() : Json(c.between_m)},
+                             {"streams", Json::array()}});
     for (const GeometryStream& stream : mesh.streams)
       out["meshes"].back()["streams"].push_back({{"kind", name_of(stream.kind)},
                                                  {"points", stream.point_count},

@@ -2,8 +2,7 @@
 #pragma once
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "importer/tool/json.h"
 #include "runtime/geometry_cache/geometry_cache.h"
 
 namespace sinew::tool {
@@ -14,11 +13,11 @@ const char* name_of(GeometryKind kind);
 /// An error of a stream in its unit: a length, an angle that a unit vector so far off may turn by, or a difference.
 std::string error_text(GeometryKind kind, double error);
 
-/// A table of the streams of a geometry cache with their certificates: budget asked for, error measured at frames and
-/// between them; and lines with its frames and bytes beside raw floats, bytes a second, and what a seek decodes.
+/// A table of the streams of a geometry cache, with the budget and the measured errors of each. Lines below it give
+/// frames, bytes, bytes a second, and the number of frames that a seek decodes.
 std::string geometry_table(const GeometryCache& cache);
 
-/// The same for programs.
-nlohmann::ordered_json geometry_json(const GeometryCache& cache);
+/// The same facts as JSON.
+Json geometry_json(const GeometryCache& cache);
 
 }  // namespace sinew::tool

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/file/regular_file.h"
 #include "importer/tool/messages.h"

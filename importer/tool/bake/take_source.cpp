@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/bake/bake_points.h"
 #include "importer/tool/bake/bake_scene.h"
 #include "importer/tool/clip_choice.h"
-#include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
@@ -45,7 +45,7 @@ double size_of(const TakeMesh& mesh) {
   return std::max({sides.x, sides.y, sides.z, 0.0});
 }
 
-TakeOrExit told(ImportResult<BakedPoints> baked, const Length& budget) {
+TakeOrExit finished_take(ImportResult<BakedPoints> baked, const Length& budget) {
   if (!baked) return tl::unexpected(fail_with(ExitCode::input_at_fault, baked.error().file, baked.error().issue));
   if (!baked->found.empty()) print_result("{}\n", baked->found);
   for (TakeMesh& mesh : baked->take.meshes)
@@ -53,8 +53,8 @@ TakeOrExit told(ImportResult<BakedPoints> baked, const Length& budget) {
   return std::move(baked->take);
 }
 
-std::optional<std::string> check_output(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
-  return source.output.empty() ? std::nullopt : check_output_path(source.output, inputs);
+std::optional<std::string> output_error(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
+  return source.output.empty() ? std::nullopt : find_output_error(source.output, inputs);
 }
 
 PointsOptions points_options(const TakeSource& source) {
@@ -67,13 +67,13 @@ TakeOrExit take_of_obj(const TakeSource& source) {
   if (source.clip) return wrong_usage("--clip: an .obj file has no clips");
   if (source.points) {
     const std::filesystem::path inputs[] = {source.file, *source.points};
-    if (const auto why = check_output(source, inputs)) return wrong_usage(*why);
-    return told(bake_points(inputs[0], points_options(source)), source.budget);
+    if (const auto error = output_error(source, inputs)) return wrong_usage(*error);
+    return finished_take(bake_points(inputs[0], points_options(source)), source.budget);
   }
   const auto files = numbered_obj_files(source.file);
-  if (!files) return told(tl::unexpected(files.error()), source.budget);
-  if (const auto why = check_output(source, *files)) return wrong_usage(*why);
-  return told(bake_numbered_obj(*files, source.fps), source.budget);
+  if (!files) return finished_take(tl::unexpected(files.error()), source.budget);
+  if (const auto error = output_error(source, *files)) return wrong_usage(*error);
+  return finished_take(bake_numbered_obj(*files, source.fps), source.budget);
 }
 
 TakeOrExit take_of_scene(const Scene& scene, const TakeSource& source) {
@@ -86,24 +86,23 @@ TakeOrExit take_of_scene(const Scene& scene, const TakeSource& source) {
   auto baked = bake_scene(scene, clips->back(), source.fps, budgets);
   if (!baked)
     return tl::unexpected(fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", source.file, baked.error())));
-  for (const std::string& what : baked->left_out) say_error(fmt::format("{}: left out: {}", source.file, what));
+  for (const std::string& what : baked->left_out) print_error(fmt::format("{}: left out: {}", source.file, what));
   return std::move(baked->take);
 }
 
 }  // namespace
 
-void add_source_options(CLI::App& command, TakeSource& source) {
-  command.add_option("--clip", source.clip, "The clip of a glTF file; none = the rest pose")
-      ->type_name("INDEX|NAME|none");
-  auto* points =
-      command.add_option("--points", source.points, "Positions of the vertices over time")->type_name("CACHE.mdd|.pc2");
+SourceOptions add_source_options(Command& command, TakeSource& source) {
+  Option& clip =
+      command.option("--clip", "INDEX|NAME|none", &source.clip, "The clip of a glTF file; none = the rest pose");
+  Option& points = command.option("--points", "CACHE.mdd|.pc2", &source.points, "Positions of the vertices over time");
   command
-      .add_option("--up", source.up,
-                  "Which axis of the point cache is up; without it, found by comparing its\n"
-                  "first frame with the mesh at rest")
-      ->type_name("y|z")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->needs(points);
+      .option("--up", "y|z", &source.up,
+              "Which axis of the point cache is up; without it, found by comparing its\n"
+              "first frame with the mesh at rest")
+      .one_of({"y", "z"})
+      .needs("--points");
+  return {clip, points};
 }
 
 tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source) {
@@ -116,8 +115,8 @@ tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source) {
   if (!file) return tl::unexpected(ExitCode::input_at_fault);
   std::vector<std::filesystem::path> inputs = file->facts.files;
   if (source.points) inputs.emplace_back(*source.points);
-  if (const auto why = check_output(source, inputs)) return wrong_usage(*why);
-  if (source.points) return told(bake_points(file->scene, points_options(source)), source.budget);
+  if (const auto error = output_error(source, inputs)) return wrong_usage(*error);
+  if (source.points) return finished_take(bake_points(file->scene, points_options(source)), source.budget);
   return take_of_scene(file->scene, source);
 }
 

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include "importer/geometry_cache/geometry_take.h"
-#include "importer/tool/exit_code.h"
+#include "importer/tool/command.h"
 #include "importer/tool/length_text.h"
 
 namespace sinew::tool {
 
-/// What of a scene is baked, and how far off it may be.
+/// The streams that are baked from a scene, each with its largest allowed error.
 struct TakeBudgets {
   double positions_m = 1e-4;
   std::optional<double> normals_rad;  ///< nothing: no normals
   std::optional<double> colors;       ///< of a linear component
 };
 
-/// What the command line says about the source of a geometry cache.
+/// The source of a geometry cache, from the options of `bake` or `verify`.
 struct TakeSource {
   std::string file;  ///< .gltf, .glb or .obj
   std::optional<std::string> clip, points, up;
@@ -29,8 +28,13 @@ struct TakeSource {
   TakeBudgets budgets;
 };
 
-/// Adds --clip, --points and --up to a command. The source must outlive its parsing.
-void add_source_options(CLI::App& command, TakeSource& source);
+struct SourceOptions {
+  Option& clip;
+  Option& points;
+};
+
+/// Adds --clip, --points and --up to a command. The source must live as long as the command.
+SourceOptions add_source_options(Command& command, TakeSource& source);
 
 /// Reads or samples every frame. Prints what was found out about it, and what is left out.
 /// err   the exit code, after its message was printed

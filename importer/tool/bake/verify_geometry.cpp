@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/read_cache.h"
@@ -17,8 +17,8 @@
 namespace sinew::tool {
 namespace {
 
-/// What processors with and without fused multiply-add may differ by when they sample the source again, in parts of
-/// what was asked.
+/// Tolerance, as a fraction of the budget: processors with and without fused multiply-add sample the source
+/// differently by up to this much.
 constexpr double kRounding = 1e-3;
 
 /// Normals are baked where the cache has them, and so on: the shape of the take is then that of the cache.

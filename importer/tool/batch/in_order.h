@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// What one file came to: the end of its job, and what it printed.
+/// The result of a job on one file: its exit code, and its output.
 struct JobOutcome {
   ExitCode code = ExitCode::done;
   std::string results, messages;

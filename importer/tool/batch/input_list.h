@@ -22,10 +22,10 @@ struct InputList {
   bool many = false;  ///< several arguments, or a folder: one line a file, and a summary
 };
 
-/// What a folder stands for: the .glb, .gltf and .vrm files in it, those and the .sinew files, or the .sgeo files.
+/// The files that a folder stands for: .glb, .gltf and .vrm; also .sinew; or only .sgeo.
 enum class FileKind { models, models_and_assets, geometry_caches };
 
-/// Whether the name of a file ends as those of a kind do, in letters of either case.
+/// True if the name of a file has an extension of this kind, in upper or lower case.
 bool is_named_as(FileKind kind, const std::string& file);
 
 /// Finds the files that arguments name. A folder stands for the files of a kind in it, by name; with `recursive` also

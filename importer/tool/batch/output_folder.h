@@ -8,8 +8,8 @@
 
 namespace sinew::tool {
 
-/// Names the output of every file: the folder, the path of the file below the folder that was given, and the
-/// extension in place of the file's. Makes the folders that are needed.
+/// Sets the output path of every input: `folder`, then the path below the input folder, with a new extension. Creates
+/// missing folders.
 /// in       extension   with its dot
 /// in,out   list        Input::output is filled
 /// err      a sentence: two files would have one output, an output would replace an input, a folder cannot be made

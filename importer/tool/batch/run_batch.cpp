@@ -11,14 +11,14 @@
 #include <sstream>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <tbb/info.h>
-#include <nlohmann/json.hpp>
 
 #include "importer/tool/batch/batch_progress.h"
 #include "importer/tool/batch/captured_output.h"
 #include "importer/tool/batch/in_order.h"
 #include "importer/tool/batch/output_folder.h"
+#include "importer/tool/json.h"
 #include "importer/tool/messages.h"
 #include "importer/visible_text.h"
 
@@ -36,7 +36,7 @@ ExitCode worse(ExitCode a, ExitCode b) {
 /// The line of a file for which the command had no result.
 std::string failure_line(const std::string& path, const std::string& messages, bool json) {
   if (!json) return visible_text(path) + ": failed\n";
-  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  Json lines = Json::array();
   std::istringstream stream(messages);
   for (std::string line; std::getline(stream, line);)
     lines.push_back(line.starts_with("sinew: ") ? line.substr(7) : line);
@@ -52,7 +52,7 @@ JobOutcome outcome_of(const Input& input, const BatchOptions& options, const Bat
       out.code = work.run(input, true);
     } else {
       out.code = input.fault ? work.bad_folder : ExitCode::done;
-      say_error(input.path + ": " + input.remark);
+      print_error(input.path + ": " + input.remark);
     }
   } catch (const std::bad_alloc&) {
     out.code = fail_with(ExitCode::machine_lacks, input.path + ": not enough memory");
@@ -109,38 +109,13 @@ tl::expected<void, std::string> prepare_outputs(const BatchOutput& output, Input
 
 }  // namespace
 
-void add_batch_flags(CLI::App& command, BatchOptions& options) {
-  command.add_flag("--recursive", options.recursive, "Also look into the folders of a folder that is given");
+Option& add_batch_options(Command& command, BatchOptions& options, const char* about, const char* name) {
+  command.flag("--recursive", options.recursive, "Also look into the folders of a folder that is given");
   command
-      .add_option("--jobs", options.jobs,
-                  "Files to work on at a time, which changes nothing that is printed (default: one for each core)")
-      ->type_name("N")
-      ->check(CLI::Range(1u, kMostJobs));
-}
-
-CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what) {
-  add_batch_flags(command, options);
-  return command.add_option("FILE", options.inputs, what)->type_name("")->expected(1, -1);
-}
-
-InputsAndLast add_inputs_and_last(CLI::App& command, BatchOptions& options, std::string& last_value,
-                                  const ArgumentText& inputs, const ArgumentText& last,
-                                  bool (*is_last)(const std::string& argument)) {
-  add_batch_flags(command, options);
-  // The inputs take all arguments, since only then it is known which one is the last, and hand that one on.
-  const auto take = [&command, &options, is_last, name = std::string(last.name)](const std::vector<std::string>& all) {
-    options.inputs = all;
-    if (all.size() < 2 || !is_last(all.back())) return;
-    options.inputs.pop_back();
-    command.get_option(name)->add_result(all.back());
-  };
-  InputsAndLast out;
-  out.inputs = command.add_option_function<std::vector<std::string>>(inputs.name, take, inputs.about)
-                   ->type_name("")
-                   ->expected(1, -1)
-                   ->required();
-  out.last = command.add_option(last.name, last_value, last.about)->required();
-  return out;
+      .option("--jobs", "N", &options.jobs,
+              "Files to work on at a time, which changes nothing that is printed (default: one for each core)")
+      .within(1, kMostJobs);
+  return command.argument(name, &options.inputs, about);
 }
 
 ExitCode run_batch(const BatchOptions& options, const BatchWork& work) {
@@ -158,7 +133,7 @@ ExitCode run_batch(const BatchOptions& options, const BatchWork& work) {
       [&](std::size_t i) { return outcome_of(list.inputs[i], options, work); },
       [&](std::size_t i, JobOutcome&& outcome) { report.show(i, outcome); });
   const std::string summary = report.summary(work.totals ? work.totals() : std::string());
-  options.json ? say_error(summary) : print_result("{}\n", summary);
+  options.json ? print_error(summary) : print_result("{}\n", summary);
   return report.code();
 }
 

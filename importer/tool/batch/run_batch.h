@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "importer/tool/batch/input_list.h"
-#include "importer/tool/exit_code.h"
+#include "importer/tool/command.h"
 
 namespace sinew::tool {
 
@@ -21,28 +19,10 @@ struct BatchOptions {
   bool json = false;       ///< results are JSON: of several files one document a line
 };
 
-/// Adds --recursive and --jobs.
-void add_batch_flags(CLI::App& command, BatchOptions& options);
-
-/// The same, and FILE... as the command's inputs.
-/// out   the option FILE
-CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what);
-
-/// Adds --recursive and --jobs, and positional arguments as `cp` has them: inputs, and one that comes last.
-/// in    inputs, last  names for the help, what they are
-///       is_last       whether the last of several arguments is the one: else all are inputs
-/// out   the options of both; that of the last one is required unless the caller says otherwise
-struct InputsAndLast {
-  CLI::Option* inputs = nullptr;
-  CLI::Option* last = nullptr;
-};
-struct ArgumentText {
-  const char* name;
-  std::string about;
-};
-InputsAndLast add_inputs_and_last(CLI::App& command, BatchOptions& options, std::string& last_value,
-                                  const ArgumentText& inputs, const ArgumentText& last,
-                                  bool (*is_last)(const std::string& argument));
+/// Adds --recursive, --jobs and the argument FILE..., the inputs of the command.
+/// in    name   of the argument
+/// out   the argument
+Option& add_batch_options(Command& command, BatchOptions& options, const char* about, const char* name = "FILE");
 
 /// The outputs of many files: one each, in a folder.
 struct BatchOutput {
@@ -50,9 +30,10 @@ struct BatchOutput {
   std::string extension;  ///< with its dot
 };
 
-/// What a command does.
+/// The work of a command, for run_batch().
 struct BatchWork {
-  /// Works on one file. It is called on any thread, several at a time, and prints with print_result() and say_error().
+  /// Works on one file. It is called on any thread, several at a time, and prints with print_result() and
+  /// print_error().
   /// in   many   print one line instead of everything
   std::function<ExitCode(const Input& file, bool many)> run;
   /// Goes behind the summary of several files, such as "3 errors, 5 warnings". May be empty.

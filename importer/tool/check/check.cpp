@@ -31,7 +31,7 @@ constexpr std::size_t kListedWithAll = 100'000;
 std::vector<ImportIssue> broken_rules(const std::string& file, bool all) {
   if (auto of_assets = broken_asset_rules(file)) return *std::move(of_assets);
   ImportOptions options;
-  options.thorough = true;
+  options.thorough = options.collect_all_errors = true;
   if (all) options.max_listed_per_rule = kListedWithAll;
   auto imported = import_with_progress(file, options);
   if (imported) return std::move(imported->warnings);
@@ -54,7 +54,7 @@ class Check {
     const CheckReport report(file, std::move(issues));
     totals_.add(report);
     if (options_.files.json)
-      print_result_text(many ? json_line(report.json()) : json_text(report.json()) + '\n');
+      print_json(report.json(), many);
     else
       print_result_text(many && !options_.all ? report.summary() : report.text(options_.all));
     const std::size_t faults = report.count(Severity::error) + (options_.strict ? report.count(Severity::warning) : 0);
@@ -87,9 +87,9 @@ ExitCode check_files(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& program, ExitCode& outcome) {
+Command check_command() {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "check",
       "List the rules that files break: place in the document, rule, severity, sentence\n"
       "A rule that is broken at many places has one line, with their number and the first of them. Several files have "
@@ -97,22 +97,20 @@ void add_check(CLI::App& program, ExitCode& outcome) {
       "\n"
       "Exit status 1 when a file has an error; a file with only warnings can be loaded. Infos name what is odd or "
       "unused.");
-  add_batch_options(*command, options->files,
+  add_batch_options(command, options->files,
                     ".gltf, .glb or .sinew files, and folders of them; - is the standard input");
-  command->add_flag(
-      "--json", options->files.json,
-      "Print JSON: {file, errors, warnings, infos, issues: [{severity, rule, pointer, message, cases}]};\n"
-      "of several files one document a line. The last issue of a rule stands for cases not listed");
-  command->add_flag("--all", options->all, "List every place that breaks a rule");
-  command->add_flag("--strict", options->strict, "Warnings fail, too");
+  command.flag("--json", options->files.json,
+               "Print JSON: {file, errors, warnings, infos, issues: [{severity, rule, pointer, message, cases}]};\n"
+               "of several files one document a line. The last issue of a rule stands for cases not listed");
+  command.flag("--all", options->all, "List every place that breaks a rule");
+  command.flag("--strict", options->strict, "Warnings fail, too");
   command
-      ->add_option("--severity", options->severities,
-                   "What a rule counts as here: error, warning, info or off. It changes no file and no loading")
-      ->type_name("RULE=SEVERITY[,...]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_flag("--rules", options->rules, "List all rules with their severities, and check nothing");
-  command->callback([options, &outcome] { outcome = check_files(*options); });
+      .option("--severity", "RULE=SEVERITY[,...]", &options->severities,
+              "What a rule counts as here: error, warning, info or off. It changes no file and no loading")
+      .list();
+  command.flag("--rules", options->rules, "List all rules with their severities, and check nothing");
+  command.run = [options] { return check_files(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

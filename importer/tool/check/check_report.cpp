@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/issue_groups.h"
 #include "importer/tool/messages.h"
@@ -53,8 +53,8 @@ std::string CheckReport::summary() const {
                      rules);
 }
 
-nlohmann::ordered_json CheckReport::json() const {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json CheckReport::json() const {
+  Json list = Json::array();
   for (const ImportIssue& issue : issues_)
     list.push_back({{"severity", name_of(issue.severity)},
                     {"rule", issue.rule},

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "importer/import_error.h"
+#include "importer/tool/json.h"
 
 namespace sinew::tool {
 
-/// What one file breaks: errors first, then warnings, then infos.
+/// The issues of one file: errors first, then warnings, then infos.
 class CheckReport {
  public:
   CheckReport(std::string file, std::vector<ImportIssue> issues);
@@ -27,7 +26,7 @@ class CheckReport {
   /// One line: "ok", or counts and rules.
   std::string summary() const;
 
-  nlohmann::ordered_json json() const;
+  Json json() const;
 
  private:
   std::string line(const ImportIssue& issue, const std::string& rule) const;

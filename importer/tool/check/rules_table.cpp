@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/rules.h"
-#include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/json.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/wrapped_text.h"
 
 namespace sinew::tool {
 
@@ -24,7 +24,7 @@ std::string rules_text() {
 }
 
 std::string rules_json() {
-  nlohmann::ordered_json rules = nlohmann::ordered_json::array();
+  Json rules = Json::array();
   for (const RuleText& rule : all_rules())
     rules.push_back({{"rule", rule.id}, {"severity", name_of(rule.severity)}, {"sentence", rule.sentence}});
   return json_text(rules) + '\n';

@@ -11,7 +11,7 @@
 
 namespace sinew::tool {
 
-/// What rules count as, where a user wants it otherwise than the table of rules.
+/// Severities of rules that the user changes with --severity.
 class SeverityChoice {
  public:
   /// in    texts   "weights-sum=error", "unused-object=off"; of several for one rule the last counts

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/rewrite_gltf.h"
 #include "importer/tool/batch/run_batch.h"
@@ -16,8 +16,8 @@
 #include "importer/tool/convert/fit_keys.h"
 #include "importer/tool/convert/mirror_clips.h"
 #include "importer/tool/convert/resample_clips.h"
-#include "importer/tool/files/output_check.h"
-#include "importer/tool/files/output_files.h"
+#include "importer/tool/files/model_output.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -26,12 +26,11 @@
 namespace sinew::tool {
 namespace {
 
-constexpr const char* kStandardOutput = "-";
 constexpr double kNoBudget = std::numeric_limits<double>::infinity();
 
 struct ConvertOptions {
   BatchOptions files;
-  std::string in, out;                // "-" as OUT is the standard output
+  std::string in, out;
   std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
   std::optional<std::string> budget;
   std::optional<double> fps;
@@ -44,39 +43,28 @@ std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t b
                      100.0 * static_cast<double>(bytes) / static_cast<double>(before));
 }
 
-/// Writes the files, or the .glb to the standard output.
-ExitCode write_output(const ConvertOptions& options, const OutputFiles& outputs, const RewrittenFile& written) {
-  if (options.out == kStandardOutput) {
-    std::fwrite(written.file.data(), 1, written.file.size(), stdout);
-    return ExitCode::done;
-  }
-  return write_files(outputs, written);
-}
-
-/// The files to write; none for the standard output.
 /// err   a sentence
-tl::expected<OutputFiles, std::string> outputs_of(const ConvertOptions& options) {
-  if (options.out == kStandardOutput) {
-    if (options.format == "gltf") return tl::unexpected(std::string("-: a .gltf needs a place for its .bin"));
+tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) {
+  auto output = model_output(options.out);
+  if (!output) return output;
+  if (is_stream(options.out)) {
+    if (options.format == "gltf") return tl::unexpected(options.out + ": a .gltf needs a place for its .bin");
     if (options.budget || options.fps)
-      return tl::unexpected(std::string("-: cannot be read again and measured, as --budget and --fps do"));
-    return OutputFiles{};
-  }
-  auto outputs = output_files(options.out);
-  if (!outputs) return tl::unexpected(options.out + ": OUT must end in .glb or .gltf, which says what is written");
-  if (options.format && outputs->file.extension() != "." + *options.format)
+      return tl::unexpected(options.out + ": cannot be read again and measured, as --budget and --fps do");
+  } else if (options.format && output->file.extension() != "." + *options.format) {
     return tl::unexpected(
         fmt::format("{}: --format {} writes a file that ends in .{}", options.out, *options.format, *options.format));
-  return *std::move(outputs);
+  }
+  return output;
 }
 
-/// What is written in place of the clips of a file.
+/// The clips that are written in place of the clips of the file.
 struct NewClips {
   std::vector<Animation> mirrored;         // the clips with left and right exchanged, where that is asked for
   std::vector<Animation> fewer_keys;       // these, or the file's own, with other keys
   std::vector<std::uint32_t> channels_to;  // RewriteOptions::channels_to
 
-  /// What other keys are measured against.
+  /// The clips that the written keys are measured against.
   std::span<const Animation> truths(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
   std::span<const Animation> written() const { return fewer_keys.empty() ? mirrored : fewer_keys; }
 };
@@ -85,7 +73,7 @@ NewClips new_clips(const ConvertOptions& options, const Scene& scene, double bud
   NewClips clips;
   if (options.mirror) {
     MirroredClips found = mirror_clips(scene);
-    say_error(options.in + ": " + found.summary);
+    print_error(options.in + ": " + found.summary);
     clips.mirrored = std::move(found.animations);
     clips.channels_to = std::move(found.channels_to);
   }
@@ -96,8 +84,9 @@ NewClips new_clips(const ConvertOptions& options, const Scene& scene, double bud
 }
 
 ExitCode convert_file(const ConvertOptions& options, bool many) {
-  const auto outputs = outputs_of(options);
-  if (!outputs) return fail_with(ExitCode::wrong_usage, outputs.error());
+  const ResultsToStderr redirected(is_standard_output(options.out));
+  const auto output = output_of(options);
+  if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   const auto budget = parse_length(options.budget.value_or("0"));
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
@@ -105,31 +94,24 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   import.carry_document = true;
   const auto model = load_file(options.in, import);
   if (!model) return ExitCode::input_at_fault;
-  const bool to_files = options.out != kStandardOutput;
-  for (const std::filesystem::path& output : to_files ? outputs->all() : std::vector<std::filesystem::path>())
-    if (const auto why = check_output_path(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto error = find_output_error(*output, model->facts.files))
+    return fail_with(ExitCode::wrong_usage, *error);
 
-  RewriteOptions rewrite;
-  rewrite.drop.insert(options.drop.begin(), options.drop.end());
-  rewrite.buffer_uri = outputs->buffer.filename().string();
   const double budget_m = options.budget ? metres_of(*budget, model->scene) : kNoBudget;
   const NewClips clips = new_clips(options, model->scene, budget_m);
-  rewrite.animations = clips.written();
-  rewrite.channels_to = clips.channels_to;
-  rewrite.quantize = options.quantize;
-  rewrite.meshopt = options.meshopt;
-  const auto written = rewrite_gltf(*model, rewrite);
-  if (!written) return refuse_rewrite(options.in, written.error());
-  for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
-  if (const ExitCode code = write_output(options, *outputs, *written); code != ExitCode::done) return code;
+  RewriteOptions changes;
+  changes.animations = clips.written();
+  changes.channels_to = clips.channels_to;
+  changes.quantize = options.quantize;
+  changes.meshopt = options.meshopt;
+  const auto bytes = write_model(*model, options.in, std::move(changes), options.drop, *output);
+  if (!bytes) return bytes.error();
   if (options.budget || options.fps) {
-    const auto table = certificates(model->scene, clips.truths(model->scene), outputs->file, budget_m);
-    if (!table) return refuse_rewrite(options.out, table.error());
+    const auto table = certificates(model->scene, clips.truths(model->scene), output->file, budget_m);
+    if (!table) return print_rewrite_error(options.out, table.error());
     if (!many) print_result_text(*table);
   }
-  const std::string sizes =
-      size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes);
-  to_files ? print_result("{}\n", sizes) : say_error(sizes);
+  print_result("{}\n", size_line(options.out, *bytes, model->facts.file_bytes));
   return ExitCode::done;
 }
 
@@ -145,9 +127,9 @@ ExitCode convert_files(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_convert(CLI::App& program, ExitCode& outcome) {
+Command convert_command() {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "convert",
       "Write a file again, as one .glb or as a .gltf with a .bin beside it\n"
       "Everything that the file says is carried: extras, extensions, attributes and names that sinew does not know, "
@@ -161,40 +143,37 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
       "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
       "\n"
       "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
-  add_inputs_and_last(*command, options->files, options->out,
-                      {"IN", ".gltf or .glb files, and folders of them; - is the standard input"},
-                      {"OUT",
-                       "The .glb or .gltf file to write; of several files the folder for them; - writes a .glb to the "
-                       "standard output"},
-                      [](const std::string&) { return true; });
+  add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input", "IN")
+      .required();
   command
-      ->add_option("--format", options->format,
-                   "glb: one file; gltf: a .gltf with a .bin beside it (default: what OUT's name ends in; of several "
-                   "files glb)")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"glb", "gltf"}));
+      .argument("OUT", &options->out,
+                "The .glb or .gltf file to write; of several files the folder for them; - writes a .glb to the "
+                "standard output")
+      .required()
+      .takes_last = [](const std::string&) { return true; };
   command
-      ->add_option("--budget", options->budget,
-                   fmt::format("Largest distance by which leaving out keys may move anything, {}", kLengthHelp))
-      ->type_name("LENGTH");
+      .option("--format", "FORMAT", &options->format,
+              "glb: one file; gltf: a .gltf with a .bin beside it (default: what OUT's name ends in; of several files "
+              "glb)")
+      .one_of({"glb", "gltf"});
+  command.option("--budget", "LENGTH", &options->budget,
+                 fmt::format("Largest distance by which leaving out keys may move anything, {}", kLengthHelp));
   command
-      ->add_option("--fps", options->fps,
-                   "Linear keys that many times a second, in place of the keys of tracks that are not STEP")
-      ->type_name("N")
-      ->check(CLI::Range(0.001, 1e6))
-      ->excludes("--budget");
-  command->add_flag("--mirror", options->mirror,
-                    "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
-                    "places where names do not tell; joints without a partner are listed. With --budget or --fps the\n"
-                    "mirrored clips get fewer keys");
-  command->add_flag("--quantize", options->quantize,
-                    "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
-                    "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");
-  command->add_flag("--meshopt", options->meshopt, "Compress with EXT_meshopt_compression; vertices get another order");
-  command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
-      ->delimiter(',')
-      ->type_name("NAME[,NAME...]");
-  command->callback([options, &outcome] { outcome = convert_files(*options); });
+      .option("--fps", "N", &options->fps,
+              "Linear keys that many times a second, in place of the keys of tracks that are not STEP")
+      .within(1e-3, 1e6)
+      .excludes("--budget");
+  command.flag("--mirror", options->mirror,
+               "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
+               "places where names do not tell; joints without a partner are listed. With --budget or --fps the\n"
+               "mirrored clips get fewer keys");
+  command.flag("--quantize", options->quantize,
+               "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
+               "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");
+  command.flag("--meshopt", options->meshopt, "Compress with EXT_meshopt_compression; vertices get another order");
+  add_drop_option(command, options->drop);
+  command.run = [options] { return convert_files(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/convert/mirror_clips.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 #include "runtime/animation/mirror_animation.h"

@@ -54,7 +54,7 @@ std::string compiler() {
 #endif
 }
 
-/// What the times depend on, as names and values for people.
+/// The facts of the machine and the build on which times depend, as names and values.
 std::vector<std::pair<std::string, std::string>> describe_machine() {
   const InstructionSet best = instruction_sets().front();
   return {{"processor", processor()},

@@ -1,39 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/cost/measure.h"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
-#include <map>
-#include <string>
+#include <atomic>
+#include <cmath>
+#include <ctime>
+#include <random>
 #include <vector>
 
 namespace sinew::cost {
 namespace {
 
-/// Keeps the time of every repetition, by the name of its benchmark.
-class Collector : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs)
-      if (run.run_type == Run::RT_Iteration)
-        times_s[run.run_name.function_name].push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
+/// Processor time of this thread, which does not count while other programs run.
+double thread_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Runs a work `count` times. Returns the seconds of one run.
+double seconds_of_run(const Work& work, double count) {
+  if (work.before) work.before();
+  const double begin = thread_seconds();
+  for (double i = 0.0; i < count; ++i) {
+    work.run();
+    std::atomic_signal_fence(std::memory_order_seq_cst);  // results count as read, so no run is optimised away
   }
+  const double end = thread_seconds();
+  if (work.after) work.after();
+  return (end - begin) / count;
+}
 
-  std::map<std::string, std::vector<double>> times_s;
+/// The number of runs that take about `seconds`.
+double runs_within(double seconds, const Work& work) {
+  constexpr double kMostRuns = 1e9;
+  for (double count = 1.0;; count *= 10.0) {
+    const double each = seconds_of_run(work, count);
+    if (each * count >= 0.1 * seconds || count >= kMostRuns)
+      return std::clamp(std::ceil(seconds / std::max(each, 1e-12)), 1.0, kMostRuns);
+  }
+}
+
+/// One point of a study, with its measured times.
+struct Measured {
+  std::size_t study, point;
+  double runs = 1.0;
+  std::vector<double> seconds;
 };
-
-std::string name_of(std::size_t study, std::size_t point) {
-  return std::to_string(study) + ":" + std::to_string(point);
-}
-
-void set_random_order() {
-  std::string arguments[] = {"sinew cost", "--benchmark_enable_random_interleaving=true"};
-  char* pointers[] = {arguments[0].data(), arguments[1].data(), nullptr};
-  int count = 2;
-  benchmark::Initialize(&count, pointers);
-}
 
 }  // namespace
 
@@ -63,43 +76,38 @@ void mark_pareto_front(Group& group) {
 }
 
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double)>& progress) {
-  std::size_t works = 0, begun = 0;
-  for (const Study& study : studies) works += study.works.size();
-  const double all_runs = static_cast<double>(works) *
-                          static_cast<double>(effort.repetitions + 2);  // 2 more to find the number of iterations
-  const auto begin = [&] {
-    if (progress) progress(std::min(1.0, static_cast<double>(begun++) / all_runs));
-  };
-  set_random_order();
-  benchmark::ClearRegisteredBenchmarks();
+  std::vector<Measured> all;
   for (std::size_t s = 0; s < studies.size(); ++s)
-    for (std::size_t p = 0; p < studies[s].works.size(); ++p)
-      benchmark::RegisterBenchmark(name_of(s, p).c_str(),
-                                   [&, s, p](benchmark::State& state) {
-                                     begin();
-                                     const Work& work = studies[s].works[p];
-                                     if (work.before) work.before();
-                                     for (auto _ : state) {
-                                       work.run();
-                                       benchmark::ClobberMemory();
-                                     }
-                                     if (work.after) work.after();
-                                   })
-          ->Repetitions(effort.repetitions)
-          ->MinTime(effort.seconds_per_repetition);
-  Collector collector;
-  benchmark::RunSpecifiedBenchmarks(&collector);
-  benchmark::ClearRegisteredBenchmarks();
-  for (std::size_t s = 0; s < studies.size(); ++s) {
-    Group& group = studies[s].group;
-    for (std::size_t p = 0; p < studies[s].works.size(); ++p) {
-      const Middle time_s = middle_of(collector.times_s[name_of(s, p)]);
-      group.points[p].time_ns = 1e9 * time_s.median / static_cast<double>(studies[s].works[p].item_count);
-      group.points[p].spread = time_s.spread;
-      group.points[p].noisy = time_s.spread > kNoisySpread;
-    }
-    mark_pareto_front(group);
-    if (studies[s].findings) group.findings = studies[s].findings(group);
+    for (std::size_t p = 0; p < studies[s].works.size(); ++p) all.push_back({s, p});
+  const auto work_of = [&](const Measured& measured) -> const Work& {
+    return studies[measured.study].works[measured.point];
+  };
+  const auto repetitions = static_cast<std::size_t>(effort.repetitions);
+  std::size_t begun = 0;
+  const auto begin = [&] {  // finding the number of runs takes about as long as a repetition
+    if (progress) progress(static_cast<double>(begun++) / static_cast<double>(all.size() * (repetitions + 1)));
+  };
+  std::vector<Measured*> order;
+  for (Measured& measured : all) {
+    begin();
+    measured.runs = runs_within(effort.seconds_per_repetition, work_of(measured));
+    order.insert(order.end(), repetitions, &measured);
+  }
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  for (Measured* measured : order) {
+    begin();
+    measured->seconds.push_back(seconds_of_run(work_of(*measured), measured->runs));
+  }
+  for (Measured& measured : all) {
+    const Middle time_s = middle_of(measured.seconds);
+    Point& point = studies[measured.study].group.points[measured.point];
+    point.time_ns = 1e9 * time_s.median / static_cast<double>(work_of(measured).item_count);
+    point.spread = time_s.spread;
+    point.noisy = time_s.spread > kNoisySpread;
+  }
+  for (Study& study : studies) {
+    mark_pareto_front(study.group);
+    if (study.findings) study.group.findings = study.findings(study.group);
   }
 }
 

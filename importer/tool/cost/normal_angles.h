@@ -18,8 +18,8 @@ struct NormalAngles {
   std::size_t samples = 0;  ///< 0 = no mesh has normals of its own
 };
 
-/// Compares points a quarter, a half and three quarters along every edge whose vertices have normals, seen along each
-/// of the six axes: quaternions depend on where the surface faces, and only what faces the eye counts.
+/// Compares points at a quarter, a half and three quarters of every edge whose vertices have normals. Each is seen
+/// along the six axes, because quaternions depend on the view. Only points that face the eye count.
 /// eq   linear: (1 - t) a + t b, normalised;  quaternion: Hast 2005, eqs. 16 and 17 (viewer/shaders/quaternion_normal.glsl)
 /// cost O(triangles)
 NormalAngles normal_angles(const Scene& scene);

@@ -89,7 +89,7 @@ std::vector<std::string> findings(const Group& group, const Json& answer) {
   return out;
 }
 
-/// What rays at vertices do, which take no time in a frame: one sentence for each number of them.
+/// Adds a sentence for each number of rays at vertices. They are baked, so they take no time in a frame.
 void add_rays_at_vertices(const Json& answer, std::vector<std::string>& findings) {
   for (const Json& trial : answer.value("at_vertices", Json::array()))
     findings.push_back(fmt::format(

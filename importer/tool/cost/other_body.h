@@ -7,8 +7,8 @@
 
 namespace sinew::cost {
 
-/// A body of other proportions on the same joints, to which clips of a file are retargeted: three quarters as large,
-/// with legs a tenth shorter than that and arms a tenth longer. Its feet stand where those of the body do.
+/// A body of other proportions on the same joints, to which the clips of a file are retargeted. It is three quarters as
+/// large; beyond that its legs are a tenth shorter, its arms a tenth longer. Its feet stand where those of the body do.
 struct OtherBody {
   Skeleton skeleton;
   std::array<std::uint32_t, 2> hands{}, feet{};  ///< joints of both bodies

@@ -116,7 +116,7 @@ void add_rule(Study& study, const std::shared_ptr<Bodies>& bodies, const Rule& r
   study.add(std::move(point), {bodies->poses.size() * source.joint_count(), work});
 }
 
-/// What a program without retargeting does: the local transforms of one body on the other, which takes its lengths.
+/// No retargeting: the local transforms of one body are used on the other, which takes over its bone lengths.
 void add_copy(Study& study, const std::shared_ptr<Bodies>& bodies, std::span<const double> moments) {
   const SkeletonMap map = map_by(*bodies, TranslationRule::hips_by_height);
   const FeetMap feet = make_feet_map(map, bodies->source, bodies->other.skeleton);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/cost/measure.h"
@@ -74,7 +74,7 @@ Group left_out(Group group, std::string why) {
 double pixels_of(const Json& read) { return read.at("width").get<double>() * read.at("height").get<double>(); }
 
 /// Why there are no times; empty: there are.
-std::string check_study(const Json& read, const char* trials) {
+std::string find_document_error(const Json& read, const char* trials) {
   if (read.is_discarded()) return "the measuring program did not finish its answer";
   if (read.contains("left_out")) return read.at("left_out");
   for (const Json& trial : read.at(trials))
@@ -103,7 +103,8 @@ std::string measure_shading(bool quick) {
 
 Group filter_group(const std::string& measured) {
   const Json read = Json::parse(measured, nullptr, false);
-  if (std::string why = check_study(read, "filters"); !why.empty()) return left_out(group_of_filters(), std::move(why));
+  if (std::string why = find_document_error(read, "filters"); !why.empty())
+    return left_out(group_of_filters(), std::move(why));
   Group group = group_of_filters();
   for (const Json& trial : read.at("filters")) group.points.push_back(point_of(trial, pixels_of(read)));
   group.about = fmt::format(
@@ -124,7 +125,8 @@ Group normal_interpolation_group(const NormalAngles& angles, const std::string& 
   if (angles.samples == 0)
     return left_out(group_of_normals(), "no two vertices of a triangle have normals that differ");
   const Json read = Json::parse(measured, nullptr, false);
-  if (std::string why = check_study(read, "normals"); !why.empty()) return left_out(group_of_normals(), std::move(why));
+  if (std::string why = find_document_error(read, "normals"); !why.empty())
+    return left_out(group_of_normals(), std::move(why));
   Group group = group_of_normals();
   group.points = {normal_point(read.at("normals").at(0), pixels_of(read), angles.linear),
                   normal_point(read.at("normals").at(1), pixels_of(read), angles.quaternion)};

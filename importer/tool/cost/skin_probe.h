@@ -8,9 +8,9 @@
 
 namespace sinew::cost {
 
-/// Points on the model's surface that tell how far apart two poses are where a viewer sees it: vertices, skinned
+/// Points on the surface of the model, where viewers see the difference of two poses. They are vertices, skinned
 /// linearly in double precision or carried by their joint. A scene without vertices gets three points around every
-/// joint, on perpendicular axes, a twentieth of the skeleton's size away (C13).
+/// joint, on perpendicular axes, a twentieth of the skeleton's size away.
 class SkinProbe {
  public:
   SkinProbe(const Scene& scene, std::size_t most_points);

@@ -62,8 +62,8 @@ double tolerance_for(const Track<V>& track, std::uint32_t bits) {
   return 0.0;
 }
 
-/// How far the keys of each joint may be rounded so that no component takes more than `bits` over its own track's
-/// range; 0, which keeps them in float, for tracks that cannot be packed (curves) or do not move.
+/// The rounding steps of each joint with which no component takes more than `bits` over the range of its track. 0 keeps
+/// floats, for tracks that cannot be packed (curves) or do not move.
 /// in   bits   1 to PackedTrack::kMostBits
 KeyTolerances keys_in_bits(const Animation& animation, std::uint32_t bits) {
   KeyTolerances out;

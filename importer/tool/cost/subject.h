@@ -8,7 +8,7 @@
 
 namespace sinew::cost {
 
-/// What a study looks at: a scene, one of its clips, and points of its surface. The scene must outlive it.
+/// The subject of a study: a scene, one of its clips, and points of its surface. The scene must outlive it.
 struct Subject {
   Subject(const Scene& looked_at, std::uint32_t chosen_clip, const Effort& effort);
 

@@ -21,13 +21,13 @@ LocalPose crooked_pose(const Skeleton& skeleton);
 /// eq   M[j] = M[parent(j)] * T * R * S, in double
 ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local);
 
-/// Times at which errors between keys show. In each of at most `most_intervals` key intervals, evenly picked: the key
-/// that begins it, its middle, and the two places where nlerp is farthest from slerp (N04). Increasing; {0} without
-/// keys.
+/// Times at which errors between keys are largest, in at most `most_intervals` key intervals that are evenly picked.
+/// Each has four: its first key, its middle, and the two places where nlerp is farthest from slerp. Increasing; {0}
+/// without keys.
 std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals);
 
-/// Times at which a clip is sampled while it is timed: one in each sixteenth of it, none at a usual key, in an order
-/// that leaps forwards and backwards.
+/// Times at which a clip is sampled while it is timed: one in each sixteenth of it, away from usual keys. Their order
+/// jumps forwards and backwards.
 std::vector<double> timed_moments(double duration_s);
 
 }  // namespace sinew::cost

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/cost/report_json.h"
-#include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::cost {
@@ -62,7 +62,7 @@ std::optional<std::string> put_in_place(const fs::path& made, const fs::path& fo
 
 }  // namespace
 
-std::string check_report_folder(const fs::path& given, std::span<const fs::path> inputs) {
+std::string find_folder_error(const fs::path& given, std::span<const fs::path> inputs) {
   const fs::path folder = without_slash(given),
                  parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
@@ -73,7 +73,7 @@ std::string check_report_folder(const fs::path& given, std::span<const fs::path>
     const std::string name = entry.path().filename().string();
     if (std::find(std::begin(kFiles), std::end(kFiles), name) == std::end(kFiles))
       return fmt::format("holds {}, which is no part of a report; it is left as it is", name);
-    if (const auto why = tool::check_output_path(entry.path(), inputs)) return *why;
+    if (const auto in_use = tool::find_output_error(entry.path(), inputs)) return *in_use;
   }
   return error ? error.message() : std::string();
 }

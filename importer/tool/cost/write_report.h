@@ -12,7 +12,7 @@ namespace sinew::cost {
 /// Why `folder` cannot become the folder of a report; empty when it can. It may be new, empty, or hold nothing but an
 /// older report.
 /// in    inputs   files that are read; none of them is replaced
-std::string check_report_folder(const std::filesystem::path& folder, std::span<const std::filesystem::path> inputs);
+std::string find_folder_error(const std::filesystem::path& folder, std::span<const std::filesystem::path> inputs);
 
 /// Writes report.json, report.csv and report.html into `folder`. The folder appears complete or not at all: an older
 /// report stays until the new one is there.

@@ -5,15 +5,13 @@
 
 namespace sinew::tool {
 
-void add_cache_option(CLI::App& command, std::string& folder) {
-  command
-      .add_option("--cache", folder,
-                  "Where centers of rotation are kept for the next run; none = nowhere (default: the environment "
-                  "variable SINEW_CACHE, else sinew in the user's cache folder)")
-      ->type_name("DIR|none");
+void add_cache_option(Command& command, std::string& folder) {
+  command.option("--cache", "DIR|none", &folder,
+                 "Where centers of rotation are kept for the next run; none = nowhere (default: the environment "
+                 "variable SINEW_CACHE, else sinew in the user's cache folder)");
 }
 
-void ask_for_centers(ImportOptions& import, const std::string& folder) {
+void request_centers(ImportOptions& import, const std::string& folder) {
   import.make_centers_of_rotation = true;
   import.centers_cache = cache_folder_called(folder);
 }

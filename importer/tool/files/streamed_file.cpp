@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "importer/tool/files/output.h"
+
 namespace sinew::tool {
 
 StreamedFile::StreamedFile(const std::string& file_or_empty) {
@@ -17,11 +19,16 @@ StreamedFile::StreamedFile(const std::string& file_or_empty) {
     file_ = gzdopen(dup(STDOUT_FILENO), "wbT");
     return;
   }
+  const bool compressed = file_or_empty.ends_with(".gz");
+  if (is_stream(file_or_empty)) {
+    const int stream = open(file_or_empty.c_str(), O_WRONLY | O_CLOEXEC);
+    if (stream >= 0) file_ = gzdopen(stream, compressed ? "wb6" : "wbT");
+    return;
+  }
   std::error_code error;
   target_ = std::filesystem::canonical(file_or_empty, error);
   if (error) target_ = file_or_empty;  // a new file
   unfinished_ = target_.string() + "." + std::to_string(getpid()) + ".tmp";
-  const bool compressed = file_or_empty.ends_with(".gz");
   const int file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return;
   file_ = gzdopen(file, compressed ? "wb6" : "wbT");

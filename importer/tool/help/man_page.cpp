@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/help/man_page.h"
-
-#include <algorithm>
-#include <cctype>
+#include <string>
 #include <string_view>
 
-#include "importer/tool/help/command_text.h"
-#include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/help/help.h"
+#include "importer/tool/wrapped_text.h"
 
 namespace sinew::tool {
 namespace {
@@ -14,20 +11,12 @@ namespace {
 /// Text that roff takes as it is: its own characters escaped, no line a request.
 std::string escaped(std::string_view text) {
   std::string out = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
-  for (const char c : text)
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else
-      out += c;
+  for (const char c : text) out += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
   return out;
 }
 
-std::string bold(std::string_view text) { return "\\fB" + escaped(text) + "\\fR"; }
-std::string italic(std::string_view text) { return "\\fI" + escaped(text) + "\\fR"; }
-
-void put_paragraphs(std::string& out, std::string_view text) {
+std::string paragraphs_of(std::string_view text) {
+  std::string out;
   bool in_block = false;
   for (const Paragraph& paragraph : paragraphs(text)) {
     if (paragraph.verbatim != in_block) out += in_block ? ".fi\n" : ".PP\n.nf\n";
@@ -35,38 +24,35 @@ void put_paragraphs(std::string& out, std::string_view text) {
     in_block = paragraph.verbatim;
     out += escaped(paragraph.text) + '\n';
   }
-  if (in_block) out += ".fi\n";
+  return out + (in_block ? ".fi\n" : "");
 }
 
-void put_option(std::string& out, const OptionText& option) {
-  out += ".TP\n";
-  for (std::size_t i = 0; i < option.names.size(); ++i) out += (i ? ", " : "") + bold(option.names[i]);
-  if (!option.names.empty() && !option.value.empty()) out += ' ';
-  if (!option.value.empty()) out += italic(option.value + (option.takes_many ? "..." : ""));
-  out += '\n' + escaped(full_text(option)) + '\n';
-}
-
-void put_command(std::string& out, const CommandText& command) {
-  out += ".SS " + bold("sinew " + command.name) + '\n' + escaped(command.summary) + '\n';
-  put_paragraphs(out, command.details);
-  out += ".PP\n" + escaped(command.usage()) + '\n';
-  for (const OptionText& argument : command.arguments) put_option(out, argument);
-  for (const OptionText& option : command.options) put_option(out, option);
+std::string options_of(const Command& command, bool arguments) {
+  std::string out;
+  for (const Option& option : command.options) {
+    if (option.is_argument() != arguments) continue;
+    std::string names;
+    for (const std::string& name : option.names) names += (names.empty() ? "\\fB" : ", \\fB") + escaped(name) + "\\fR";
+    if (!names.empty() && !option.value.empty()) names += ' ';
+    if (!option.value.empty()) names += "\\fI" + escaped(option.value + (option.takes_many() ? "..." : "")) + "\\fR";
+    out += ".TP\n" + names + '\n' + escaped(full_text(option)) + '\n';
+  }
+  return out;
 }
 
 }  // namespace
 
-std::string man_page(const CLI::App& program) {
-  const CommandText text = text_of(program);
-  std::string out = ".TH SINEW 1 \"\" \"" + escaped(program.version()) + "\" \"User Commands\"\n.SH NAME\nsinew \\- ";
-  out += escaped(text.summary) + "\n.SH SYNOPSIS\n.B sinew\n.I COMMAND\n[\\fIOPTIONS\\fR] ...\n.SH DESCRIPTION\n";
-  put_paragraphs(out, text.details);
-  for (const OptionText& option : text.options) put_option(out, option);
-  out += ".SH COMMANDS\n";
-  for (const CommandText& command : commands_of(program)) put_command(out, command);
-  out += ".SH NOTES\n";
-  put_paragraphs(out, text.ending);
-  return out;
+std::string man_page(const Program& program) {
+  const Command& self = program.self;
+  std::string out = ".TH SINEW 1 \"\" \"" + escaped(program.version) + "\" \"User Commands\"\n.SH NAME\nsinew \\- " +
+                    escaped(self.summary) +
+                    "\n.SH SYNOPSIS\n.B sinew\n.I COMMAND\n[\\fIOPTIONS\\fR] ...\n.SH DESCRIPTION\n" +
+                    paragraphs_of(self.details) + options_of(self, false) + ".SH COMMANDS\n";
+  for (const Command& command : program.commands)
+    out += ".SS \\fBsinew " + escaped(command.name) + "\\fR\n" + escaped(command.summary) + '\n' +
+           paragraphs_of(command.details) + ".PP\n" + escaped(usage(command)) + '\n' + options_of(command, true) +
+           options_of(command, false);
+  return out + ".SH NOTES\n" + paragraphs_of(program.ending);
 }
 
 }  // namespace sinew::tool

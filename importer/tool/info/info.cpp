@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/tool/assets/asset_info.h"
 #include "importer/tool/bake/geometry_table.h"
@@ -15,6 +14,7 @@
 #include "importer/tool/info/info_json.h"
 #include "importer/tool/info/info_text.h"
 #include "importer/tool/info/node_tree.h"
+#include "importer/tool/json.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/visible_text.h"
@@ -22,20 +22,13 @@
 namespace sinew::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct InfoOptions {
   BatchOptions files;
   bool tree = false, all = false;
 };
 
-/// Prints a result as JSON: alone indented, of many in one line.
-void print_json(const Json& result, bool many) {
-  print_result_text(many ? json_line(result) : json_text(result) + '\n');
-}
-
 /// Prints what an asset file or a file of compiled clips holds; nothing when the file is none.
-std::optional<ExitCode> tell_about_assets(const std::string& file, bool json, bool many) {
+std::optional<ExitCode> print_asset_info(const std::string& file, bool json, bool many) {
   const auto info = asset_info(file);
   if (!info) return std::nullopt;
   if (!*info) return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", file, info->error()));
@@ -49,7 +42,7 @@ std::optional<ExitCode> tell_about_assets(const std::string& file, bool json, bo
 }
 
 /// Prints what a geometry cache holds; nothing when the file is none. Reads its head only.
-std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json, bool many) {
+std::optional<ExitCode> print_geometry_info(const std::string& file, bool json, bool many) {
   const auto read = read_cache(file, false);
   if (!read) return std::nullopt;
   if (!*read) return read->error();
@@ -63,16 +56,16 @@ std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json, 
   return ExitCode::done;
 }
 
-ExitCode tell_about(const InfoOptions& options, const std::string& path, bool many) {
-  if (const auto outcome = tell_about_assets(path, options.files.json, many)) return *outcome;
-  if (const auto outcome = tell_about_geometry(path, options.files.json, many)) return *outcome;
+ExitCode print_info(const InfoOptions& options, const std::string& path, bool many) {
+  if (const auto outcome = print_asset_info(path, options.files.json, many)) return *outcome;
+  if (const auto outcome = print_geometry_info(path, options.files.json, many)) return *outcome;
   ImportOptions import;
   import.decode_images = false;
   import.probe_images = true;
   import.carry_document = true;
   const auto file = import_with_progress(path, import);
   if (!file) {
-    say_error_of_import(path, file.error());
+    print_import_error(path, file.error());
     return ExitCode::input_at_fault;
   }
   Json info = info_json(path, *file);
@@ -88,23 +81,23 @@ ExitCode tell_about(const InfoOptions& options, const std::string& path, bool ma
 
 }  // namespace
 
-void add_info(CLI::App& program, ExitCode& outcome) {
+Command info_command() {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = program.add_subcommand(
-      "info",
-      "Show what files hold: nodes, meshes, skins, clips, materials, images, extensions\n"
-      "Also bounds, warnings, and what `sinew convert` would lose. Several files have one line each.");
+  Command command("info",
+                  "Show what files hold: nodes, meshes, skins, clips, materials, images, extensions\n"
+                  "Also bounds, warnings, and what `sinew convert` would lose. Several files have one line each.");
   add_batch_options(
-      *command, options->files,
+      command, options->files,
       ".gltf or .glb files, .sinew files, geometry caches, and folders of models; - is the standard input")
-      ->required();
-  command->add_flag("--tree", options->tree, "Also show the tree of nodes, and what hangs on each");
-  command->add_flag("--all", options->all, "List every warning and joint, not one warning of each rule");
-  command->add_flag("--json", options->files.json, "Print the same as JSON, of several files one document a line");
-  command->callback([options, &outcome] {
-    outcome = run_batch(options->files,
-                        {[&](const Input& file, bool many) { return tell_about(*options, file.path, many); }});
-  });
+      .required();
+  command.flag("--tree", options->tree, "Also show the tree of nodes, and what hangs on each");
+  command.flag("--all", options->all, "List every warning and joint, not one warning of each rule");
+  command.flag("--json", options->files.json, "Print the same as JSON, of several files one document a line");
+  command.run = [options] {
+    return run_batch(options->files,
+                     {[&](const Input& file, bool many) { return print_info(*options, file.path, many); }});
+  };
+  return command;
 }
 
 }  // namespace sinew::tool

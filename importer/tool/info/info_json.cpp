@@ -20,8 +20,6 @@
 namespace sinew::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kInterpolationNames[] = {"step", "linear", "cubic_spline", "squad"};
 constexpr const char* kTopologyNames[] = {"points", "lines", "triangles"};
 constexpr const char* kAlphaNames[] = {"opaque", "mask", "blend"};
@@ -261,7 +259,7 @@ Json issue_json(const ImportIssue& issue) {
   return {{"rule", issue.rule}, {"pointer", issue.json_pointer}, {"message", issue.detail}, {"cases", issue.cases}};
 }
 
-/// What `sinew convert` refuses to lose unless it is told to, or why it would fail.
+/// The things that `sinew convert` loses only with --drop, or the error with which it fails.
 std::vector<ImportIssue> lost_by_convert(const ImportedFile& file) {
   RewriteOptions options;
   options.drop = {"all"};
@@ -279,7 +277,7 @@ Json array_of(const std::vector<T>& list, const Entry& entry) {
   return out;
 }
 
-/// What the scene takes in memory with its images decoded, which `sinew info` only looks at.
+/// The memory of the scene with decoded images. `sinew info` reads only the headers of images.
 Json memory_with_images(const Scene& scene) {
   MemoryBytes bytes = memory_of(scene);
   for (const Image& image : scene.images) bytes.images += decoded_bytes(image);
@@ -288,7 +286,7 @@ Json memory_with_images(const Scene& scene) {
 
 }  // namespace
 
-nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& file) {
+Json info_json(const std::string& name, const ImportedFile& file) {
   const Scene& scene = file.scene;
   Json out = {{"file", name},
               {"bytes", file.facts.file_bytes},

@@ -11,18 +11,16 @@
 
 #include <fmt/format.h>
 
-#include "importer/tool/help/wrapped_text.h"
 #include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 #include "importer/tool/vrm/vrm_info.h"
+#include "importer/tool/wrapped_text.h"
 #include "importer/visible_text.h"
 
 namespace sinew::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string text_of(const Json& value) { return value.get<std::string>(); }
 
@@ -37,10 +35,10 @@ std::string pairs(const Json& object, const char* separator) {
   return out;
 }
 
-/// The names of an array in quotes: "a", "b".
-std::string names(const Json& list) {
+/// The first `count` names of an array in quotes: "a", "b".
+std::string names(const Json& list, std::size_t count) {
   std::string out;
-  for (const Json& name : list) out += (out.empty() ? "" : ", ") + in_quotes(text_of(name));
+  for (std::size_t i = 0; i < count; ++i) out += (i > 0 ? ", " : "") + in_quotes(text_of(list[i]));
   return out;
 }
 
@@ -174,12 +172,10 @@ class InfoText {
   void joints(std::size_t skin, const Json& all_names) {
     if (std::all_of(all_names.begin(), all_names.end(), [](const Json& name) { return text_of(name).empty(); })) return;
     constexpr std::size_t kShown = 24;
-    Json list = all_names;
-    if (!all_ && list.size() > kShown) list.erase(list.begin() + kShown, list.end());
+    const std::size_t count = all_ ? all_names.size() : std::min(all_names.size(), kShown);
     const std::string title = fmt::format("joints of skin {}: ", skin);
-    std::string text = names(list);
-    if (list.size() < all_names.size())
-      text += fmt::format(" and {} more (--all lists them)", all_names.size() - list.size());
+    std::string text = names(all_names, count);
+    if (count < all_names.size()) text += fmt::format(" and {} more (--all lists them)", all_names.size() - count);
     line("{}{}", title, wrapped(text, 2, title.size()));
   }
 
@@ -202,7 +198,7 @@ class InfoText {
   }
 
   void materials() {
-    if (!info_["variants"].empty()) line("material variants: {}", names(info_["variants"]));
+    if (!info_["variants"].empty()) line("material variants: {}", names(info_["variants"], info_["variants"].size()));
     table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"},
           [](const Json& m) {
             return std::vector{text_of(m["alpha"]),       flag(m["double_sided"], "both"),
@@ -266,9 +262,9 @@ class InfoText {
 
 }  // namespace
 
-std::string info_text(const nlohmann::ordered_json& info, bool all) { return InfoText(info, all).make(); }
+std::string info_text(const Json& info, bool all) { return InfoText(info, all).make(); }
 
-std::string info_line(const nlohmann::ordered_json& info) {
+std::string info_line(const Json& info) {
   std::size_t vertices = 0, triangles = 0;
   for (const Json& mesh : info["meshes"]) {
     vertices += mesh["vertices"].get<std::size_t>();

@@ -5,14 +5,13 @@
 #include <cstddef>
 #include <utility>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
 
-nlohmann::ordered_json memory_json(const MemoryBytes& bytes) {
+Json memory_json(const MemoryBytes& bytes) {
   const std::pair<const char*, std::size_t> kinds[] = {
       {"skeletons", bytes.skeletons}, {"animations", bytes.animations},
       {"clip_keys", bytes.clip_keys}, {"clip_tables", bytes.clip_tables},
@@ -20,17 +19,17 @@ nlohmann::ordered_json memory_json(const MemoryBytes& bytes) {
       {"morphs", bytes.morphs},       {"images", bytes.images},
       {"others", bytes.others},       {"plans", bytes.plans},
       {"frames", bytes.frames}};
-  nlohmann::ordered_json out{{"total", bytes.total()}};
+  Json out{{"total", bytes.total()}};
   for (const auto& [kind, size] : kinds)
     if (size > 0) out[kind] = size;
   return out;
 }
 
-std::string memory_text(const nlohmann::ordered_json& memory) {
+std::string memory_text(const Json& memory) {
   std::string kinds;
   for (const auto& [kind, size] : memory.items()) {
     if (kind == "total") continue;
-    std::string words = kind;
+    std::string words(kind);
     std::replace(words.begin(), words.end(), '_', ' ');
     kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", words, size_text(size.get<double>()));
   }

@@ -5,14 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// " WORD N, N" for a list of numbers; nothing for none.
 std::string numbers(const char* word, const Json& list) {
@@ -22,7 +20,7 @@ std::string numbers(const char* word, const Json& list) {
 }
 
 /// "mesh 0, skin 1, joint of skin 0, animated by clip 0, 2".
-std::string what_hangs_on(const Json& node) {
+std::string attachments_text(const Json& node) {
   std::string out;
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out += (out.empty() ? "" : ", ") + text;
@@ -99,13 +97,12 @@ std::string node_tree_text(const Json& list) {
     const auto [n, depth] = open.back();
     open.pop_back();
     const Json& node = list[n];
-    const std::string name = node["name"].get<std::string>(), what = what_hangs_on(node);
+    const std::string name = node["name"].get<std::string>(), what = attachments_text(node);
     out += fmt::format("{:{}}{}{}{}{}{}{}\n", "", 2 + 2 * std::min(depth, kDeepest),
                        depth > kDeepest ? fmt::format("(depth {}) ", depth) : "", n, name.empty() ? "" : " ",
                        name.empty() ? "" : in_quotes(name), what.empty() ? "" : ": ", what);
     const Json& children = node["children"];
-    for (auto child = children.rbegin(); child != children.rend(); ++child)
-      open.emplace_back(child->get<std::size_t>(), depth + 1);
+    for (std::size_t c = children.size(); c-- > 0;) open.emplace_back(children[c].get<std::size_t>(), depth + 1);
   }
   return out;
 }

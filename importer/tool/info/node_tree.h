@@ -4,8 +4,7 @@
 #include <set>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "importer/tool/json.h"
 #include "runtime/model/scene.h"
 
 namespace sinew::tool {
@@ -14,10 +13,10 @@ namespace sinew::tool {
 std::set<std::uint32_t> animated_nodes(const Scene& scene, const Animation& animation);
 
 /// All nodes by the file's numbers: name, parent, children, and what hangs on each.
-nlohmann::ordered_json node_list_json(const Scene& scene);
+Json node_list_json(const Scene& scene);
 
 /// The nodes as a tree, one line each, children below their parents.
 /// in   list   what node_list_json() made
-std::string node_tree_text(const nlohmann::ordered_json& list);
+std::string node_tree_text(const Json& list);
 
 }  // namespace sinew::tool

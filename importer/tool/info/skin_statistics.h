@@ -7,7 +7,7 @@
 
 namespace sinew::tool {
 
-/// What a skin moves, over all meshes that nodes use it with; each mesh counts once.
+/// Counts over all meshes that nodes use with a skin; each mesh counts once.
 struct SkinStatistics {
   /// How many vertices of the file have each number of influences.
   std::map<std::uint32_t, std::uint64_t> vertices_by_influences;

@@ -9,23 +9,23 @@
 
 namespace sinew::tool {
 
-/// What NumPy is told of an array. Numbers follow it little-endian, the last index varies fastest.
+/// The header of a NumPy array. Numbers follow it in little-endian order; the last index varies fastest.
 struct NpyArray {
   std::string name;  ///< in an .npz
-  std::string type;  ///< NumPy's "descr": "<f4", "<f8", "<i4", "<U12"
+  std::string type;  ///< NumPy's "descr", such as "<f4" for float32
   std::vector<std::size_t> shape;
 
   std::uint64_t byte_size() const;  ///< of the numbers
 };
 
-/// What stands before the numbers in a .npy file, format 1.0 (numpy.lib.format). They begin at a multiple of 64 bytes.
+/// The bytes before the numbers of a .npy file, format 1.0 (numpy.lib.format); a multiple of 64 bytes.
 std::string npy_head(const NpyArray& array);
 
 /// The number of code points of the longest text; at least 1.
 /// in   texts   UTF-8; bytes that are none count as U+FFFD
 std::size_t text_width(std::span<const std::string> texts);
 
-/// The type of an array of texts: "<U12".
+/// The type of an array of texts, "<U" and the width.
 std::string text_type(std::size_t width);
 
 /// An entry of an array of texts: `width` code points of four bytes, zeros behind the text.

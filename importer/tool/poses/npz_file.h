@@ -11,9 +11,9 @@
 
 namespace sinew::tool {
 
-/// An .npz file, a zip of .npy files that are not compressed, whose arrays grow side by side: shapes are known before
-/// the first number, so each array has its place in the file. Where the file or an array takes 4 GiB or more, it has
-/// the longer fields of ZIP64.
+/// An .npz file: a zip of uncompressed .npy files. All arrays are written side by side: their shapes are known before
+/// the first number, so each array has its place in the file. From 4 GiB on, the fields of ZIP64 are used.
+///
 /// cost  holds at most kHeld bytes of numbers, and the names
 class NpzFile {
  public:

@@ -34,8 +34,8 @@ class WorldArray final : public PoseWriter {
 /// - world as above.
 /// - time_s [S] float64; clip [S] int32, -1 for the rest pose; clip_name [S]; node_name [N].
 /// - weights_<node> [S, targets] float32: morph weights, for each node that has some.
-/// - node<n>_primitive<p>_vertices [V] int32: the numbers of the vertices in the file; beside it ..._positions
-///   [S, V, 3] float32, and whatever else a pose file in JSON has for them. NaN = no value.
+/// - node<n>_primitive<p>_vertices [V] int32: the numbers of the vertices in the file.
+/// - node<n>_primitive<p>_positions [S, V, 3] float32, and the other streams of a JSON pose file. NaN = no value.
 class PoseArrays final : public PoseWriter {
  public:
   PoseArrays(const Scene& scene, std::size_t samples, StreamedFile& out)

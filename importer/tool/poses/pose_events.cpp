@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace sinew::tool {
 namespace {
@@ -118,10 +118,10 @@ bool PoseEvents::enter(bool is_array) {
       levels_.push_back({.place = step->to, .is_array = is_array, .key = {}});
       return true;
     }
-    step != nullptr ? complain_of_type(*step) : read(level, {});
+    step != nullptr ? report_type(*step) : read(level, {});
   }
   if (++skipped_ <= kMostSkipped) return true;
-  complain(pointer(), fmt::format("is nested more than {} deep", kMostSkipped));
+  report(pointer(), fmt::format("is nested more than {} deep", kMostSkipped));
   return false;
 }
 
@@ -148,7 +148,7 @@ bool PoseEvents::scalar(const Scalar& value) {
     pose_.primitives.back().values[kind_].insert(pose_.primitives.back().values[kind_].end(), width(),
                                                  std::numeric_limits<double>::quiet_NaN());
   else
-    complain_of_type(*step);
+    report_type(*step);
   end_of_value();
   return true;
 }
@@ -165,10 +165,10 @@ void PoseEvents::read(const Level& level, const Scalar& value) {
       if (level.key == "time") pose_.time_s = number(value);
       if (level.key != "nonUnit") return;
       pose_.non_unit = number(value);
-      if (pose_.non_unit < 0.0) complain(pointer(), "is negative");
+      if (pose_.non_unit < 0.0) report(pointer(), "is negative");
       return;
     case Place::bits:
-      if (!value.text) return complain(pointer(), "is not a hash");
+      if (!value.text) return report(pointer(), "is not a hash");
       pose_.bits[level.key] = *value.text;
       return;
     default: read_of_pose(level, value);
@@ -223,7 +223,7 @@ void PoseEvents::begin(Place place) {
 void PoseEvents::finish(const Level& level) {
   for (std::size_t i = 0; i < std::size(kRequired); ++i)
     if (kRequired[i].place == level.place && (level.seen >> i & 1u) == 0)
-      complain(fmt::format("{}/{}", pointer(), kRequired[i].key), kRequired[i].otherwise);
+      report(fmt::format("{}/{}", pointer(), kRequired[i].key), kRequired[i].otherwise);
   if (level.place == Place::world || level.place == Place::value) finish_numbers(level.place);
   if (level.place == Place::primitive) finish_primitive();
   if (level.place == Place::sample) finish_sample();
@@ -232,11 +232,11 @@ void PoseEvents::finish(const Level& level) {
 void PoseEvents::finish_numbers(Place place) {
   if (place == Place::world) {
     auto& world = pose_.nodes.back().world;
-    if (numbers_.size() != world.size()) return complain(pointer(), "is not a matrix of 16 numbers");
+    if (numbers_.size() != world.size()) return report(pointer(), "is not a matrix of 16 numbers");
     std::copy(numbers_.begin(), numbers_.end(), world.begin());
     return;
   }
-  if (numbers_.size() != width()) return complain(pointer(), fmt::format("is not a vector of {} numbers", width()));
+  if (numbers_.size() != width()) return report(pointer(), fmt::format("is not a vector of {} numbers", width()));
   std::vector<double>& values = pose_.primitives.back().values[kind_];
   values.insert(values.end(), numbers_.begin(), numbers_.end());
 }
@@ -245,11 +245,11 @@ void PoseEvents::finish_primitive() {
   const PrimitivePose& primitive = pose_.primitives.back();
   const auto& vertices = primitive.vertices;
   if (std::adjacent_find(vertices.begin(), vertices.end(), std::greater_equal<>()) != vertices.end())
-    complain(pointer() + "/vertices", "do not increase");
+    report(pointer() + "/vertices", "do not increase");
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind)
     if ((kinds_ >> kind & 1u) != 0 && primitive.values[kind].size() != kVertexKinds[kind].width * vertices.size())
-      complain(fmt::format("{}/{}", pointer(), kVertexKinds[kind].key),
-               fmt::format("does not have one entry for each of the {} vertices", vertices.size()));
+      report(fmt::format("{}/{}", pointer(), kVertexKinds[kind].key),
+             fmt::format("does not have one entry for each of the {} vertices", vertices.size()));
 }
 
 void PoseEvents::finish_sample() {
@@ -258,7 +258,7 @@ void PoseEvents::finish_sample() {
     std::set<decltype(name(list.front()))> names;
     for (std::size_t i = 0; i < list.size(); ++i)
       if (!names.insert(name(list[i])).second)
-        complain(fmt::format("{}/{}/{}", pointer(), key, i), "repeats what an earlier entry names");
+        report(fmt::format("{}/{}/{}", pointer(), key, i), "repeats what an earlier entry names");
   };
   named_once(pose_.nodes, "nodes", [](const NodeWorld& node) { return node.node; });
   named_once(pose_.weights, "weights", [](const NodeWeights& node) { return node.node; });
@@ -279,7 +279,7 @@ void PoseEvents::summarize() {
 double PoseEvents::number(const Scalar& value) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   if (value.number && std::abs(*value.number) <= kLargest) return *value.number;
-  complain(pointer(levels_.back().place == Place::value ? 1 : 0), "is not a finite number of single precision");
+  report(pointer(levels_.back().place == Place::value ? 1 : 0), "is not a finite number of single precision");
   return 0.0;
 }
 
@@ -288,7 +288,7 @@ double PoseEvents::number(const Scalar& value) {
 double PoseEvents::rounded(const Scalar& value) { return static_cast<double>(static_cast<float>(number(value))); }
 
 std::uint32_t PoseEvents::index(const Scalar& value) {
-  if (!value.index) complain(pointer(), "is not an index");
+  if (!value.index) report(pointer(), "is not an index");
   return value.index.value_or(0);
 }
 
@@ -304,18 +304,18 @@ std::string PoseEvents::pointer(std::size_t without_last) const {
   return text;
 }
 
-void PoseEvents::complain(std::string pointer, std::string detail) {
+void PoseEvents::report(std::string pointer, std::string detail) {
   if (!issue) issue = {Severity::error, "pose-format", std::move(pointer), std::move(detail)};
 }
 
-void PoseEvents::complain_of_type(const Step& step) {
-  if (step.to == Place::document) return complain("", "a pose file is an object");
-  if (step.to == Place::bits) return complain(pointer(), "is not an object of hashes");
-  if (step.to == Place::value) return complain(pointer(), fmt::format("is not a vector of {} numbers", width()));
-  if (step.to_array) return complain(pointer(), "an array is missing here");
+void PoseEvents::report_type(const Step& step) {
+  if (step.to == Place::document) return report("", "a pose file is an object");
+  if (step.to == Place::bits) return report(pointer(), "is not an object of hashes");
+  if (step.to == Place::value) return report(pointer(), fmt::format("is not a vector of {} numbers", width()));
+  if (step.to_array) return report(pointer(), "an array is missing here");
   const auto* first = std::find_if(std::begin(kRequired), std::end(kRequired),
                                    [&](const Required& required) { return required.place == step.to; });
-  complain(fmt::format("{}/{}", pointer(), first->key), first->otherwise);
+  report(fmt::format("{}/{}", pointer(), first->key), first->otherwise);
 }
 
 }  // namespace sinew::tool

@@ -40,7 +40,7 @@ class PoseEvents {
   bool Uint64(std::uint64_t) { return false; }
   bool Double(double) { return false; }
 
-  /// The objects and arrays of a pose file. What else is in a file is skipped.
+  /// The objects and arrays of a pose file. Other members are skipped.
   enum class Place : std::uint8_t {
     file,
     document,
@@ -98,8 +98,8 @@ class PoseEvents {
   std::size_t width() const;
   void end_of_value();
   std::string pointer(std::size_t without_last = 0) const;
-  void complain(std::string pointer, std::string detail);
-  void complain_of_type(const Step& step);
+  void report(std::string pointer, std::string detail);
+  void report_type(const Step& step);
 
   const PoseSink& sink_;
   std::vector<Level> levels_{Level{}};

@@ -15,7 +15,7 @@
 
 namespace sinew::tool {
 
-/// What a pose file holds, besides the poses themselves.
+/// The facts of a pose file, without the poses themselves.
 struct PoseSummary {
   std::optional<double> extent;      ///< the model's size: the longest side of the box around its rest pose
   std::vector<std::uint32_t> clips;  ///< the clip of each entry, in the order of the file; kNone = rest pose
@@ -27,8 +27,8 @@ struct PoseSummary {
   friend bool operator==(const PoseSummary&, const PoseSummary&) = default;
 };
 
-/// Gets each pose of a file in turn, and the entry of PoseSummary::clips that it belongs to; an entry may name its clip
-/// after its poses. Returns false when it wants no more.
+/// Called with each pose of a file, and the index of its entry in PoseSummary::clips. (An entry may name its clip after
+/// its poses.) Returns false to stop.
 using PoseSink = std::function<bool(std::size_t clip_entry, const Pose& pose)>;
 
 /// Reads a pose file, .json or .json.gz, told apart by content. Unknown keys are skipped.

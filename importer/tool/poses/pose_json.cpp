@@ -5,8 +5,7 @@
 #include <iterator>
 #include <span>
 
-#include <nlohmann/json.hpp>
-
+#include "importer/tool/json.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
@@ -47,7 +46,7 @@ void PoseJson::begin_clip(std::uint32_t clip, std::string_view name) {
 
 void PoseJson::begin_sample(const Pose& pose) {
   put(text_, "{}   {{\"time\": {},\n    ", first_sample_ ? "\n" : ",\n", pose.time_s);
-  if (!pose.bits.empty()) put(text_, "\"bits\": {},\n    ", nlohmann::json(pose.bits).dump());
+  if (!pose.bits.empty()) put(text_, "\"bits\": {},\n    ", Json(pose.bits).dump());
   put(text_, "\"nodes\": [");
   first_sample_ = false;
   add_nodes(pose);

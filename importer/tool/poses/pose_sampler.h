@@ -11,7 +11,7 @@
 
 namespace sinew::tool {
 
-/// What a pose holds besides node matrices and morph weights.
+/// The parts of a pose besides node matrices and morph weights.
 struct PoseContent {
   bool linear = true;                       ///< positions, normals and tangents of skinned primitives
   bool dual_quaternion = true;              ///< dqs and dqsNormals of skinned primitives

@@ -31,7 +31,7 @@ enum class PoseFormat : std::uint8_t { json, csv, npy, npz };
 /// "json", or what the name of a file says: poses.csv, poses.npy, poses.npz.
 PoseFormat format_of_name(std::string_view file) noexcept;
 
-/// Whether a format holds deformed vertices, and not only nodes.
+/// True if a format holds deformed vertices, and not only nodes.
 bool holds_vertices(PoseFormat format) noexcept;
 
 /// in   scene, out  must outlive the writer

@@ -32,7 +32,7 @@ std::string zip64_field(std::initializer_list<std::uint64_t> numbers) {
 
 std::uint64_t version_needed(const std::string& extra) { return extra.empty() ? 20 : 45; }
 
-/// What both headers of a file in a zip say about it: version, flags, method (stored), time, checksum, sizes.
+/// The fields that both headers of a file share: version, flags, method (stored), time, checksum, sizes.
 void put_facts(std::string& out, std::uint32_t checksum, std::uint64_t size, std::size_t name_length,
                const std::string& extra) {
   constexpr std::uint64_t kFirstOfJanuary1980 = 0x21;

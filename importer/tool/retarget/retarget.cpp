@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite/carried_document.h"
 #include "importer/tool/commands.h"
-#include "importer/tool/files/output_check.h"
-#include "importer/tool/files/output_files.h"
+#include "importer/tool/files/model_output.h"
+#include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -133,24 +133,10 @@ tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, co
   return make_skeleton_map(source, target, choice);
 }
 
-/// The character's file with the clips behind its own.
-ExitCode write_character(const RetargetOptions& options, const OutputFiles& outputs, const ImportedFile& character,
-                         std::span<const Animation> added) {
-  RewriteOptions rewrite;
-  rewrite.added_animations = added;
-  rewrite.drop.insert(options.drop.begin(), options.drop.end());
-  rewrite.buffer_uri = outputs.buffer.filename().string();
-  const auto written = rewrite_gltf(character, rewrite);
-  if (!written) return refuse_rewrite(options.character, written.error());
-  for (const ImportIssue& drop : written->drops) say_issue(options.character, drop);
-  if (const ExitCode code = write_files(outputs, *written); code != ExitCode::done) return code;
-  print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
-  return ExitCode::done;
-}
-
 ExitCode retarget(const RetargetOptions& options) {
-  const auto outputs = output_files(options.out);
-  if (!outputs) return fail_with(ExitCode::wrong_usage, options.out + ": OUT must end in .glb or .gltf");
+  const ResultsToStderr redirected(is_standard_output(options.out));
+  const auto output = model_output(options.out);
+  if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   ImportOptions plain;
   plain.decode_images = plain.make_tangents = plain.make_normals = false;
   const auto clips = load_file(options.clips, plain);
@@ -161,8 +147,7 @@ ExitCode retarget(const RetargetOptions& options) {
   std::vector<std::filesystem::path> inputs = clips->facts.files;
   inputs.insert(inputs.end(), character->facts.files.begin(), character->facts.files.end());
   if (options.map) inputs.emplace_back(*options.map);
-  for (const std::filesystem::path& output : outputs->all())
-    if (const auto why = check_output_path(output, inputs)) return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto error = find_output_error(*output, inputs)) return fail_with(ExitCode::wrong_usage, *error);
 
   const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
   const auto map = map_of(options, *clips, *character);
@@ -176,56 +161,54 @@ ExitCode retarget(const RetargetOptions& options) {
                      options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
   const TwistMap twists = make_twist_map(*map, target);
   print_map(*map, twists, source, target);
-  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, twists, feet, *character));
+  const std::vector<Animation> added = retarget_clips(clips->scene, *map, twists, feet, *character);
+  RewriteOptions changes;
+  changes.added_animations = added;
+  const auto bytes = write_model(*character, options.character, std::move(changes), options.drop, *output);
+  if (!bytes) return bytes.error();
+  print_result("{}: {} bytes\n", options.out, *bytes);
+  return ExitCode::done;
 }
 
 }  // namespace
 
-void add_retarget(CLI::App& program, ExitCode& outcome) {
+Command retarget_command() {
   auto options = std::make_shared<RetargetOptions>();
-  CLI::App* command = program.add_subcommand(
+  Command command(
       "retarget",
       "Play the clips of one character on another\n"
       "Joints follow those of the same names, or those that are the same bone of a human body: by what a VRM file "
       "says, or by the names of VRM, Mixamo, Unreal, Rigify, Daz and motion capture. Each takes over how far the other "
-      "is turned from the rest pose; axes "
-      "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
-      "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
-      "their height. Twist joints of arms and legs share what hands, feet, arms and thighs are twisted. Morph targets, "
-      "and animated properties of materials, lights and cameras, follow those of equal "
-      "names.\n"
+      "is turned from the rest pose; axes and roll of bones do not matter. Arms and legs point where those of the "
+      "clips point, also where one rests with its arms out and the other with its arms down. Bones keep their lengths; "
+      "the path of the hips is scaled by their height. Twist joints of arms and legs share what hands, feet, arms and "
+      "thighs are twisted. Morph targets, and animated properties of materials, lights and cameras, follow those of "
+      "equal names.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
-      "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; "
-      "what cannot be carried is listed, and nothing is written unless --drop names it.");
-  command->add_option("CLIPS", options->clips, "A .gltf or .glb file with the clips")->required();
-  command->add_option("--onto", options->character, "A .gltf or .glb file with the character")
-      ->required()
-      ->type_name("CHARACTER");
-  command->add_option("-o,--output", options->out, "The .glb or .gltf file to write")->required()->type_name("OUT");
+      "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; what cannot be "
+      "carried is listed, and nothing is written unless --drop names it.");
+  command.argument("CLIPS", &options->clips, "A .gltf or .glb file with the clips").required();
+  command.option("--onto", "CHARACTER", &options->character, "A .gltf or .glb file with the character").required();
+  command.option("-o,--output", "OUT", &options->out, "The .glb or .gltf file to write").required();
+  command.option("--map", "FILE", &options->map,
+                 "JSON with one or both of \"joints\", which joint follows which, and is then all that is mapped,\n"
+                 "and \"translations\", RULE of a joint and all below it:\n"
+                 "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...},\n"
+                 " \"translations\": {\"joint of CHARACTER\": \"by-length\", ...}}");
+  add_drop_option(command, options->drop, "What of CHARACTER may be lost");
+  command.flag("--hold-feet", options->hold_feet,
+               "Feet that are on the ground follow those of CLIPS, and stand still where they do: hips and knees turn. "
+               "Prints how far feet slide without and with it");
   command
-      ->add_option("--map", options->map,
-                   "JSON with one or both of \"joints\", which joint follows which, and is then all that is mapped,\n"
-                   "and \"translations\", RULE of a joint and all below it:\n"
-                   "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...},\n"
-                   " \"translations\": {\"joint of CHARACTER\": \"by-length\", ...}}")
-      ->type_name("FILE");
-  command->add_option("--drop", options->drop, "What of CHARACTER may be lost: names as they are listed, or all")
-      ->delimiter(',')
-      ->type_name("NAME[,NAME...]");
-  command->add_flag("--hold-feet", options->hold_feet,
-                    "Feet that are on the ground follow those of CLIPS, and stand still where they do: hips and knees "
-                    "turn. Prints how far feet slide without and with it");
-  command
-      ->add_option(
-          "--translations", options->translations,
-          "hips-by-height: the path of the hips is scaled by their height, bones keep their length (default);\n"
-          "by-length: each joint is scaled by the length of its bone; keep: all stay where they rest")
-      ->type_name("RULE")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kTranslationRules), std::end(kTranslationRules))));
-  command->add_flag("--keep-rest", options->keep_rest,
-                    "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
-  command->callback([options, &outcome] { outcome = retarget(*options); });
+      .option("--translations", "RULE", &options->translations,
+              "hips-by-height: the path of the hips is scaled by their height, bones keep their length (default);\n"
+              "by-length: each joint is scaled by the length of its bone; keep: all stay where they rest")
+      .one_of({std::begin(kTranslationRules), std::end(kTranslationRules)});
+  command.flag("--keep-rest", options->keep_rest,
+               "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
+  command.run = [options] { return retarget(*options); };
+  return command;
 }
 
 }  // namespace sinew::tool

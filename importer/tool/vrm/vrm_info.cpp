@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/vrm/vrm_info.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "importer/tool/messages.h"
 #include "importer/visible_text.h"
 
 namespace sinew::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kLookAt[] = {"", "bones", "expressions"};
 constexpr const char* kColliders[] = {"sphere", "capsule", "plane"};
@@ -47,7 +44,7 @@ std::string quoted(const Json& name) { return in_quotes(name.get<std::string>())
 
 }  // namespace
 
-nlohmann::ordered_json vrm_json(const VrmCharacter& vrm, const Scene& scene) {
+Json vrm_json(const VrmCharacter& vrm, const Scene& scene) {
   Json out{{"version", vrm.version},
            {"name", vrm.name},
            {"authors", vrm.authors},

@@ -27,8 +27,8 @@ struct NamedFrames {
   std::unique_ptr<StoredFrames> frames;
 };
 
-/// Floats and halves; and whole numbers of a step, packed by zstd at level 19 and by the vertex codec of meshoptimizer:
-/// whole frames, and residuals of each point from going on at the velocity of the frame before.
+/// Frames as floats, as halves, and as multiples of a step. The multiples are packed by zstd at level 19 and by
+/// meshoptimizer: whole frames, or differences from a prediction by the velocity of the frame before.
 /// in   frames  at least one;   step  metres
 std::vector<NamedFrames> stored_ways(const PointFrames& frames, double step);
 

@@ -31,7 +31,7 @@ Quat<T> corrected_nlerp(const Quat<T>& q, const Quat<T>& r, T t) noexcept {
 /// sin(t a) / sin(a) as a polynomial in t^2 and y = cos(a) - 1, for a in [0, pi/4].
 /// eq   t (1 + c1 y (1 + c2 y (... (1 + m c6 y)))), c_i = (t^2 - i^2) / (i (2i + 1)): both solve the same recurrence
 ///      as the sine ratio (Eberly 2011, 2018). Six factors; m = 1.155 balances what is cut off: 4.2e-9 rad over the
-///      domain (N06).
+///      whole range of angles.
 template <class T>
 T sine_ratio(T t, T y) noexcept {
   constexpr int kFactors = 6;

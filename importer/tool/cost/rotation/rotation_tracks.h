@@ -14,8 +14,8 @@ bool is_between_keys(const QuatTrack& track);
 /// Cubic tracks that stay cubic keep their tangents; other tracks get those of the parabola through neighbouring keys.
 Animation rotations_only(const Animation& animation, Interpolation interpolation);
 
-/// A skeleton and an animation repeated side by side, as a crowd has them: with enough lanes that the time per joint is
-/// not the overhead of the call.
+/// A skeleton and an animation repeated side by side, as in a crowd. There are enough lanes that the overhead of a call
+/// does not count.
 struct Crowd {
   Skeleton skeleton;
   Animation animation;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/check_input.h"
+
+#include <cmath>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/plan/playing_layers.h"
+
+namespace sinew {
+namespace {
+
+#define RETURN_IF_REFUSED(check) \
+  if (const Refusal refusal = (check); refusal.error != ErrorCode::ok) return refusal
+
+constexpr Refusal kFine{};
+
+/// False for NaN too.
+bool is_usual(float number) noexcept { return std::abs(number) <= kLargestInput; }
+bool is_fraction(float number) noexcept { return number >= 0.0f && number <= 1.0f; }
+
+ErrorCode unusual(float number) noexcept {
+  return std::isfinite(number) ? ErrorCode::too_large : ErrorCode::not_finite;
+}
+
+/// A page of another clip with as many targets is the caller's mistake, which no frame looks for.
+bool has_size_of(const Clip& page, const Clip& clip) noexcept {
+  return page.joint_count() == clip.joint_count() && page.weight_count() == clip.weight_count() &&
+         page.property_count() == clip.property_count();
+}
+
+Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
+  const bool adds = layer.kind != LayerKind::blend;
+  if (layer.clip >= plan.assets.clips.size())
+    return {ErrorCode::index_out_of_range, "clip", "the plan was compiled for fewer clips"};
+  if (layer.page != nullptr && !has_size_of(*layer.page, plan.assets.clips[layer.clip]))
+    return {ErrorCode::wrong_page, "page"};
+  if (layer.mask != kNone && layer.mask >= plan.masks.size())
+    return {ErrorCode::index_out_of_range, "mask", "the needs have fewer masks"};
+  if (!std::isfinite(layer.time_s)) return {ErrorCode::not_finite, "time_s"};
+  if (!is_usual(layer.weight)) return {unusual(layer.weight), "weight"};
+  if (layer.weight < 0.0f) return {ErrorCode::negative_weight, "weight"};
+  if (adds && !plan.needs.additive)
+    return {ErrorCode::not_in_needs, "kind", "additive layers are not declared in the needs"};
+  if (layer.mirrored && plan.needs.mirror == nullptr)
+    return {ErrorCode::not_in_needs, "mirrored", "the needs have no mirror"};
+  return kFine;
+}
+
+Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const char* list) noexcept {
+  std::size_t blended = 0;
+  double total_weight = 0.0;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (Refusal refusal = check_layer(plan, layers[i]); refusal.error != ErrorCode::ok) {
+      refusal.list = list;
+      refusal.index = static_cast<std::uint32_t>(i);
+      return refusal;
+    }
+    if (layers[i].kind != LayerKind::blend) continue;
+    blended += layers[i].weight != 0.0f;
+    total_weight += static_cast<double>(layers[i].weight);
+  }
+  if (blended > plan.needs.max_layers)
+    return {ErrorCode::too_many_layers, nullptr, "more layers blend than the needs declare", list};
+  if (plan.sample && !plan.blend && blended > 0 && total_weight < 1.0)
+    return {ErrorCode::not_in_needs, nullptr, "a plan of one layer does not blend: the weight must be 1", list};
+  return kFine;
+}
+
+/// True if an earlier instance plays from the same source at another time.
+bool has_two_times(std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
+  for (std::size_t s = slot; s-- > 0;)
+    if (geometry[s].plays() && geometry[s].source.context == geometry[slot].source.context)
+      return !same_bits(geometry[s].time_s, geometry[slot].time_s);
+  return false;
+}
+
+Refusal check_source(const CompiledPlan& plan, std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
+  const GeometryInput& input = geometry[slot];
+  const std::uint32_t instance = plan.needs.cached_instances[slot];
+  if (!std::isfinite(input.time_s)) return {ErrorCode::not_finite, "time_s"};
+  if (!std::isfinite(input.weight)) return {ErrorCode::not_finite, "weight"};
+  if (!is_fraction(input.weight)) return {ErrorCode::not_a_fraction, "weight"};
+  if (!input.plays()) return kFine;
+  if (!input.source.has(input.source.context, instance))
+    return {ErrorCode::index_out_of_range, "source", "it has no vertices of the mesh instance"};
+  if (!plan.scene->instances[instance].copies.empty() && input.source.space == VertexSpace::scene)
+    return {ErrorCode::unsupported, "source", "it is in scene space, and the mesh instance has copies"};
+  if (has_two_times(geometry, slot)) return {ErrorCode::two_times, "time_s"};
+  return kFine;
+}
+
+Refusal check_geometry(const CompiledPlan& plan, std::span<const GeometryInput> geometry) noexcept {
+  for (std::size_t slot = 0; slot < geometry.size(); ++slot) {
+    if (!geometry[slot].source.is_there()) continue;
+    if (Refusal refusal = check_source(plan, geometry, slot); refusal.error != ErrorCode::ok) {
+      refusal.list = "geometry";
+      refusal.index = static_cast<std::uint32_t>(slot);
+      return refusal;
+    }
+  }
+  return kFine;
+}
+
+Refusal check_numbers(std::span<const float> numbers, const char* list) noexcept {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!is_usual(numbers[i])) return {unusual(numbers[i]), nullptr, nullptr, list, static_cast<std::uint32_t>(i)};
+  return kFine;
+}
+
+/// Arrays that are not empty have one entry for each of the plan's own.
+Refusal check_counts(const CompiledPlan& plan, const FrameInput& input) noexcept {
+  const auto fits = [](std::size_t count, std::size_t planned) { return count == 0 || count == planned; };
+  if (!fits(input.weights.size(), plan.rest_weights.size()))
+    return {ErrorCode::size_mismatch, nullptr, "not one for each morph weight of the scene", "weights"};
+  if (!fits(input.out_of_view.size(), plan.scene->instances.size()))
+    return {ErrorCode::size_mismatch, nullptr, "not one for each mesh instance of the scene", "out_of_view"};
+  if (!fits(input.geometry.size(), plan.needs.cached_instances.size()))
+    return {ErrorCode::size_mismatch, nullptr, "not one for each of the needs' cached instances", "geometry"};
+  return kFine;
+}
+
+Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
+  if (!is_fraction(factor)) return {ErrorCode::not_a_fraction, "interpolation_factor"};
+  if (factor != 0.0f && !plan.needs.between_updates)
+    return {ErrorCode::not_in_needs, "interpolation_factor", "the needs declare no frames between updates"};
+  return kFine;
+}
+
+Refusal check_root(const Affine& root) noexcept {
+  bool usual = true;  // without a branch per number
+  for (const glm::vec4& row : root.row)
+    usual = usual & is_usual(row.x) & is_usual(row.y) & is_usual(row.z) & is_usual(row.w);
+  if (usual) return kFine;
+  for (const glm::vec4& row : root.row)
+    for (int c = 0; c < 4; ++c)
+      if (!std::isfinite(row[c])) return {ErrorCode::not_finite, "root"};
+  return {ErrorCode::too_large, "root"};
+}
+
+}  // namespace
+
+Refusal check_input(const CompiledPlan& plan, const FrameInput& input) noexcept {
+  RETURN_IF_REFUSED(check_factor(plan, input.interpolation_factor));
+  RETURN_IF_REFUSED(check_layers(plan, input.layers, "layers"));
+  RETURN_IF_REFUSED(check_layers(plan, next_layers_of(input), "next_layers"));
+  RETURN_IF_REFUSED(check_counts(plan, input));
+  RETURN_IF_REFUSED(check_numbers(input.weights, "weights"));
+  RETURN_IF_REFUSED(check_root(input.root));
+  RETURN_IF_REFUSED(check_geometry(plan, input.geometry));
+  return kFine;
+}
+
+}  // namespace sinew

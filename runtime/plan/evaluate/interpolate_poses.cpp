@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/evaluate/interpolate_poses.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runtime/plan/evaluate/evaluate_pose.h"
+#include "runtime/pose/blend_poses.h"
+
+namespace sinew {
+namespace {
+
+/// Provides the pose of these layers in the frame's memory. Evaluates it where no earlier frame has it.
+/// in   update  0 for FrameInput::layers, 1 for FrameInput::next_layers
+void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t update,
+                    const FrameStep& step, FrameWork& work) noexcept {
+  if (!step.reuse.find_update(update, layers)) {
+    const PoseNumbers place = step.memory.of(plan.layout.updates[update]);
+    copy_pose(evaluate_pose(plan, layers, {}, step.memory, false, work), place.pose);
+    copy_numbers(step.memory.of(plan.layout.pose), place);
+  }
+  step.reuse.keep_update(update, layers);
+  work.spent_on(Stage::interpolate);
+}
+
+/// eq   out = (1 - interpolation_factor) first + interpolation_factor second
+/// in   out   has the numbers of `first` already
+void mix(const PoseNumbers& first, const PoseNumbers& second, float interpolation_factor,
+         const PoseNumbers& out) noexcept {
+  const BlendLayer shares[2] = {{first.pose, 1.0f - interpolation_factor, {}}, {second.pose, interpolation_factor, {}}};
+  const BlendPosesJob job{.layers = shares, .rest = first.pose, .pose = out.pose};
+  assert(check(job) == ErrorCode::ok);
+  run_unchecked(job);
+  blend_weights(shares, first.weights, out.weights, second.weights);
+  blend_weights(shares, first.properties, out.properties, second.properties);
+}
+
+}  // namespace
+
+PoseSpan interpolate_poses(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step,
+                           FrameWork& work) noexcept {
+  const PoseNumbers own = step.memory.of(plan.layout.pose), first = step.memory.of(plan.layout.updates[0]),
+                    second = step.memory.of(plan.layout.updates[1]);
+  provide_update(plan, input.layers, 0, step, work);
+  if (input.interpolation_factor != 0.0f) provide_update(plan, input.next_layers, 1, step, work);
+  copy_numbers(first, own);
+  if (input.interpolation_factor != 0.0f) {
+    mix(first, second, input.interpolation_factor, own);
+    work.poses_interpolated += 1;
+  }
+  if (!input.weights.empty()) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
+  work.spent_on(Stage::interpolate);
+  return input.interpolation_factor != 0.0f ? own.pose : first.pose;
+}
+
+}  // namespace sinew

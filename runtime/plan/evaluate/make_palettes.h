@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/plan/evaluate/frame_step.h"
+
+namespace sinew {
+
+/// Stages palette, split_palette and combinations. A palette that the memory has already is neither written nor split
+/// nor combined again.
+/// in   model[joints of poses];   wanted[skins]  needed by this frame; empty = all that are planned
+/// cost O(joints of the skins), no allocation. Internal to plan/
+void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std::span<const bool> wanted,
+                   const FrameStep& step, FrameWork& work) noexcept;
+
+}  // namespace sinew

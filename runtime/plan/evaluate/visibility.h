@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "runtime/plan/compiled_plan.h"
+#include "runtime/plan/frame_input.h"
+#include "runtime/plan/frame_memory.h"
+
+namespace sinew {
+
+/// Finds the hidden joints: those whose own flag is off, and all below them (KHR_node_visibility).
+/// eq   hidden[j] = off(j) or hidden[parent(j)];  off(j): the animated flag is below one half, else j is one of the
+///      scene's hidden joints
+/// in   properties[P]  of this frame; empty = no flag is animated
+/// out  hidden[J]      cost O(J + P), no allocation. Internal to plan/
+void find_hidden(const Scene& scene, std::span<const float> properties, std::span<bool> hidden) noexcept;
+
+/// Instances that a frame need not show.
+struct Visibility {
+  std::span<const bool> hidden;               ///< [joints] empty = none
+  std::span<const std::uint8_t> out_of_view;  ///< [instances] empty = none
+
+  bool is_hidden(const CompiledPlan& plan, std::size_t instance) const noexcept {
+    return !hidden.empty() && hidden[plan.scene->instances[instance].joint];
+  }
+  bool is_out_of_view(std::size_t instance) const noexcept {
+    return !out_of_view.empty() && out_of_view[instance] != 0;
+  }
+  bool is_deformed(const CompiledPlan& plan, std::size_t instance) const noexcept {
+    return !is_out_of_view(instance) && (plan.needs.hidden_meshes || !is_hidden(plan, instance));
+  }
+};
+
+/// Finds the skins that visible instances need. An instance that shows its source in full needs none, unless the needs
+/// ask for palettes.
+/// in   geometry  FrameInput::geometry;   shown[cached instances]  FrameTables::shown
+/// out  [skins] in the frame's memory
+std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
+                                      std::span<const GeometryInput> geometry, std::span<const ShownVertices> shown,
+                                      FrameMemory memory) noexcept;
+
+}  // namespace sinew

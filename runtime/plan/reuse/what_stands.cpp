@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/reuse/what_stands.h"
+
+#include <algorithm>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/plan/playing_layers.h"
+
+namespace sinew {
+namespace {
+
+using Layers = std::span<const ClipLayer>;
+
+/// As FrameTables::input_out_of_view.
+std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
+  return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
+}
+
+/// True if no clip that plays moves joints.
+bool leave_joints_at_rest(const CompiledPlan& plan, Layers layers) noexcept {
+  return std::none_of(layers.begin(), layers.end(), [&](const ClipLayer& layer) {
+    return layer.weight != 0.0f && plan.clip_tracks[layer.clip].moves_joints;
+  });
+}
+
+/// in   both_alone  plays_alone in this frame and in the last
+StandingMatrices find_standing_matrices(const CompiledPlan& plan, const FrameInput& input, Layers last_layers,
+                                        const LastInput& last, bool both_alone) noexcept {
+  if (!same_bits(input.root, last.root)) return StandingMatrices::none;
+  const bool between = input.interpolation_factor != 0.0f || last.interpolation_factor != 0.0f;
+  const bool at_rest =
+      !between && both_alone && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last_layers);
+  return at_rest || plan.moved_joints.empty() ? StandingMatrices::all : StandingMatrices::of_unmoved_joints;
+}
+
+/// As FrameTables::input_geometry.
+GeometryInput playing(const FrameTables& tables, const FrameInput& input, std::size_t slot) noexcept {
+  const bool plays =
+      !input.geometry.empty() && input.geometry[slot].plays() && out_of_view(input, tables.cached_instances[slot]) == 0;
+  return plays ? input.geometry[slot] : GeometryInput{};
+}
+
+bool had_same_geometry(const FrameTables& tables, const FrameInput& input) noexcept {
+  for (std::size_t s = 0; s < tables.input_geometry.size(); ++s)
+    if (!same_geometry(playing(tables, input, s), tables.input_geometry[s])) return false;
+  return true;
+}
+
+}  // namespace
+
+bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
+  const LastInput& last = frame.input;
+  const FrameTables& tables = frame.tables;
+  if (!last.is_known || input.asleep != last.asleep) return false;
+  if (input.asleep) return true;  // a sleeping character shows nothing, whatever its layers are
+  if (last.is_late || !had_same_geometry(tables, input)) return false;
+  if (input.layers.size() != last.layer_count || input.weights.size() != last.weight_count) return false;
+  if (!same_bits(input.interpolation_factor, last.interpolation_factor)) return false;
+  if (next_layers_of(input).size() != last.next_layer_count) return false;
+  for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
+    if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
+  return same_layers(input.layers, tables.input_layers.first(last.layer_count)) &&
+         same_layers(next_layers_of(input), tables.input_next_layers.first(last.next_layer_count)) &&
+         same_bits<float>(input.weights, tables.input_weights.first(last.weight_count)) &&
+         same_bits(input.root, last.root);
+}
+
+WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
+                            const LastFrame& before) noexcept {
+  WhatStands stands;
+  stands.all = had_same_input(last, input);
+  stands.all_since_before = &before.input == &last.input ? stands.all : had_same_input(before, input);
+  if (stands.all || input.asleep || !last.input.is_known || last.input.asleep) return stands;
+  const Layers last_layers = last.tables.input_layers.first(last.input.layer_count);
+  const bool both_alone = plays_alone(input.layers) && plays_alone(last_layers);
+  stands.matrices = find_standing_matrices(plan, input, last_layers, last.input, both_alone);
+  const std::uint32_t clip = playing_clip(input.layers);
+  stands.base_pose = both_alone && clip != kNone && clip == playing_clip(last_layers);
+  return stands;
+}
+
+void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept {
+  last.is_known = last.asleep = input.asleep;
+  last.is_late = false;
+  if (input.asleep) return;
+  const Layers next_layers = next_layers_of(input);
+  last.is_known =
+      input.layers.size() <= tables.input_layers.size() && next_layers.size() <= tables.input_next_layers.size();
+  if (!last.is_known) return;
+  last.layer_count = input.layers.size();
+  last.next_layer_count = next_layers.size();
+  last.weight_count = input.weights.size();
+  last.interpolation_factor = input.interpolation_factor;
+  last.root = input.root;
+  std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
+  std::copy(next_layers.begin(), next_layers.end(), tables.input_next_layers.begin());
+  std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
+  for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
+  for (std::size_t s = 0; s < tables.input_geometry.size(); ++s) {
+    tables.input_geometry[s] = playing(tables, input, s);
+    last.is_late |= tables.shown[s].is_late;
+  }
+}
+
+}  // namespace sinew
