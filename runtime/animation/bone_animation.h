@@ -9,6 +9,7 @@
 
 #include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
+#include "runtime/base/api.h"
 #include "runtime/math/transform.h"
 
 namespace sinew {
@@ -27,7 +28,7 @@ using Keyframe = KeyframeT<float>;
 /// The animation of one joint in authoring form: plain tracks, the *truth* that compiled clips are compared with.
 /// Translation, rotation and scale have their own key times, as in glTF. A property without a track keeps its rest
 /// value.
-class BoneAnimation {
+class SINEW_API BoneAnimation {
  public:
   std::uint32_t joint = 0;
   Vec3Track translation;
@@ -55,9 +56,9 @@ class BoneAnimation {
 };
 
 template <>
-TransformT<float> BoneAnimation::interpolate(double time_s, const TransformT<float>& rest) const noexcept;
+SINEW_API TransformT<float> BoneAnimation::interpolate(double time_s, const TransformT<float>& rest) const noexcept;
 template <>
-TransformT<double> BoneAnimation::interpolate(double time_s, const TransformT<double>& rest) const noexcept;
+SINEW_API TransformT<double> BoneAnimation::interpolate(double time_s, const TransformT<double>& rest) const noexcept;
 
 /// Morph weights of one mesh instance over time: of all its targets, or of `weights.target_count` from `first_target`
 /// on.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -16,6 +17,6 @@ namespace sinew {
 /// in   gap_s  time from the last pose to the first, usually one frame of the clip
 /// err  not_finite;  unsupported (gap_s is not positive, or too short to change the duration in float)
 /// cost O(keys), allocates
-Result<Animation> close_loop(const Animation& animation, double gap_s);
+SINEW_API Result<Animation> close_loop(const Animation& animation, double gap_s);
 
 }  // namespace sinew

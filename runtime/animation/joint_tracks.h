@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -18,17 +19,17 @@ struct JointTracks {
 
 /// Tracks of a joint. They point into the animation.
 /// cost O(animation.bones), no allocation
-JointTracks tracks_of_joint(const Animation& animation, std::uint32_t joint) noexcept;
+SINEW_API JointTracks tracks_of_joint(const Animation& animation, std::uint32_t joint) noexcept;
 
 /// Tracks of each joint. They point into the animation.
 /// in   joint_count  above every joint index in the animation
 /// out  [joint_count]
 /// cost O(animation.bones + joint_count), allocates
-std::vector<JointTracks> tracks_by_joint(const Animation& animation, std::size_t joint_count);
+SINEW_API std::vector<JointTracks> tracks_by_joint(const Animation& animation, std::size_t joint_count);
 
 /// The last entry of Animation::bones for a joint; its tracks override those of earlier entries. Appends an empty
 /// entry if the joint has none.
 /// cost O(animation.bones)
-BoneAnimation& last_bone_of(Animation& animation, std::uint32_t joint);
+SINEW_API BoneAnimation& last_bone_of(Animation& animation, std::uint32_t joint);
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/mirror_map.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -18,14 +19,14 @@ namespace sinew {
 /// in   animation     passed check();   map  of the same skeleton
 ///      first_weight  Scene::first_weight; empty = morph weights do not change
 /// cost O(keys + J), allocates
-Animation mirror_animation(const Animation& animation, const MirrorMap& map, const Skeleton& skeleton,
-                           std::span<const std::uint32_t> first_weight = {});
+SINEW_API Animation mirror_animation(const Animation& animation, const MirrorMap& map, const Skeleton& skeleton,
+                                     std::span<const std::uint32_t> first_weight = {});
 
 /// Mirrors a local transform of joint `map.joints[joint].source`; the result is the local transform of `joint`.
-Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept;
+SINEW_API Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept;
 
 /// True if the mirrored rest transform of a joint differs from its rest transform by more than rounding. This happens
 /// only if the reference pose is not the rest pose.
-bool is_moved_at_rest(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept;
+SINEW_API bool is_moved_at_rest(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept;
 
 }  // namespace sinew

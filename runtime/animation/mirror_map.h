@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -35,7 +36,7 @@ struct MirrorMap {
 };
 
 /// Number of joints whose partner is another joint.
-std::size_t paired_joints(const MirrorMap& map) noexcept;
+SINEW_API std::size_t paired_joints(const MirrorMap& map) noexcept;
 
 /// Overrides for what make_mirror_map would find by itself.
 struct MirrorOptions {
@@ -71,7 +72,7 @@ struct MirrorOptions {
 /// suggests a partner.
 /// in   reference  empty or [J], rotations unit;   pairs  in range, no joint in two of them
 /// cost O(J log J) with names, O(J^2) without; allocates
-MirrorMap make_mirror_map(const Skeleton& skeleton, const MirrorOptions& options = {});
+SINEW_API MirrorMap make_mirror_map(const Skeleton& skeleton, const MirrorOptions& options = {});
 
 /// The entry that a row copies, as index + 1, negative if the row negates it; 0 if the row is a sum of products.
 template <std::size_t kCount>

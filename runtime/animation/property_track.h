@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/animation/track.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -60,7 +61,7 @@ struct PropertyTarget {
   friend auto operator<=>(const PropertyTarget&, const PropertyTarget&) = default;
 };
 
-std::uint32_t component_count(PropertyKind kind) noexcept;
+SINEW_API std::uint32_t component_count(PropertyKind kind) noexcept;
 inline bool is_flag(PropertyKind kind) noexcept { return kind == PropertyKind::node_visible; }
 
 /// A property over time. Its components are interpolated one by one, also those of angles and colours. Flags use step
@@ -71,7 +72,7 @@ struct PropertyTrack {
 };
 
 /// The position of each animated property in the flat array of all property values of a scene.
-struct PropertyTable {
+struct SINEW_API PropertyTable {
   struct Entry {
     PropertyTarget target;
     std::uint32_t first = 0, count = 0;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/index.h"
 #include "runtime/math/transform.h"
 
@@ -14,7 +15,7 @@ namespace sinew {
 /// The node hierarchy of a scene. Every node is a *joint*, since glTF puts meshes, cameras and plain nodes between
 /// bones; a skin lists the joints that it uses. Joints are in breadth-first order: parents come before children, and
 /// the joints of one depth are contiguous.
-struct Skeleton {
+struct SINEW_API Skeleton {
   std::vector<std::uint32_t> parents;          ///< [J] parents[j] < j, kNone for a root
   std::vector<Transform> rest;                 ///< [J] local transform without a clip; rotations are unit
   std::vector<Affine> fixed_matrices;          ///< local matrices of nodes that have a matrix instead of T, R and S
@@ -33,7 +34,7 @@ struct Skeleton {
 /// A mask for layers that move one limb: `weight` for the joint and all below it, 0 for the other joints
 /// (Needs::masks).
 /// out  [J]     cost O(J), allocates
-std::vector<float> mask_below(const Skeleton& skeleton, std::uint32_t joint, float weight = 1.0f);
+SINEW_API std::vector<float> mask_below(const Skeleton& skeleton, std::uint32_t joint, float weight = 1.0f);
 
 /// Assigns a joint to a bone of the human body, by the bone's name in VRM 1.0 ("hips", "leftThumbProximal").
 struct NamedBone {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -13,6 +14,6 @@ namespace sinew {
 /// eq   checksum (base/checksum.h) of 32-bit little-endian numbers and bytes: the number of joints, then of each joint
 ///      its parent (2^32 - 1 for a root), the length of its name, and its name
 /// cost O(bytes of names + joints), allocates temporary memory of that size
-std::uint64_t skeleton_signature(const Skeleton& skeleton);
+SINEW_API std::uint64_t skeleton_signature(const Skeleton& skeleton);
 
 }  // namespace sinew

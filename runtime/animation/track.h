@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/math/conventions.h"
 
@@ -57,8 +58,8 @@ inline bool is_unit(const glm::quat& q) noexcept {
 /// err  too_few_keys, size_mismatch, not_finite, times_not_increasing (negative or decreasing times), not_normalised
 ///      (rotations), unsupported (squad for a track that has no rotations, or an unknown interpolation)
 /// cost O(K)
-ErrorCode check(const Vec3Track& track) noexcept;
-ErrorCode check(const QuatTrack& track) noexcept;
-ErrorCode check(const WeightTrack& track) noexcept;
+SINEW_API ErrorCode check(const Vec3Track& track) noexcept;
+SINEW_API ErrorCode check(const QuatTrack& track) noexcept;
+SINEW_API ErrorCode check(const WeightTrack& track) noexcept;
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
@@ -22,9 +23,9 @@ struct TruthPose {
 
 /// Local transforms and model matrices at one time. Joints without tracks have their rest transform.
 /// cost O(tracks log keys + J), allocates if `out` is smaller than the skeleton
-void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out);
+SINEW_API void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out);
 
 /// eq   M[j] = M[parent(j)] * T(j) * R(j) * S(j), or the joint's fixed matrix      out  model[J]
-void model_from_local(const Skeleton& skeleton, std::span<const Transformd> local, std::span<Affined> model);
+SINEW_API void model_from_local(const Skeleton& skeleton, std::span<const Transformd> local, std::span<Affined> model);
 
 }  // namespace sinew

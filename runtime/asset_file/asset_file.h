@@ -9,6 +9,8 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
+
 namespace sinew {
 
 /// Content of a block of an asset file.
@@ -24,7 +26,7 @@ enum class AssetKind : std::uint32_t {
 };
 
 /// The name of the enumerator, as "page_keys"; empty for unknown kinds.
-std::string_view name_of(AssetKind kind) noexcept;
+SINEW_API std::string_view name_of(AssetKind kind) noexcept;
 
 /// Why an asset file is refused: the broken rule, where it was found, and a sentence.
 ///
@@ -45,7 +47,7 @@ struct AssetFileError {
 };
 
 /// One line for logs: "asset-checksum in block model, byte 0: ...".
-std::string describe(const AssetFileError& error);
+SINEW_API std::string describe(const AssetFileError& error);
 
 /// An entry of the table of blocks.
 struct AssetBlock {
@@ -69,7 +71,7 @@ struct AssetBlock {
 /// A block is read on demand (read_assets.h). Blocks of unknown kinds are ignored, so that later versions may add
 /// kinds.
 /// owns  the table; the file must outlive it and the results of `bytes_of`
-class AssetFile {
+class SINEW_API AssetFile {
  public:
   /// Any bytes may be passed.
   /// err   AssetFileError; unknown blocks are no error
@@ -107,7 +109,7 @@ class AssetFile {
 };
 
 /// True if the bytes start with the magic of asset files.
-bool looks_like_asset_file(std::span<const std::byte> start) noexcept;
+SINEW_API bool looks_like_asset_file(std::span<const std::byte> start) noexcept;
 
 inline constexpr std::uint32_t kAssetFileVersion = 1;
 inline constexpr std::uint32_t kAssetBlockVersion = 2;  ///< same for all kinds

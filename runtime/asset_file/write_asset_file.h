@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/model/skeleton_lod.h"
 
@@ -29,6 +30,6 @@ struct AssetFileOptions {
 /// for small files replace them by those of compile_clip_within, and leave `animations` as the authoring form.
 /// in    scene  must have passed check(Scene)
 /// cost  O(bytes), allocates about twice the size of the file
-std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptions& options = {});
+SINEW_API std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptions& options = {});
 
 }  // namespace sinew

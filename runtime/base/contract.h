@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -21,10 +22,10 @@ using ContractHandler = void (*)(const BrokenContract& broken);
 /// in   handler  may be called on any thread that uses the library, on several at the same time
 /// out  the previous handler, nullptr = the default
 /// Safe to call from any thread at any time: the handler is swapped atomically.
-ContractHandler set_contract_handler(ContractHandler handler) noexcept;
+SINEW_API ContractHandler set_contract_handler(ContractHandler handler) noexcept;
 
 namespace detail {
-[[noreturn]] void contract_failed(const char* condition, const char* file, int line) noexcept;
+[[noreturn]] SINEW_API void contract_failed(const char* condition, const char* file, int line) noexcept;
 }  // namespace detail
 
 }  // namespace sinew

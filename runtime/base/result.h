@@ -7,6 +7,8 @@ template <class T, class E>
 class expected;
 }
 
+#include "runtime/base/api.h"
+
 namespace sinew {
 
 /// Error codes of the runtime, for bad *calls*: wrong sizes, indices or orders in buffers, and NaN. Each has one cause;
@@ -39,7 +41,7 @@ enum class ErrorCode {
 };
 
 /// One sentence per code, for logs.
-std::string_view describe(ErrorCode code) noexcept;
+SINEW_API std::string_view describe(ErrorCode code) noexcept;
 
 /// A value or an ErrorCode. Headers whose functions answer one include <tl/expected.hpp>.
 template <class T>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
 
@@ -12,12 +13,13 @@ typedef struct sinew_clip_block sinew_clip_block;
 
 /// Saves clips [first_clip, first_clip + clip_count) of the scene.
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE, SINEW_OUT_OF_MEMORY
-sinew_error sinew_clips_save(const sinew_scene* scene, uint32_t first_clip, size_t clip_count, sinew_clip_block** out);
-sinew_flags sinew_clip_block_bytes(const sinew_clip_block* block);
-void sinew_clip_block_destroy(sinew_clip_block* block);
+SINEW_API sinew_error sinew_clips_save(const sinew_scene* scene, uint32_t first_clip, size_t clip_count,
+                                       sinew_clip_block** out);
+SINEW_API sinew_flags sinew_clip_block_bytes(const sinew_clip_block* block);
+SINEW_API void sinew_clip_block_destroy(sinew_clip_block* block);
 
 /// 1 if the bytes begin as saved clips do.
-int sinew_looks_like_clips(const void* bytes, size_t byte_count);
+SINEW_API int sinew_looks_like_clips(const void* bytes, size_t byte_count);
 
 /// Replaces the scene's clips from `first_clip` on by saved clips, for example by clips that were packed within an
 /// error budget offline. They give the same bits as the clips that were saved. The bytes may be damaged or of another
@@ -28,8 +30,8 @@ int sinew_looks_like_clips(const void* bytes, size_t byte_count);
 /// than
 ///      the scene has from first_clip on), SINEW_SIZE_MISMATCH (clips of other joints, morph weights or properties),
 ///      SINEW_OUT_OF_MEMORY. After an error the scene is as before.
-sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void* bytes, size_t byte_count,
-                             sinew_messages** messages);
+SINEW_API sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void* bytes, size_t byte_count,
+                                       sinew_messages** messages);
 
 /// Boxes that hold the mesh instances at every time of a clip that plays alone and in full, known before any pose is.
 /// Test them against the view, then leave out what is not seen (sinew_frame_input: out_of_view, asleep).
@@ -41,8 +43,8 @@ sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_SIZE_MISMATCH (capacity below the instances),
 ///      what sinew_plan_create answers of needs
 /// cost O(keys * joints + vertices), of asset files that hold boxes O(instances); allocates
-sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, uint32_t clip, sinew_box* boxes,
-                              size_t capacity, size_t* count);
+SINEW_API sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, uint32_t clip,
+                                        sinew_box* boxes, size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

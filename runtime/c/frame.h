@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/plan.h"
 
 #ifdef __cplusplus
@@ -63,19 +64,19 @@ typedef struct sinew_frame_input {
 } sinew_frame_input;
 
 /// No layers, root identity, interpolation factor 0; struct_size is set.
-sinew_frame_input sinew_default_input(void);
+SINEW_API sinew_frame_input sinew_default_input(void);
 
 /// All memory of one character. Frames run into it and allocate nothing.
 typedef struct sinew_frame sinew_frame;
 
 /// in   plan  must outlive the frame;   allocator  null = operator new; copied. Asked once, for sinew_plan_frame_bytes
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
-sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
+SINEW_API sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
 /// The same in the caller's block, of at least sinew_plan_frame_bytes at a multiple of SINEW_FRAME_ALIGNMENT, which
 /// must outlive the frame.
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
-sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
-void sinew_frame_destroy(sinew_frame* frame);
+SINEW_API sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
+SINEW_API void sinew_frame_destroy(sinew_frame* frame);
 
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
@@ -86,20 +87,20 @@ void sinew_frame_destroy(sinew_frame* frame);
 ///      layer; a source in scene space for an instance with copies), SINEW_NOT_IN_NEEDS (the plan has no mirror, no
 ///      additive layers, no frames between updates, or one layer and so no weight below 1). Afterwards the last good
 ///      frame is still there.
-sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
+SINEW_API sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the next
 /// character before this one runs.
-void sinew_frame_prefetch(const sinew_frame* frame);
+SINEW_API void sinew_frame_prefetch(const sinew_frame* frame);
 
 /// 1 = runs write vertices past the caches. Worth it for results that no code reads soon: a crowd larger than the
 /// caches, or memory that the GPU reads. The bits are the same.
-void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
+SINEW_API void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
 
 /// The result of a frame. It belongs to the frame or the jobs that answered it. Its spans are valid until they run
 /// again.
 typedef struct sinew_result sinew_result;
-const sinew_result* sinew_frame_result(const sinew_frame* frame);
+SINEW_API const sinew_result* sinew_frame_result(const sinew_frame* frame);
 
 typedef struct sinew_result_info {
   size_t struct_size;
@@ -111,18 +112,18 @@ typedef struct sinew_result_info {
   sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
   size_t instance_count, shape_count;
 } sinew_result_info;
-sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
+SINEW_API sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
 
 /// World matrix of any joint of the scene, also of one that the plan's skeleton LOD leaves out: a socket for what the
 /// character carries.
 /// in   result  of a frame of the plan;   offset  from the joint, applied first; null = none
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (joint), SINEW_UNSUPPORTED (the result has no joints: not asked
 ///      for, or asleep), SINEW_SIZE_MISMATCH (a result of another plan)
-sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, uint32_t joint,
-                           const sinew_affine* offset, sinew_affine* out);
+SINEW_API sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, uint32_t joint,
+                                     const sinew_affine* offset, sinew_affine* out);
 
 /// Skinning matrices of a skin, columns of four; empty unless asked for and used by a mesh that is shown.
-sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin);
+SINEW_API sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin);
 
 typedef struct sinew_instance_result {
   size_t struct_size;
@@ -134,7 +135,8 @@ typedef struct sinew_instance_result {
   uint32_t from_cache;           ///< 1: vertices are those of its source, in part or in full
   uint32_t late;                 ///< 1: the source had not what was asked for; its newest frame is shown, or the pose
 } sinew_instance_result;
-sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance, sinew_instance_result* out);
+SINEW_API sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance,
+                                                sinew_instance_result* out);
 
 /// Deformed vertices of one primitive of one instance. Empty spans: use the primitive's own.
 typedef struct sinew_shape {
@@ -145,7 +147,7 @@ typedef struct sinew_shape {
   uint64_t since_frame;  ///< vertices are bit-identical since this frame: skip the upload if yours are as new.
                          ///< 0 = nothing to upload
 } sinew_shape;
-sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
+SINEW_API sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/frame.h"
 
 #ifdef __cplusplus
@@ -26,18 +27,18 @@ typedef struct sinew_jobs_options {
   uint32_t frame_buffers;     ///< of each character, 3 or 2. With 2 submit answers SINEW_BUSY until the frame before is
                               ///< finished and sinew_jobs_latest has taken its result of every character
 } sinew_jobs_options;
-sinew_jobs_options sinew_default_jobs_options(void);
+SINEW_API sinew_jobs_options sinew_default_jobs_options(void);
 
 /// in   options  null = the defaults; copied, what its pointers name must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (frame_buffers), SINEW_OUT_OF_MEMORY
-sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
+SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
 /// Finishes the frame in flight. Without a thread of its own: drops what was not taken; tasks that were taken must have
 /// been run.
-void sinew_jobs_destroy(sinew_jobs* jobs);
+SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 
 /// in   plan  must outlive the jobs. Waits for frames in flight and queued.
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
-sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
+SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
 
 /// Queues one frame: inputs[c] is what character c shows; copied. All inputs have the same struct_size, which is how
 /// far they are apart.
@@ -45,14 +46,15 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, u
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
 ///      weights), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer), SINEW_NOT_IN_NEEDS (interpolation),
 ///      SINEW_BUSY
-sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count, uint64_t* ticket);
-int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
+SINEW_API sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count,
+                                        uint64_t* ticket);
+SINEW_API int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
 /// in   ticket  that was answered by submit
-sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
+SINEW_API sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
 
 /// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
 /// Answers 1 if there was something to run.
-int sinew_jobs_poll(sinew_jobs* jobs);
+SINEW_API int sinew_jobs_poll(sinew_jobs* jobs);
 
 /// One run of characters of a frame: a value that may be handed to any thread or fibre. Its inside is the library's.
 typedef struct sinew_task {
@@ -61,13 +63,13 @@ typedef struct sinew_task {
 
 /// Without a thread of its own: the next task of the frame that was submitted. Answers 1, or 0 while there is none.
 /// Each task is run once; the one that ends last finishes the frame. From any thread.
-int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task);
-void sinew_task_run(const sinew_task* task);
+SINEW_API int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task);
+SINEW_API void sinew_task_run(const sinew_task* task);
 
 /// Newest finished frame of a character, unchanged until asked for again; null before the first.
-const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, uint32_t character);
+SINEW_API const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, uint32_t character);
 /// First error of the last finished frame. A character that failed keeps showing its last good frame.
-sinew_error sinew_jobs_last_error(const sinew_jobs* jobs);
+SINEW_API sinew_error sinew_jobs_last_error(const sinew_jobs* jobs);
 
 #ifdef __cplusplus
 }

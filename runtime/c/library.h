@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
 
@@ -20,8 +21,8 @@ typedef enum sinew_if_unbound {
 /// An empty library.
 /// in   scene  gives the skeleton; it may go afterwards
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints), allocates
-sinew_error sinew_library_create(const sinew_scene* scene, sinew_library** out);
-void sinew_library_destroy(sinew_library* library);
+SINEW_API sinew_error sinew_library_create(const sinew_scene* scene, sinew_library** out);
+SINEW_API void sinew_library_destroy(sinew_library* library);
 
 /// Adds all clips of a scene, in their order. The library shares them, so that the scene may go.
 /// in   if_unbound  sinew_if_unbound
@@ -30,23 +31,24 @@ void sinew_library_destroy(sinew_library* library);
 /// err  SINEW_NULL_ARGUMENT, SINEW_UNSUPPORTED (if_unbound), SINEW_UNBOUND, SINEW_OUT_OF_MEMORY. After an error the
 ///      library is as before.
 /// cost O(names + clips * (joints + weights + properties)), allocates
-sinew_error sinew_library_add(sinew_library* library, const sinew_scene* scene, uint32_t if_unbound,
-                              sinew_messages** unbound);
+SINEW_API sinew_error sinew_library_add(sinew_library* library, const sinew_scene* scene, uint32_t if_unbound,
+                                        sinew_messages** unbound);
 
 // Indices keep their clips as the library grows. An index out of range answers an empty string, 0 or SINEW_NONE.
-size_t sinew_library_clip_count(const sinew_library* library);
-sinew_string sinew_library_clip_name(const sinew_library* library, uint32_t clip);
-double sinew_library_clip_duration_s(const sinew_library* library, uint32_t clip);
+SINEW_API size_t sinew_library_clip_count(const sinew_library* library);
+SINEW_API sinew_string sinew_library_clip_name(const sinew_library* library, uint32_t clip);
+SINEW_API double sinew_library_clip_duration_s(const sinew_library* library, uint32_t clip);
 /// The one clip of that name; SINEW_NONE where there is none, and where there are several.
-uint32_t sinew_library_find(const sinew_library* library, const char* name);
+SINEW_API uint32_t sinew_library_find(const sinew_library* library, const char* name);
 
 /// sinew_plan_create for the clips of a library in place of the scene's own: sinew_layer.clip is an index into the
 /// library as it is now. Morph weights and properties bind to the scene by name.
 /// in   library  may go, or grow, afterwards;   scene  must outlive the plan
 /// out  unbound  as in sinew_library_add; names that only other outfits have are listed, too
 /// err  as sinew_plan_create
-sinew_error sinew_plan_create_from_library(const sinew_scene* scene, const sinew_library* library,
-                                           const sinew_needs* needs, sinew_messages** unbound, sinew_plan** out);
+SINEW_API sinew_error sinew_plan_create_from_library(const sinew_scene* scene, const sinew_library* library,
+                                                     const sinew_needs* needs, sinew_messages** unbound,
+                                                     sinew_plan** out);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/pose.h"
 
@@ -13,8 +14,8 @@ extern "C" {
 
 /// in   scene  may go afterwards
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints log joints), without names O(joints^2); allocates
-sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
-void sinew_mirror_destroy(sinew_mirror* mirror);
+SINEW_API sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
+SINEW_API void sinew_mirror_destroy(sinew_mirror* mirror);
 
 typedef struct sinew_mirror_info {
   size_t struct_size;
@@ -24,13 +25,13 @@ typedef struct sinew_mirror_info {
   sinew_indices unpaired;   ///< rising: joints without a partner though their name or place asks for one
 } sinew_mirror_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
-sinew_error sinew_get_mirror(const sinew_mirror* mirror, sinew_mirror_info* out);
+SINEW_API sinew_error sinew_get_mirror(const sinew_mirror* mirror, sinew_mirror_info* out);
 
 /// The mirrored pose: each joint gets what its partner has, reflected.
 /// in   pose  of the mirror's scene
 /// out  mirrored  of the same size; must not overlap
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost O(joints), no allocation
-sinew_error sinew_mirror_pose(const sinew_mirror* mirror, const sinew_pose* pose, const sinew_pose* mirrored);
+SINEW_API sinew_error sinew_mirror_pose(const sinew_mirror* mirror, const sinew_pose* pose, const sinew_pose* mirrored);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/scene.h"
@@ -32,7 +33,7 @@ typedef struct sinew_page_window {
   const sinew_plan* plan;  ///< with a skeleton LOD: pages are for frames of it and of plans with the same one; may go
                            ///< afterwards. Null = for plans of all joints
 } sinew_page_window;
-sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop, all joints
+SINEW_API sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop, all joints
 
 /// in   scene       may go afterwards; its clip has the first keys
 ///      page_s, page_count  of sinew_page_table
@@ -40,33 +41,34 @@ sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop, a
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_UNSUPPORTED (no pages, a
 ///      length that is no time, a window of fewer than 2), SINEW_SIZE_MISMATCH (a plan of another scene),
 ///      SINEW_OUT_OF_MEMORY
-sinew_error sinew_paged_clip_create(const sinew_scene* scene, uint32_t clip, double page_s, size_t page_count,
-                                    const sinew_page_window* window, sinew_paged_clip** out);
-void sinew_paged_clip_destroy(sinew_paged_clip* paged);
+SINEW_API sinew_error sinew_paged_clip_create(const sinew_scene* scene, uint32_t clip, double page_s, size_t page_count,
+                                              const sinew_page_window* window, sinew_paged_clip** out);
+SINEW_API void sinew_paged_clip_destroy(sinew_paged_clip* paged);
 
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
-sinew_error sinew_page_create(sinew_page** out);
-void sinew_page_destroy(sinew_page* page);
-double sinew_page_time_s(const sinew_page* page);  ///< for the layer: the time asked for, or the nearest that is loaded
-int sinew_page_is_missing(const sinew_page* page);  ///< 1 = the page of that time is not loaded yet
+SINEW_API sinew_error sinew_page_create(sinew_page** out);
+SINEW_API void sinew_page_destroy(sinew_page* page);
+SINEW_API double sinew_page_time_s(
+    const sinew_page* page);  ///< for the layer: the time asked for, or the nearest that is loaded
+SINEW_API int sinew_page_is_missing(const sinew_page* page);  ///< 1 = the page of that time is not loaded yet
 
 /// Finds the loaded page that is nearest to a time, and moves the window of pages there.
 /// in   backwards  1 = the pages before this one are needed next
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE;  cost O(window), a lock that loaders hold for as long; allocates nothing
-sinew_error sinew_paged_clip_at(sinew_paged_clip* paged, double time_s, uint32_t backwards, sinew_page* page);
+SINEW_API sinew_error sinew_paged_clip_at(sinew_paged_clip* paged, double time_s, uint32_t backwards, sinew_page* page);
 
 /// The most urgent page that is not loaded; 0: all of the window are.
-int sinew_paged_clip_next_page(const sinew_paged_clip* paged, size_t* page);
+SINEW_API int sinew_paged_clip_next_page(const sinew_paged_clip* paged, size_t* page);
 
 /// Takes a page, if the window still has it.
 /// out  taken     1 = it was taken; may be null
 ///      messages  owned by the caller, why the bytes were refused; may be null. Given for SINEW_BAD_FILE only
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (page), SINEW_BAD_FILE (damaged, another page, another clip),
 ///      SINEW_OUT_OF_MEMORY;  cost O(bytes), allocates the page
-sinew_error sinew_paged_clip_load_page(sinew_paged_clip* paged, size_t page, const void* bytes, size_t byte_count,
-                                       int* taken, sinew_messages** messages);
-size_t sinew_paged_clip_loaded_pages(const sinew_paged_clip* paged);
-size_t sinew_paged_clip_loaded_bytes(const sinew_paged_clip* paged);
+SINEW_API sinew_error sinew_paged_clip_load_page(sinew_paged_clip* paged, size_t page, const void* bytes,
+                                                 size_t byte_count, int* taken, sinew_messages** messages);
+SINEW_API size_t sinew_paged_clip_loaded_pages(const sinew_paged_clip* paged);
+SINEW_API size_t sinew_paged_clip_loaded_bytes(const sinew_paged_clip* paged);
 
 #ifdef __cplusplus
 }

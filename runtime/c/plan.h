@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/scene.h"
 
 #ifdef __cplusplus
@@ -53,7 +54,7 @@ typedef struct sinew_needs {
 
 /// Everything but bounds, palettes, hidden meshes, adding layers and poses between updates; 4 layers of each kind;
 /// linear skinning; all joints; struct_size is set.
-sinew_needs sinew_default_needs(void);
+SINEW_API sinew_needs sinew_default_needs(void);
 
 /// The stages that a scene needs. Shared by all characters that show the scene.
 typedef struct sinew_plan sinew_plan;
@@ -64,12 +65,12 @@ typedef struct sinew_plan sinew_plan;
 ///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD or
 ///      mirror of another scene), SINEW_OUT_OF_MEMORY
 /// cost O(size of the scene); memory of operator new, which an engine may replace
-sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
+SINEW_API sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
 /// Frame buffers, jobs and inputs of the plan must be gone.
-void sinew_plan_destroy(sinew_plan* plan);
+SINEW_API void sinew_plan_destroy(sinew_plan* plan);
 
 /// Memory of one frame buffer of the plan, all told, and how it is aligned.
-size_t sinew_plan_frame_bytes(const sinew_plan* plan);
+SINEW_API size_t sinew_plan_frame_bytes(const sinew_plan* plan);
 #define SINEW_FRAME_ALIGNMENT 64
 
 /// One stage of the plan, with the reason why it runs or is left out.
@@ -81,9 +82,9 @@ typedef struct sinew_stage {
   uint32_t runs;   ///< 1 or 0
 } sinew_stage;
 
-size_t sinew_stage_count(const sinew_plan* plan);
+SINEW_API size_t sinew_stage_count(const sinew_plan* plan);
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
-sinew_error sinew_get_stage(const sinew_plan* plan, uint32_t stage, sinew_stage* out);
+SINEW_API sinew_error sinew_get_stage(const sinew_plan* plan, uint32_t stage, sinew_stage* out);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/types.h"
 
 #ifdef __cplusplus
@@ -25,24 +26,24 @@ typedef struct sinew_step {
 
 /// in   duration_s >= 0, speed finite;   mode  sinew_play_mode
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_UNSUPPORTED (mode)
-sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, uint32_t mode, double speed);
+SINEW_API sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, uint32_t mode, double speed);
 
 /// Moves on by `dt_s` of the world's time.
 /// out  step  what was played; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE
-sinew_error sinew_clock_advance(sinew_clock* clock, double dt_s, sinew_step* step);
-sinew_error sinew_clock_seek(sinew_clock* clock, double time_s);  ///< clamped to the clip
-sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed);
-double sinew_clock_time_s(const sinew_clock* clock);  ///< for sinew_layer
-int64_t sinew_clock_rounds(const sinew_clock* clock);
-int sinew_clock_finished(const sinew_clock* clock);
+SINEW_API sinew_error sinew_clock_advance(sinew_clock* clock, double dt_s, sinew_step* step);
+SINEW_API sinew_error sinew_clock_seek(sinew_clock* clock, double time_s);  ///< clamped to the clip
+SINEW_API sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed);
+SINEW_API double sinew_clock_time_s(const sinew_clock* clock);  ///< for sinew_layer
+SINEW_API int64_t sinew_clock_rounds(const sinew_clock* clock);
+SINEW_API int sinew_clock_finished(const sinew_clock* clock);
 
 /// The events that a step crosses, in the order of play, once per crossing.
 /// in   event_times_s[event_count]  rising, within the clip
 /// out  events[capacity]  indices of events; what does not fit is left out
 /// Answers how many were crossed, which may be more than `capacity`.
-size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, size_t event_count, uint32_t* events,
-                            size_t capacity);
+SINEW_API size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, size_t event_count,
+                                      uint32_t* events, size_t capacity);
 
 #ifdef __cplusplus
 }

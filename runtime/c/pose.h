@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/scene.h"
 
 #ifdef __cplusplus
@@ -15,7 +16,7 @@ typedef struct sinew_pose {
 #define SINEW_POSE_ALIGNMENT 64
 
 /// Floats that the planes of a pose take.
-size_t sinew_pose_floats(size_t joint_count);
+SINEW_API size_t sinew_pose_floats(size_t joint_count);
 
 /// A transform against the parent joint: scale first, then rotation, then translation.
 typedef struct sinew_transform {
@@ -28,23 +29,23 @@ typedef struct sinew_transform {
 // number of joints than the scene or are not aligned. None allocates.
 
 /// err  SINEW_INDEX_OUT_OF_RANGE
-sinew_error sinew_pose_get(const sinew_pose* pose, uint32_t joint, sinew_transform* out);
+SINEW_API sinew_error sinew_pose_get(const sinew_pose* pose, uint32_t joint, sinew_transform* out);
 /// in   transform  finite, rotation unit;   err  SINEW_INDEX_OUT_OF_RANGE, SINEW_NOT_FINITE
-sinew_error sinew_pose_set(const sinew_pose* pose, uint32_t joint, const sinew_transform* transform);
+SINEW_API sinew_error sinew_pose_set(const sinew_pose* pose, uint32_t joint, const sinew_transform* transform);
 
 /// The pose without a clip.
-sinew_error sinew_pose_rest(const sinew_scene* scene, const sinew_pose* out);
+SINEW_API sinew_error sinew_pose_rest(const sinew_scene* scene, const sinew_pose* out);
 
 /// A clip of the scene at a time; times outside of the clip clamp.
 /// err  SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_NOT_FINITE (time)
-sinew_error sinew_pose_sample(const sinew_scene* scene, uint32_t clip, double time_s, const sinew_pose* out);
+SINEW_API sinew_error sinew_pose_sample(const sinew_scene* scene, uint32_t clip, double time_s, const sinew_pose* out);
 
 /// World matrices of all joints.
 /// in   root  placed above all root joints; null = identity
 /// out  model[capacity]
 /// err  SINEW_SIZE_MISMATCH (capacity below the joints)
-sinew_error sinew_pose_to_model(const sinew_scene* scene, const sinew_pose* pose, const sinew_affine* root,
-                                sinew_affine* model, size_t capacity);
+SINEW_API sinew_error sinew_pose_to_model(const sinew_scene* scene, const sinew_pose* pose, const sinew_affine* root,
+                                          sinew_affine* model, size_t capacity);
 
 #ifdef __cplusplus
 }

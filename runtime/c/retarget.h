@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/library.h"
 #include "runtime/c/pose.h"
 
@@ -51,9 +52,9 @@ typedef struct sinew_skeleton_map_options {
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (pairs, chains), SINEW_OUT_OF_MEMORY,
 ///      SINEW_UNSUPPORTED (limbs, a rule, a joint of the target in two pairs or two chains)
 /// cost O(joints log joints), allocates
-sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
-                                      const sinew_skeleton_map_options* options, sinew_skeleton_map** out);
-void sinew_skeleton_map_destroy(sinew_skeleton_map* map);
+SINEW_API sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
+                                                const sinew_skeleton_map_options* options, sinew_skeleton_map** out);
+SINEW_API void sinew_skeleton_map_destroy(sinew_skeleton_map* map);
 
 typedef struct sinew_skeleton_map_info {
   size_t struct_size;
@@ -65,15 +66,15 @@ typedef struct sinew_skeleton_map_info {
   uint32_t twist_count;  ///< joints of the target that no joint moves, and that share the twist of arms and legs
 } sinew_skeleton_map_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
-sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
+SINEW_API sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
 
 /// A pose of the source on the target. Its twist joints share what hands, feet, upper arms and thighs are twisted.
 /// in   pose  of the source
 /// out  scratch     of the source; what it holds afterwards is of no use. Must not overlap `pose`
 ///      retargeted  of the target; must not overlap the others
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost O(joints), no allocation
-sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose, const sinew_pose* scratch,
-                                const sinew_pose* retargeted);
+SINEW_API sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose,
+                                          const sinew_pose* scratch, const sinew_pose* retargeted);
 
 /// Holds the feet of a retargeted pose. A foot on the ground follows the path of the source's foot, scaled by the ratio
 /// of heights. It stands still while the source's foot stands still. Thighs and shanks turn; hips come down where legs
@@ -82,12 +83,12 @@ sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose*
 ///      pose      of the source
 ///      held      what sinew_retarget_pose answered for it; changed in place
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH, SINEW_NOT_FINITE;   cost O(joints of legs), no allocation
-sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,
-                            const sinew_pose* held);
+SINEW_API sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,
+                                      const sinew_pose* held);
 
 /// Height of the ground of a clip of the source, above that on which the rest pose stands.
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE, SINEW_OUT_OF_MEMORY;   cost O(duration * joints), allocates
-sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
+SINEW_API sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
 
 /// Adds a clip of the source to a library as a clip of the target, key by key where joints follow one other joint.
 /// Morph targets follow morph targets of equal names, on any mesh. Properties follow properties of equal names, if
@@ -97,8 +98,8 @@ sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, floa
 ///      if_unbound, unbound  as in sinew_library_add
 /// err  SINEW_INDEX_OUT_OF_RANGE (clip), and as sinew_library_add
 /// cost O(keys * joints), with held feet O(duration * joints); allocates
-sinew_error sinew_library_add_retargeted(sinew_library* library, const sinew_skeleton_map* map, uint32_t clip,
-                                         uint32_t hold_feet, uint32_t if_unbound, sinew_messages** unbound);
+SINEW_API sinew_error sinew_library_add_retargeted(sinew_library* library, const sinew_skeleton_map* map, uint32_t clip,
+                                                   uint32_t hold_feet, uint32_t if_unbound, sinew_messages** unbound);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/library.h"
 #include "runtime/c/playback.h"
 #include "runtime/c/scene.h"
@@ -14,10 +15,11 @@ typedef struct sinew_dual_quat {
 } sinew_dual_quat;
 
 // Null stands for the identity.
-sinew_dual_quat sinew_dual_quat_identity(void);
-sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a, const sinew_dual_quat* b);  ///< b first; unit
-sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion);
-sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);  ///< for sinew_frame_input.root
+SINEW_API sinew_dual_quat sinew_dual_quat_identity(void);
+SINEW_API sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a,
+                                                  const sinew_dual_quat* b);  ///< b first; unit
+SINEW_API sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion);
+SINEW_API sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);  ///< for sinew_frame_input.root
 
 /// How much of a root joint's turn carries the character.
 typedef enum sinew_root_turn {
@@ -32,14 +34,14 @@ typedef struct sinew_root_parts {
   uint32_t x, y, z;  ///< 1 or 0: translation along the axes of the joint's parent space
   uint32_t turn;     ///< sinew_root_turn
 } sinew_root_parts;
-sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
+SINEW_API sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
 
 /// Where a clip carries the character to at a clip time.
 /// in   joint  the root joint;   parts  null = sinew_default_root_parts
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, joint), SINEW_NOT_FINITE,
 ///      SINEW_UNSUPPORTED (turn), SINEW_OUT_OF_MEMORY (where several animations of the clip move the joint)
-sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
-                             double time_s, sinew_dual_quat* out);
+SINEW_API sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t joint,
+                                       const sinew_root_parts* parts, double time_s, sinew_dual_quat* out);
 
 /// How far the character moves in a step of the clock, in its own space. Over rounds of a loop each goes on where the
 /// last one ended, so neither the frame rate nor the number of rounds matters.
@@ -53,8 +55,8 @@ sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t j
 ///     input.root = sinew_dual_quat_matrix(&root);
 ///
 /// err  as sinew_root_place; SINEW_NOT_FINITE and SINEW_UNSUPPORTED also for a step that no clock made
-sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
-                              const sinew_step* step, sinew_dual_quat* out);
+SINEW_API sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip, uint32_t joint,
+                                        const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out);
 
 /// The same of one clip of a library, whose keys are those of its compiled clip. Refers to nothing that it is made of.
 typedef struct sinew_root_track sinew_root_track;
@@ -62,14 +64,15 @@ typedef struct sinew_root_track sinew_root_track;
 /// in   library  the clip is one of it, bound to the scene by names, as in sinew_plan_create_from_library
 /// err  as sinew_root_place, and SINEW_OUT_OF_MEMORY
 /// cost O(names + clips * (joints + weights + properties) + keys of the joint), allocates
-sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, uint32_t clip,
-                                    uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out);
-void sinew_root_track_destroy(sinew_root_track* track);
+SINEW_API sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, uint32_t clip,
+                                              uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out);
+SINEW_API void sinew_root_track_destroy(sinew_root_track* track);
 
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE
-sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out);
+SINEW_API sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out);
 /// err  SINEW_NULL_ARGUMENT; SINEW_NOT_FINITE and SINEW_UNSUPPORTED for a step that no clock made
-sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step, sinew_dual_quat* out);
+SINEW_API sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step,
+                                              sinew_dual_quat* out);
 
 #ifdef __cplusplus
 }

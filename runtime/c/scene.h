@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/types.h"
 
 #ifdef __cplusplus
@@ -12,31 +13,32 @@ extern "C" {
 typedef struct sinew_scene sinew_scene;
 
 /// Plans of the scene must be gone.
-void sinew_scene_destroy(sinew_scene* scene);
+SINEW_API void sinew_scene_destroy(sinew_scene* scene);
 
 // Joints: every node is one; parents come before children.
-size_t sinew_joint_count(const sinew_scene* scene);
-sinew_string sinew_joint_name(const sinew_scene* scene, uint32_t joint);
-uint32_t sinew_joint_parent(const sinew_scene* scene, uint32_t joint);  ///< SINEW_NONE = root
-uint32_t sinew_find_joint(const sinew_scene* scene, const char* name);  ///< first of that name, SINEW_NONE = none
+SINEW_API size_t sinew_joint_count(const sinew_scene* scene);
+SINEW_API sinew_string sinew_joint_name(const sinew_scene* scene, uint32_t joint);
+SINEW_API uint32_t sinew_joint_parent(const sinew_scene* scene, uint32_t joint);  ///< SINEW_NONE = root
+SINEW_API uint32_t sinew_find_joint(const sinew_scene* scene,
+                                    const char* name);  ///< first of that name, SINEW_NONE = none
 
 // Clips.
-size_t sinew_clip_count(const sinew_scene* scene);
-sinew_string sinew_clip_name(const sinew_scene* scene, uint32_t clip);
-double sinew_clip_duration_s(const sinew_scene* scene, uint32_t clip);
-uint32_t sinew_find_clip(const sinew_scene* scene, const char* name);
+SINEW_API size_t sinew_clip_count(const sinew_scene* scene);
+SINEW_API sinew_string sinew_clip_name(const sinew_scene* scene, uint32_t clip);
+SINEW_API double sinew_clip_duration_s(const sinew_scene* scene, uint32_t clip);
+SINEW_API uint32_t sinew_find_clip(const sinew_scene* scene, const char* name);
 
 // Skins.
-size_t sinew_skin_count(const sinew_scene* scene);
-sinew_indices sinew_skin_joints(const sinew_scene* scene, uint32_t skin);
+SINEW_API size_t sinew_skin_count(const sinew_scene* scene);
+SINEW_API sinew_indices sinew_skin_joints(const sinew_scene* scene, uint32_t skin);
 
 // Meshes and where they hang.
-size_t sinew_mesh_count(const sinew_scene* scene);
-sinew_string sinew_mesh_name(const sinew_scene* scene, uint32_t mesh);
-uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name);
-size_t sinew_primitive_count(const sinew_scene* scene, uint32_t mesh);
-size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< morph targets
-sinew_string sinew_target_name(const sinew_scene* scene, uint32_t mesh, uint32_t target);
+SINEW_API size_t sinew_mesh_count(const sinew_scene* scene);
+SINEW_API sinew_string sinew_mesh_name(const sinew_scene* scene, uint32_t mesh);
+SINEW_API uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name);
+SINEW_API size_t sinew_primitive_count(const sinew_scene* scene, uint32_t mesh);
+SINEW_API size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< morph targets
+SINEW_API sinew_string sinew_target_name(const sinew_scene* scene, uint32_t mesh, uint32_t target);
 
 /// A mesh hung on a joint. Frames answer one sinew_instance_result for each.
 typedef struct sinew_instance {
@@ -45,10 +47,10 @@ typedef struct sinew_instance {
   uint32_t first_weight, weight_count;  ///< of its morph targets in the flat array of all weights
 } sinew_instance;
 
-size_t sinew_instance_count(const sinew_scene* scene);
-size_t sinew_weight_count(const sinew_scene* scene);
+SINEW_API size_t sinew_instance_count(const sinew_scene* scene);
+SINEW_API size_t sinew_weight_count(const sinew_scene* scene);
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
-sinew_error sinew_get_instance(const sinew_scene* scene, uint32_t instance, sinew_instance* out);
+SINEW_API sinew_error sinew_get_instance(const sinew_scene* scene, uint32_t instance, sinew_instance* out);
 
 typedef enum sinew_topology { SINEW_POINTS = 0, SINEW_LINES = 1, SINEW_TRIANGLES = 2 } sinew_topology;
 
@@ -64,8 +66,10 @@ typedef struct sinew_primitive {
 } sinew_primitive;
 
 /// err  as sinew_get_instance
-sinew_error sinew_get_primitive(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, sinew_primitive* out);
-sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, uint32_t set);
+SINEW_API sinew_error sinew_get_primitive(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,
+                                          sinew_primitive* out);
+SINEW_API sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,
+                                                uint32_t set);
 
 /// Influences of a vertex for engines that skin vertices themselves: `count` joints of the skin with their weights,
 /// which sum to 1.
@@ -74,7 +78,8 @@ typedef struct sinew_influences {
   const float* weights;    ///< [count] falling
   size_t count;            ///< 0 = the primitive is not skinned
 } sinew_influences;
-sinew_influences sinew_vertex_influences(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, uint32_t vertex);
+SINEW_API sinew_influences sinew_vertex_influences(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,
+                                                   uint32_t vertex);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/plan.h"
 
 #ifdef __cplusplus
@@ -14,9 +15,9 @@ extern "C" {
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE (tolerance not finite or negative), SINEW_INDEX_OUT_OF_RANGE (clip),
 ///      SINEW_OUT_OF_MEMORY, what sinew_plan_create answers of needs
 /// cost O(keys * joints) and more, allocates: for loading, not for frames
-sinew_error sinew_skeleton_lod_create(const sinew_scene* scene, double tolerance_m, const uint32_t* clips,
-                                      size_t clip_count, const sinew_needs* needs, sinew_skeleton_lod** out);
-void sinew_skeleton_lod_destroy(sinew_skeleton_lod* lod);
+SINEW_API sinew_error sinew_skeleton_lod_create(const sinew_scene* scene, double tolerance_m, const uint32_t* clips,
+                                                size_t clip_count, const sinew_needs* needs, sinew_skeleton_lod** out);
+SINEW_API void sinew_skeleton_lod_destroy(sinew_skeleton_lod* lod);
 
 typedef struct sinew_skeleton_lod_info {
   size_t struct_size;
@@ -27,7 +28,7 @@ typedef struct sinew_skeleton_lod_info {
   double tolerance_m;    ///< that was asked for
 } sinew_skeleton_lod_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
-sinew_error sinew_get_skeleton_lod(const sinew_skeleton_lod* lod, sinew_skeleton_lod_info* out);
+SINEW_API sinew_error sinew_get_skeleton_lod(const sinew_skeleton_lod* lod, sinew_skeleton_lod_info* out);
 
 #ifdef __cplusplus
 }

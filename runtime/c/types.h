@@ -3,6 +3,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "runtime/base/api.h"
+
 // Rules of the whole C interface.
 //
 // Handles are opaque. The caller of sinew_X_create owns the handle and gives it back with sinew_X_destroy, which
@@ -29,7 +31,7 @@ extern "C" {
 #define SINEW_VERSION ((SINEW_VERSION_MAJOR << 16) | (SINEW_VERSION_MINOR << 8) | SINEW_VERSION_PATCH)
 
 /// Version of the library that was linked, to be compared with SINEW_VERSION of the header.
-uint32_t sinew_version(void);
+SINEW_API uint32_t sinew_version(void);
 
 #define SINEW_NONE 0xffffffffu  ///< "no index"
 
@@ -67,7 +69,7 @@ typedef enum sinew_error {
 } sinew_error;
 
 /// One sentence, ended by a zero; lives for ever.
-const char* sinew_describe(sinew_error error);
+SINEW_API const char* sinew_describe(sinew_error error);
 
 typedef struct sinew_string {
   const char* data;  ///< UTF-8, not ended by a zero

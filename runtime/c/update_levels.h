@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/c/frame.h"
 
 #ifdef __cplusplus
@@ -21,20 +22,20 @@ typedef struct sinew_update_rates {
   double hysteresis;    ///< a character must be larger by this part to come back to the finer level
   double longest_s;     ///< between updates, whatever the size
 } sinew_update_rates;
-sinew_update_rates sinew_default_update_rates(void);
+SINEW_API sinew_update_rates sinew_default_update_rates(void);
 
 /// Height of a ball in the picture of a perspective camera, as part of the picture's height; infinite from within.
-double sinew_screen_size(double radius_m, double distance_m, double fov_y_rad);
+SINEW_API double sinew_screen_size(double radius_m, double distance_m, double fov_y_rad);
 
 /// The level of a character of this size, not so coarse that updates are more than longest_s apart.
 /// in   before  its level in the last frame;   frame_s  from one frame to the next, 0 = no limit
 ///      rates   null = sinew_default_update_rates
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (before), SINEW_NOT_FINITE (a number is NaN)
-sinew_error sinew_choose_update_level(double screen_size, uint32_t before, double frame_s,
-                                      const sinew_update_rates* rates, uint32_t* level);
+SINEW_API sinew_error sinew_choose_update_level(double screen_size, uint32_t before, double frame_s,
+                                                const sinew_update_rates* rates, uint32_t* level);
 
 /// Frames from this one to the next in which a character of the level is due; 0 for a level that does not exist.
-uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32_t phase);
+SINEW_API uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32_t phase);
 
 /// Holds a character's input over the frames that its level leaves out: running the same input again costs nothing.
 /// `out_of_view` and `asleep` are always those of this frame.
@@ -42,8 +43,8 @@ typedef struct sinew_held_input sinew_held_input;
 
 /// in   plan  must outlive the held input
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
-sinew_error sinew_held_input_create(const sinew_plan* plan, sinew_held_input** out);
-void sinew_held_input_destroy(sinew_held_input* held);
+SINEW_API sinew_error sinew_held_input_create(const sinew_plan* plan, sinew_held_input** out);
+SINEW_API void sinew_held_input_destroy(sinew_held_input* held);
 
 /// The input to run in this frame: `now` where the character is due, otherwise the last such input.
 /// in   now    null = the rest pose;   level  sinew_update_level
@@ -51,25 +52,26 @@ void sinew_held_input_destroy(sinew_held_input* held);
 /// out  input  views of `held` and of `now`, valid until the next call
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights than the
 ///      scene has), SINEW_UNSUPPORTED (level, kind of layer)
-sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_input* now, uint32_t level, uint64_t frame,
-                                  uint32_t phase, sinew_frame_input* input);
+SINEW_API sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_input* now, uint32_t level,
+                                            uint64_t frame, uint32_t phase, sinew_frame_input* input);
 
 /// Evaluates a character at the frames of its level and interpolates the pose in between, without lag.
 typedef struct sinew_interpolated_input sinew_interpolated_input;
 
 /// in   plan  with SINEW_NEED_BETWEEN_UPDATES; must outlive the input
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_IN_NEEDS (another plan), SINEW_OUT_OF_MEMORY
-sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out);
-void sinew_interpolated_input_destroy(sinew_interpolated_input* interpolated);
+SINEW_API sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out);
+SINEW_API void sinew_interpolated_input_destroy(sinew_interpolated_input* interpolated);
 
 /// The input to run in this frame.
 /// in   ahead[ahead_count]  layers of the frame that is sinew_frames_to_update from now
 /// out, err  as sinew_held_input_next, and SINEW_UNSUPPORTED where the input has pages
-sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated, const sinew_frame_input* now,
-                                          const sinew_layer* ahead, size_t ahead_count, uint32_t level, uint64_t frame,
-                                          uint32_t phase, sinew_frame_input* input);
+SINEW_API sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated,
+                                                    const sinew_frame_input* now, const sinew_layer* ahead,
+                                                    size_t ahead_count, uint32_t level, uint64_t frame, uint32_t phase,
+                                                    sinew_frame_input* input);
 /// The next frame starts anew: after a cut, where moving on from the pose before would be wrong.
-void sinew_interpolated_input_restart(sinew_interpolated_input* interpolated);
+SINEW_API void sinew_interpolated_input_restart(sinew_interpolated_input* interpolated);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C and C++.
+#include "runtime/base/api.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/scene.h"
@@ -11,45 +12,47 @@ extern "C" {
 #endif
 
 /// 1 if the bytes begin as an asset file does.
-int sinew_looks_like_assets(const void* bytes, size_t byte_count);
+SINEW_API int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 
 /// The scene of an asset file: its skeleton, and model and clips where it has them. Any bytes are welcome; the scene
 /// owns what it has, so they may go afterwards.
 /// out  scene     owned by the caller
 ///      messages  owned by the caller, why the bytes were refused; may be null. Given for SINEW_BAD_FILE only
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY;   cost O(bytes), allocates
-sinew_error sinew_assets_read(const void* bytes, size_t byte_count, sinew_scene** scene, sinew_messages** messages);
+SINEW_API sinew_error sinew_assets_read(const void* bytes, size_t byte_count, sinew_scene** scene,
+                                        sinew_messages** messages);
 
 /// How the clips of a file are cut into pages (sinew.h).
 typedef struct sinew_page_tables sinew_page_tables;
 
 /// sinew_assets_read without the pages: clips that lie in pages have the first key of each track.
 /// out  tables  owned by the caller
-sinew_error sinew_assets_read_first_keys(const void* bytes, size_t byte_count, sinew_scene** scene,
-                                         sinew_page_tables** tables, sinew_messages** messages);
-void sinew_page_tables_destroy(sinew_page_tables* tables);
+SINEW_API sinew_error sinew_assets_read_first_keys(const void* bytes, size_t byte_count, sinew_scene** scene,
+                                                   sinew_page_tables** tables, sinew_messages** messages);
+SINEW_API void sinew_page_tables_destroy(sinew_page_tables* tables);
 
 /// How many pages a clip has, and how many seconds each is long; 0 and 0: the clip is whole, or there is none.
-size_t sinew_page_tables_count(const sinew_page_tables* tables, uint32_t clip, double* page_s);
+SINEW_API size_t sinew_page_tables_count(const sinew_page_tables* tables, uint32_t clip, double* page_s);
 /// Where a page lies in the file; its size, 0 for a page that is not there.
-size_t sinew_page_tables_place(const sinew_page_tables* tables, uint32_t clip, size_t page, uint64_t* offset);
+SINEW_API size_t sinew_page_tables_place(const sinew_page_tables* tables, uint32_t clip, size_t page, uint64_t* offset);
 
 /// sinew_paged_clip_load_page of bytes as they lie in a file, whose pages may be packed.
-sinew_error sinew_assets_load_page(sinew_paged_clip* paged, size_t page, const void* bytes, size_t byte_count,
-                                   int* taken, sinew_messages** messages);
+SINEW_API sinew_error sinew_assets_load_page(sinew_paged_clip* paged, size_t page, const void* bytes, size_t byte_count,
+                                             int* taken, sinew_messages** messages);
 
 /// A skeleton LOD that a file has (sinew compile --joint-tolerance), for sinew_needs.skeleton_lod.
 /// in   scene  of this file, or one of the same skeleton
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (the file has fewer), SINEW_BAD_FILE (also one of another
 ///      skeleton), SINEW_OUT_OF_MEMORY
-sinew_error sinew_assets_read_skeleton_lod(const void* bytes, size_t byte_count, const sinew_scene* scene, size_t level,
-                                           sinew_skeleton_lod** out, sinew_messages** messages);
+SINEW_API sinew_error sinew_assets_read_skeleton_lod(const void* bytes, size_t byte_count, const sinew_scene* scene,
+                                                     size_t level, sinew_skeleton_lod** out, sinew_messages** messages);
 
 /// Appends the clips of an asset file to a scene of the same skeleton.
 /// in   scene  without plans: those refer to its clips
 /// err  SINEW_NULL_ARGUMENT, SINEW_BUSY (the scene has plans), SINEW_BAD_FILE (also clips of another skeleton),
 ///      SINEW_OUT_OF_MEMORY. After an error the scene is as before.
-sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, size_t byte_count, sinew_messages** messages);
+SINEW_API sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, size_t byte_count,
+                                             sinew_messages** messages);
 
 #ifdef __cplusplus
 }

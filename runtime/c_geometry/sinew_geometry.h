@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Geometry caches (.sgeo) for engines that speak C. Link sinew::c_geometry beside sinew::c. For C and C++.
+#include "runtime/base/api.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/scene.h"
@@ -15,16 +16,16 @@ typedef struct sinew_geometry_cache sinew_geometry_cache;
 
 /// Bytes from the start of a file that sinew_geometry_open needs; 0 when these are too few to tell (40 are enough) or
 /// no geometry cache.
-uint64_t sinew_geometry_head_bytes(const void* start, size_t byte_count);
+SINEW_API uint64_t sinew_geometry_head_bytes(const void* start, size_t byte_count);
 
 /// in   bytes       the whole file, which must outlive the cache and its players; or its head, for players that read
 ///      file_bytes  of the whole file
 /// out  messages  why it was refused; null = not wanted
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY
-sinew_error sinew_geometry_open(const void* bytes, size_t byte_count, uint64_t file_bytes, sinew_geometry_cache** out,
-                                sinew_messages** messages);
+SINEW_API sinew_error sinew_geometry_open(const void* bytes, size_t byte_count, uint64_t file_bytes,
+                                          sinew_geometry_cache** out, sinew_messages** messages);
 /// Players of the cache must be gone.
-void sinew_geometry_close(sinew_geometry_cache* cache);
+SINEW_API void sinew_geometry_close(sinew_geometry_cache* cache);
 
 typedef struct sinew_geometry_info {
   size_t struct_size;
@@ -34,7 +35,7 @@ typedef struct sinew_geometry_info {
   double frame_s;                ///< from one frame to the next
   uint64_t largest_frame_bytes;  ///< times the frames of a window: the memory of a player that reads
 } sinew_geometry_info;
-sinew_error sinew_geometry_get_info(const sinew_geometry_cache* cache, sinew_geometry_info* out);
+SINEW_API sinew_error sinew_geometry_get_info(const sinew_geometry_cache* cache, sinew_geometry_info* out);
 
 typedef struct sinew_geometry_mesh {
   size_t struct_size;
@@ -44,13 +45,14 @@ typedef struct sinew_geometry_mesh {
   double asked_m, measured_m;  ///< largest distance of a vertex from what was baked: the budget, and what was measured
 } sinew_geometry_mesh;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
-sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, uint32_t mesh, sinew_geometry_mesh* out);
+SINEW_API sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, uint32_t mesh,
+                                              sinew_geometry_mesh* out);
 
 /// A read that the engine was asked for and has not finished yet.
 typedef struct sinew_frame_read sinew_frame_read;
 /// The bytes are there (ok = 1), or could not be read (0; asked for again). Once for each pending read, from any
 /// thread.
-void sinew_frame_read_finish(sinew_frame_read* read, int ok);
+SINEW_API void sinew_frame_read_finish(sinew_frame_read* read, int ok);
 
 typedef enum sinew_read_outcome {
   SINEW_READ_DONE = 0,     ///< the bytes are there
@@ -68,8 +70,8 @@ typedef struct sinew_frame_reader {
 /// A scene of the cache alone: for each of its meshes a node, a mesh and an instance, at rest as in the first frame.
 /// in   reader  answers at once; null = the whole file is in memory
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE (the first frame is damaged or not there), SINEW_OUT_OF_MEMORY
-sinew_error sinew_geometry_scene(const sinew_geometry_cache* cache, const sinew_frame_reader* reader,
-                                 sinew_scene** out);
+SINEW_API sinew_error sinew_geometry_scene(const sinew_geometry_cache* cache, const sinew_frame_reader* reader,
+                                           sinew_scene** out);
 
 /// The mesh of a cache that a primitive of a mesh instance takes its vertices from. This struct never grows.
 typedef struct sinew_geometry_binding {
@@ -85,7 +87,7 @@ typedef struct sinew_geometry_player_options {
   sinew_frame_reader reader;  ///< read = null: the whole file is in memory
 } sinew_geometry_player_options;
 /// By name, in the scene's space, from memory, 16 frames; struct_size is set.
-sinew_geometry_player_options sinew_default_geometry_player_options(void);
+SINEW_API sinew_geometry_player_options sinew_default_geometry_player_options(void);
 
 /// Plays a cache in the mesh instances of one character. A frame of that character decodes into it: nothing else may
 /// use it while the frame runs.
@@ -96,22 +98,22 @@ typedef struct sinew_geometry_player sinew_geometry_player;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (no such instance, primitive or mesh),
 ///      SINEW_SIZE_MISMATCH (other triangles or vertices), SINEW_UNSUPPORTED (an instance of which only some primitives
 ///      are bound; nothing plays; no frame in the window; no reader and only the head of the file), SINEW_OUT_OF_MEMORY
-sinew_error sinew_geometry_player_create(const sinew_geometry_cache* cache, const sinew_scene* scene,
-                                         const sinew_geometry_player_options* options, sinew_geometry_player** out,
-                                         sinew_messages** unbound);
+SINEW_API sinew_error sinew_geometry_player_create(const sinew_geometry_cache* cache, const sinew_scene* scene,
+                                                   const sinew_geometry_player_options* options,
+                                                   sinew_geometry_player** out, sinew_messages** unbound);
 /// Every read must be finished.
-void sinew_geometry_player_destroy(sinew_geometry_player* player);
+SINEW_API void sinew_geometry_player_destroy(sinew_geometry_player* player);
 
 /// Mesh instances that it plays, rising: for sinew_needs.cached_instances.
-sinew_indices sinew_geometry_player_instances(const sinew_geometry_player* player);
+SINEW_API sinew_indices sinew_geometry_player_instances(const sinew_geometry_player* player);
 /// For sinew_geometry_input.source; all zero without a player.
-sinew_vertex_source sinew_geometry_player_source(sinew_geometry_player* player);
+SINEW_API sinew_vertex_source sinew_geometry_player_source(sinew_geometry_player* player);
 
 /// Holds the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so it serves for
 /// culling.
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_INDEX_OUT_OF_RANGE
-sinew_error sinew_geometry_player_bounds(const sinew_geometry_player* player, uint32_t instance, double time_s,
-                                         sinew_box* out);
+SINEW_API sinew_error sinew_geometry_player_bounds(const sinew_geometry_player* player, uint32_t instance,
+                                                   double time_s, sinew_box* out);
 
 typedef struct sinew_geometry_work {
   size_t struct_size;
@@ -120,7 +122,7 @@ typedef struct sinew_geometry_work {
   uint64_t memory_bytes;    ///< of decoder and window
   size_t pending_reads;
 } sinew_geometry_work;
-sinew_error sinew_geometry_player_work(const sinew_geometry_player* player, sinew_geometry_work* out);
+SINEW_API sinew_error sinew_geometry_player_work(const sinew_geometry_player* player, sinew_geometry_work* out);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,7 @@
 
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -62,7 +63,7 @@ struct KeyTolerances {
 struct ClipLayout;
 
 /// A compiled animation. It is a handle: copies share the data.
-class Clip {
+class SINEW_API Clip {
  public:
   Clip();
 
@@ -100,11 +101,11 @@ class Clip {
 ///      properties             contains every property that the animation moves
 ///      rounding               how far keys may be rounded, so that they take fewer bits
 /// cost O(total keys), allocates the clip
-Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
-                  const KeyTolerances& rounding = {});
+SINEW_API Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
+                            std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
+                            const KeyTolerances& rounding = {});
 
 /// A copy of the clip with a certificate. It shares the keys.     cost O(tracks), allocates their tables
-Clip with_certificate(const Clip& clip, const ClipCertificate& certificate);
+SINEW_API Clip with_certificate(const Clip& clip, const ClipCertificate& certificate);
 
 }  // namespace sinew

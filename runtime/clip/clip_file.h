@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/clip/clip.h"
 
 namespace sinew {
@@ -29,20 +30,20 @@ struct ClipFileError {
 /// a head of kClipFileHead bytes (magic, version, size, checksum of the rest), then the clips. Tables that can be
 /// computed from other data are not stored; load_clips computes them.
 /// cost O(bytes), allocates
-std::vector<std::byte> save_clips(std::span<const Clip* const> clips);
+SINEW_API std::vector<std::byte> save_clips(std::span<const Clip* const> clips);
 
 /// Loads the clips of a block from save_clips. They sample the same bits as the saved clips, on every machine. Any
 /// bytes may be passed. A block that could make sampling access memory outside of its clip is refused. Memory stays
 /// below 16 MiB plus 64 times the block. A block that was altered and then given a new checksum may still contain
 /// rotations of length zero, whose poses are NaN.
 /// err  ClipFileError;  cost O(bytes), allocates
-tl::expected<std::vector<Clip>, ClipFileError> load_clips(std::span<const std::byte> block);
+SINEW_API tl::expected<std::vector<Clip>, ClipFileError> load_clips(std::span<const std::byte> block);
 
 /// Bytes that the tracks of a clip take in a block, without its name and certificate.
-std::size_t saved_bytes(const Clip& clip);
+SINEW_API std::size_t saved_bytes(const Clip& clip);
 
 /// True if the block begins with the magic number of save_clips.
-bool looks_like_clips(std::span<const std::byte> block) noexcept;
+SINEW_API bool looks_like_clips(std::span<const std::byte> block) noexcept;
 
 inline constexpr std::uint32_t kClipFileVersion = 3;  ///< version 2 had another checksum
 inline constexpr std::size_t kClipFileHead = 32;

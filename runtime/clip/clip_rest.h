@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/clip/clip.h"
 
 namespace sinew {
@@ -17,7 +18,7 @@ using RestNumbers = std::shared_ptr<const std::vector<float>>;
 
 /// The values that sampling starts from: the rest values, with those of the clip's constant tracks in their place. The
 /// clips of a scene share the rest values, so a clip takes memory only for the joints that it changes.
-class BaseNumbers {
+class SINEW_API BaseNumbers {
  public:
   struct Override {
     std::uint32_t at;
@@ -76,16 +77,18 @@ struct ClipRest {
 };
 
 /// cost O(joints + weights + properties), allocates
-ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties);
+SINEW_API ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights,
+                             const PropertyTable& properties);
 
 /// Replaces arrays of `rest` by those of the clip if they have the same bits, so that they exist once.
 /// cost O(joints + weights + properties)
-void share_rest(const Clip& clip, ClipRest& rest);
+SINEW_API void share_rest(const Clip& clip, ClipRest& rest);
 
 /// As compile_clip in clip.h, for clips that share rest values.
 /// in   rest  clip_rest() of the same skeleton, weights and properties
 /// cost O(total keys), whatever the number of joints; allocates the clip
-Clip compile_clip(const Animation& animation, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
-                  const PropertyTable& properties = {}, const KeyTolerances& rounding = {});
+SINEW_API Clip compile_clip(const Animation& animation, const ClipRest& rest,
+                            std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
+                            const KeyTolerances& rounding = {});
 
 }  // namespace sinew

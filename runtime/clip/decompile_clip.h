@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/clip/clip_rest.h"
 
@@ -14,16 +15,17 @@ namespace sinew {
 /// in    rest, first_weight, properties  of a scene with the joint, weight and property counts of the clip
 /// err   unsupported: a block moves a part of a property, or weights of two instances (never from compile_clip)
 /// cost  O(keys + joints), allocates decompiled_bytes(clip)
-Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
-                                 const PropertyTable& properties);
+SINEW_API Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest,
+                                           std::span<const std::uint32_t> first_weight,
+                                           const PropertyTable& properties);
 
 /// The keys of one joint, for example for root motion (playback/root_motion.h) of a clip without its original
 /// animation. A property that no track animates has one key, with its constant value in the clip.
 /// in    joint  < clip.joint_count()
 /// cost  O(blocks + keys of the joint), allocates them
-BoneAnimation decompile_joint(const Clip& clip, std::uint32_t joint);
+SINEW_API BoneAnimation decompile_joint(const Clip& clip, std::uint32_t joint);
 
 /// Bytes that the result of decompile_clip takes.      cost O(blocks)
-std::uint64_t decompiled_bytes(const Clip& clip) noexcept;
+SINEW_API std::uint64_t decompiled_bytes(const Clip& clip) noexcept;
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/clip/clip.h"
 
 namespace sinew {
@@ -12,6 +13,6 @@ namespace sinew {
 /// rounding of `clip`, since sampling packed keys does not normalise them first. The certificate is kept, since it was
 /// measured on both forms.
 /// cost O(keys), allocates
-Clip unpacked(const Clip& clip);
+SINEW_API Clip unpacked(const Clip& clip);
 
 }  // namespace sinew

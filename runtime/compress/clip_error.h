@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/compress/truth_samples.h"
 
 namespace sinew {
@@ -19,12 +20,12 @@ struct ClipError {
 };
 
 /// All key times of joint and weight tracks and both ends of the clip; rising, each once.
-std::vector<float> key_times(const Animation& truth);
+SINEW_API std::vector<float> key_times(const Animation& truth);
 
 /// Times at which a clip is measured: all key times of all tracks, both ends of the clip and five times between each
 /// two. Before each jump (stepped keys, keys that share a time) the last moment is added. If that would be more than
 /// kMaxJointTimes joint poses, the list is thinned out evenly.
-std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
+SINEW_API std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
 inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 
 /// Samples a clip in float, as a frame does, and compares it in double with BoneAnimation::interpolate. Both
@@ -34,6 +35,6 @@ inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 ///      weights = max sum |w' - w| metres_per_weight stretch
 /// in   forms  of the clip, compiled for this scene
 /// cost O(times x J x forms), allocates
-ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);
+SINEW_API ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "runtime/base/api.h"
 #include "runtime/compress/virtual_vertices.h"
 
 namespace sinew {
@@ -28,14 +29,14 @@ struct ClipWithin {
 ///      vertices  of that scene
 ///      budget_m  in the file's units, >= 0
 /// cost seconds for ten thousand joints or an hour; allocates
-ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
-                               double budget_m);
+SINEW_API ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
+                                         double budget_m);
 inline constexpr int kMaxRounds = 32;
 
 /// The search of compile_clip_within in parts that several threads may run at the same time. The clip does not depend
 /// on how they run. The arguments must outlive it.
 /// in   budget_m  > 0
-class ClipSearch {
+class SINEW_API ClipSearch {
  public:
   static constexpr std::size_t kParts = 2;
 
@@ -53,7 +54,7 @@ class ClipSearch {
 };
 
 /// Compiles all keys of an animation and measures the clip: the result of compile_clip_within for a budget of 0.
-Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,
-                         const VirtualVertices& vertices, double asked_m);
+SINEW_API Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,
+                                   const VirtualVertices& vertices, double asked_m);
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/animation/truth_pose.h"
+#include "runtime/base/api.h"
 #include "runtime/compress/virtual_vertices.h"
 
 namespace sinew {
@@ -14,7 +15,7 @@ namespace sinew {
 using BoxCorners = std::array<std::array<double, 8>, 3>;
 
 /// eq   M c for each corner c of corners_of(box); the same bits as transform_point
-BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
+SINEW_API BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 
 /// The authoring form of a clip at one time, in the form that compiled clips are compared with.
 struct TruthSample {
@@ -28,7 +29,7 @@ struct TruthSample {
 /// The authoring form of a clip, sampled at the times at which its compiled forms are measured. A search measures many
 /// forms at the same times, so the first samples are kept, up to a number of bytes. Later samples are evaluated on
 /// every use. The scene, the animation, the vertices and the times must outlive it. Any number of threads may read it.
-class TruthSamples {
+class SINEW_API TruthSamples {
  public:
   static constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 
 namespace sinew {
@@ -21,12 +22,12 @@ struct VirtualVertices {
 };
 
 /// in   scene  must have passed its checks      cost O(vertices x influences), allocates
-VirtualVertices virtual_vertices(const Scene& scene);
+SINEW_API VirtualVertices virtual_vertices(const Scene& scene);
 
 /// Same, for a skeleton without meshes.
-VirtualVertices virtual_vertices(const Skeleton& skeleton);
+SINEW_API VirtualVertices virtual_vertices(const Skeleton& skeleton);
 
 /// The eight corners of a box.
-std::array<Vec3<double>, 8> corners_of(const Aabb& box) noexcept;
+SINEW_API std::array<Vec3<double>, 8> corners_of(const Aabb& box) noexcept;
 
 }  // namespace sinew

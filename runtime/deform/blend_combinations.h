@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/skin.h"
@@ -20,7 +21,7 @@ struct BlendCombinationsJob {
   std::span<JointMatrix> blended;
 };
 
-ErrorCode check(const BlendCombinationsJob& job) noexcept;
-void run_unchecked(const BlendCombinationsJob& job) noexcept;
+SINEW_API ErrorCode check(const BlendCombinationsJob& job) noexcept;
+SINEW_API void run_unchecked(const BlendCombinationsJob& job) noexcept;
 
 }  // namespace sinew

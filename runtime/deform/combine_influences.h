@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runtime/base/api.h"
 #include "runtime/model/skin.h"
 
 namespace sinew {
@@ -24,6 +25,6 @@ struct CombinedInfluences {
 /// in   first_matrix  first free index of the skin's matrices, after its joints and the combinations of other
 ///      primitives
 /// cost O(influences + V log V), allocates
-CombinedInfluences combine_influences(const VertexInfluences& influences, std::size_t first_matrix);
+SINEW_API CombinedInfluences combine_influences(const VertexInfluences& influences, std::size_t first_matrix);
 
 }  // namespace sinew

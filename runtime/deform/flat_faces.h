@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
+
 namespace sinew {
 
 /// A run of triangles whose corners lie in three runs of consecutive vertices: triangle t has the vertices first[c] + t
@@ -34,6 +36,6 @@ struct FlatFaces {
 
 /// in   triangles[3T]  each below `vertex_count`
 /// cost O(V + T log T), allocates
-FlatFaces sort_flat_faces(std::span<const std::uint32_t> triangles, std::size_t vertex_count);
+SINEW_API FlatFaces sort_flat_faces(std::span<const std::uint32_t> triangles, std::size_t vertex_count);
 
 }  // namespace sinew

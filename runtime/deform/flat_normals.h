@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/deform/flat_faces.h"
 #include "runtime/math/conventions.h"
@@ -25,7 +26,7 @@ struct FlatNormalsJob {
   std::span<glm::vec3> normals;
 };
 
-ErrorCode check(const FlatNormalsJob& job) noexcept;
-void run_unchecked(const FlatNormalsJob& job) noexcept;
+SINEW_API ErrorCode check(const FlatNormalsJob& job) noexcept;
+SINEW_API void run_unchecked(const FlatNormalsJob& job) noexcept;
 
 }  // namespace sinew

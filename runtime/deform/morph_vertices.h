@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/math/negligible.h"
@@ -30,15 +31,15 @@ struct MorphVerticesJob {
   bool normalise = true;
 };
 
-ErrorCode check(const MorphVerticesJob& job) noexcept;
-void run_unchecked(const MorphVerticesJob& job) noexcept;
+SINEW_API ErrorCode check(const MorphVerticesJob& job) noexcept;
+SINEW_API void run_unchecked(const MorphVerticesJob& job) noexcept;
 
 /// Adds the COLOR_0 displacements of all targets whose weight is not zero.
 /// eq   c' = clamp(c + sum(weight[i] * delta[i]), 0, 1)   (glTF 2.0, "Morph Targets")
 /// in   colors[V], weights[T], any sign and size
 /// out  out[V]     must not overlap `colors`
 /// cost O(V + active deltas), no allocation
-void morph_colors(const MorphSet& morphs, std::span<const float> weights, std::span<const glm::vec4> colors,
-                  std::span<glm::vec4> out) noexcept;
+SINEW_API void morph_colors(const MorphSet& morphs, std::span<const float> weights, std::span<const glm::vec4> colors,
+                            std::span<glm::vec4> out) noexcept;
 
 }  // namespace sinew

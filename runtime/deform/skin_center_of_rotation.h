@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
@@ -33,7 +34,7 @@ struct SkinCenterOfRotationJob {
   std::span<const JointPair> pairs;
 };
 
-ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;
-void run_unchecked(const SkinCenterOfRotationJob& job) noexcept;
+SINEW_API ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;
+SINEW_API void run_unchecked(const SkinCenterOfRotationJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
@@ -38,7 +39,7 @@ struct SkinDualQuaternionJob {
   std::span<const JointMatrix> palette;
 };
 
-ErrorCode check(const SkinDualQuaternionJob& job) noexcept;
-void run_unchecked(const SkinDualQuaternionJob& job) noexcept;
+SINEW_API ErrorCode check(const SkinDualQuaternionJob& job) noexcept;
+SINEW_API void run_unchecked(const SkinDualQuaternionJob& job) noexcept;
 
 }  // namespace sinew

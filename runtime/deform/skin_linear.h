@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
@@ -36,7 +37,7 @@ struct SkinLinearJob {
   bool past_caches = false;  ///< a hint that this processor will not read the output soon, so it may bypass the caches
 };
 
-ErrorCode check(const SkinLinearJob& job) noexcept;
-void run_unchecked(const SkinLinearJob& job) noexcept;
+SINEW_API ErrorCode check(const SkinLinearJob& job) noexcept;
+SINEW_API void run_unchecked(const SkinLinearJob& job) noexcept;
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/model/mesh.h"
 
@@ -26,11 +27,11 @@ struct SurfaceFaces {
 
 /// Checks that corners form triangles and are below `vertex_count`, and that points are below point_count.
 /// err  size_mismatch, index_out_of_range     cost O(V + T)
-ErrorCode check_indices(const SurfaceFaces& faces, std::size_t vertex_count) noexcept;
+SINEW_API ErrorCode check_indices(const SurfaceFaces& faces, std::size_t vertex_count) noexcept;
 
 /// in   primitive     of triangles;   with_tangents  if the primitive has tangents
 /// cost O(V log V + T), allocates
-SurfaceFaces join_surface(const Primitive& primitive, bool with_tangents);
+SINEW_API SurfaceFaces join_surface(const Primitive& primitive, bool with_tangents);
 
 /// Elements of SurfaceNormalsJob::sums: one per point, rounded up to tiles of 16.
 constexpr std::size_t surface_sums(const SurfaceFaces& faces) noexcept {
@@ -55,8 +56,8 @@ struct SurfaceNormalsJob {
   std::span<glm::vec4> sums;
   std::span<glm::vec3> normals;
 };
-ErrorCode check(const SurfaceNormalsJob& job) noexcept;
-void run_unchecked(const SurfaceNormalsJob& job) noexcept;
+SINEW_API ErrorCode check(const SurfaceNormalsJob& job) noexcept;
+SINEW_API void run_unchecked(const SurfaceNormalsJob& job) noexcept;
 
 /// Tangents that follow a surface.
 /// eq   t = normalise(sum of |n0| (x (b - a) + y (c - a)) over the triangles at a vertex)
@@ -73,7 +74,7 @@ struct SurfaceTangentsJob {
   std::span<const glm::vec4> rest_tangents;
   std::span<glm::vec4> tangents;
 };
-ErrorCode check(const SurfaceTangentsJob& job) noexcept;
-void run_unchecked(const SurfaceTangentsJob& job) noexcept;
+SINEW_API ErrorCode check(const SurfaceTangentsJob& job) noexcept;
+SINEW_API void run_unchecked(const SurfaceTangentsJob& job) noexcept;
 
 }  // namespace sinew

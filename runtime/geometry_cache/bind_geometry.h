@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/geometry_cache/geometry_cache.h"
 #include "runtime/model/scene.h"
@@ -26,19 +27,19 @@ struct GeometryBindings {
 /// with the index of the primitive added if there are several. Instances of equal name take the meshes of that name in
 /// order.
 /// cost O(meshes * instances + corners), allocates
-GeometryBindings bind_by_name(const GeometryCache& cache, const Scene& scene);
+SINEW_API GeometryBindings bind_by_name(const GeometryCache& cache, const Scene& scene);
 
 /// For each vertex of a primitive, the vertex of the cache mesh that moves it. If the cache stores triangles, corners
 /// are matched one by one, so the scene may order vertices differently and split them at seams. Otherwise both must
 /// have the same vertices in the same order.
 /// err  size_mismatch  the numbers of triangles or vertices differ
 ///      unsupported    a vertex would match several; cost O(corners), allocates
-Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& mesh, const Primitive& primitive);
+SINEW_API Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& mesh, const Primitive& primitive);
 
 /// Checks that a player can use these bindings.
 /// err  index_out_of_range   no such instance, primitive or mesh
 ///      unsupported          an instance has unbound primitives, or one that is bound twice
 ///      and those of match_vertices
-ErrorCode check(const GeometryCache& cache, const Scene& scene, std::span<const GeometryBinding> bindings);
+SINEW_API ErrorCode check(const GeometryCache& cache, const Scene& scene, std::span<const GeometryBinding> bindings);
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 
 namespace sinew {
@@ -34,7 +35,7 @@ enum class ReadOutcome : std::uint8_t {
 
 /// How the engine reads a file. Several caches may share one reader if `context` or the FrameRead tells their reads
 /// apart.
-struct FrameReader {
+struct SINEW_API FrameReader {
   /// Reads `into.size()` bytes from `offset` of the file, now or later.
   ReadOutcome (*read)(void* context, std::uint64_t offset, std::span<std::byte> into,
                       FrameRead& read) noexcept = nullptr;
@@ -46,7 +47,7 @@ struct FrameReader {
 ///
 ///     window.prefetch(decoder.next_for(frame));   // requests missing frames among the next ones
 ///     decoder.decode(frame, window);              // not_loaded: the decoder holds the newest loaded frame
-class FrameWindow {
+class SINEW_API FrameWindow {
  public:
   /// The cache must outlive this. Every read must have finished before this is destroyed (pending_reads).
   /// in   frames  1 or more

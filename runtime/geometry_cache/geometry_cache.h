@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/model/mesh.h"
 
 namespace sinew {
@@ -74,7 +75,7 @@ struct FrameTime {
 /// The head of a geometry cache: what the file contains and where each frame lies, without the frames. A geometry cache
 /// stores the vertices of every frame, for simulations and other motion that no skeleton can express. GeometryDecoder
 /// decodes the frames.
-class GeometryCache {
+class SINEW_API GeometryCache {
  public:
   /// Number of bytes from the start of the file that `open` needs. 0 if `start` is no geometry cache or too short to
   /// tell; kGeometryFileHead bytes are enough.
@@ -123,7 +124,7 @@ class GeometryCache {
 };
 
 /// True if the bytes start with the magic of geometry caches.
-bool looks_like_geometry_cache(std::span<const std::byte> start) noexcept;
+SINEW_API bool looks_like_geometry_cache(std::span<const std::byte> start) noexcept;
 
 inline constexpr std::uint32_t kGeometryFileVersion = 1;
 inline constexpr std::size_t kGeometryFileHead = 40;

@@ -6,13 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/geometry_cache/geometry_cache.h"
 
 namespace sinew {
 
 /// Where a decoder gets the bytes of frames: a file in memory (MappedFrames), or a window that loads while the cache
 /// plays (FrameWindow).
-struct FrameSource {
+struct SINEW_API FrameSource {
   /// The bytes of a frame, valid until the next call; empty = not loaded yet.
   std::span<const std::byte> (*bytes)(void* context, std::uint32_t frame) noexcept = nullptr;
   void* context = nullptr;
@@ -21,7 +22,7 @@ struct FrameSource {
 };
 
 /// A whole file in memory, or mapped into it. The cache and the bytes must outlive this.
-struct MappedFrames {
+struct SINEW_API MappedFrames {
   const GeometryCache& cache;
   std::span<const std::byte> file;
 
@@ -42,7 +43,7 @@ enum class GeometryStatus : std::uint8_t {
 /// the next frame costs one frame of work; any other frame costs at most one segment (GeometryCache::segment_frames).
 /// Bytes of any origin may be passed: checksums are compared, and data that would read or write outside of buffers is
 /// refused.
-class GeometryDecoder {
+class SINEW_API GeometryDecoder {
  public:
   /// The cache must outlive this. Allocates all memory that decoding needs.
   explicit GeometryDecoder(const GeometryCache& cache);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/geometry_cache/bind_geometry.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 #include "runtime/plan/frame_input.h"
@@ -20,7 +21,7 @@ namespace sinew {
 ///     ...
 ///     std::fill(geometry.begin(), geometry.end(), player.at(time_s));
 ///     run_plan(plan, {.geometry = geometry}, frame);
-class GeometryPlayer {
+class SINEW_API GeometryPlayer {
  public:
   /// The cache and the object behind `frames` must outlive this and must not move; the scene need not live on.
   /// in   bindings  must have passed check(cache, scene, bindings)

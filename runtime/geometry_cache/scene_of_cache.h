@@ -2,6 +2,7 @@
 #pragma once
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/geometry_cache/bind_geometry.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 #include "runtime/model/scene.h"
@@ -19,6 +20,6 @@ struct CacheScene {
 /// Normals are those of the cache, or else smooth over points of equal position. Colours are those of the first frame.
 /// in   frames  must have the first frame loaded
 /// err  GeometryStatus of that frame;   cost O(vertices), allocates
-tl::expected<CacheScene, GeometryStatus> scene_of(const GeometryCache& cache, FrameSource frames);
+SINEW_API tl::expected<CacheScene, GeometryStatus> scene_of(const GeometryCache& cache, FrameSource frames);
 
 }  // namespace sinew

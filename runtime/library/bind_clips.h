@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/clip/clip.h"
 #include "runtime/library/clip_channels.h"
 
 namespace sinew {
 
 /// Channels that clips move, but that could not be bound. Each name is listed once, for any number of clips.
-struct Unbound {
+struct SINEW_API Unbound {
   std::vector<std::string> missing;    ///< not in `to`; without a name, a description: "joint 3 without a name"
   std::vector<std::string> ambiguous;  ///< several channels have the name, in `from` or in `to`, so none was bound
 
@@ -30,6 +31,6 @@ struct BoundClips {
 /// in `to`. If nothing differs, the result is the same clip handle; otherwise it shares keys where possible.
 /// in   clips  compiled for `from`
 /// cost O(names + clips * (joints + weights + numbers)), allocates
-BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, const ClipChannels& to);
+SINEW_API BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, const ClipChannels& to);
 
 }  // namespace sinew

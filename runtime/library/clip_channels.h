@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "runtime/base/api.h"
 #include "runtime/base/shared_array.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/model/scene.h"
@@ -28,13 +29,13 @@ struct ClipChannels {
 };
 
 /// The channels of a scene. They share the rest values of its clips.     cost O(J + W + P), allocates
-ClipChannels clip_channels(const Scene& scene);
+SINEW_API ClipChannels clip_channels(const Scene& scene);
 
 /// The channels of a skeleton alone, without weights and properties.     cost O(J), allocates
-ClipChannels clip_channels(const Skeleton& skeleton);
+SINEW_API ClipChannels clip_channels(const Skeleton& skeleton);
 
 /// The name of a property without its component: "material skin/base_color". Empty if its joint, camera, light or
 /// material has no name.
-std::string property_name(const Scene& scene, const PropertyTarget& target);
+SINEW_API std::string property_name(const Scene& scene, const PropertyTarget& target);
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/library/bind_clips.h"
 
 namespace sinew {
@@ -30,7 +31,7 @@ enum class IfUnbound : std::uint8_t { leave_out, refuse };
 /// A library is a value whose copies share clips, so a copy before each addition is a cheap version. Clips keep their
 /// index in later versions. Plans keep alive the clips that they were compiled with, and do not need the library. So
 /// new plans can be compiled with a new version while frames still run with the old one.
-class ClipLibrary {
+class SINEW_API ClipLibrary {
  public:
   /// cost O(J), allocates
   explicit ClipLibrary(const Skeleton& skeleton) : channels_(clip_channels(skeleton)) {}
@@ -74,6 +75,6 @@ class ClipLibrary {
 /// out  the clips, and the channels that do not bind, also those that only other outfits have. Properties bind only if
 ///      clips of the scene itself animate them (Scene::properties).
 /// cost O(names + clips * (joints + weights + numbers)), allocates
-BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
+SINEW_API BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
 
@@ -24,14 +25,14 @@ namespace sinew {
 ///      unknown, so take the instance as in view. Unknown are meshes that correctives morph, skinned meshes with parts
 ///      that are not skinned, and clips with more than kMaxBoundsPoses joint poses.
 /// cost O(key times * J + V), with `stored` O(instances); allocates
-std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip,
-                              std::span<const Aabb> stored = {});
+SINEW_API std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip,
+                                        std::span<const Aabb> stored = {});
 inline constexpr std::size_t kMaxBoundsPoses = 4'000'000;
 
 /// The part of clip_bounds that depends on the keys alone, before margins for skinning, rounding and the clip's error
 /// are added. Compute it when a clip is compiled, while `animations` are the authoring form, and store it with the clip
 /// (AssetFileOptions::clip_boxes).
 /// out  [instances]     cost O(key times * J + V), allocates
-std::vector<Aabb> clip_boxes(const Scene& scene, std::uint32_t clip);
+SINEW_API std::vector<Aabb> clip_boxes(const Scene& scene, std::uint32_t clip);
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/model/skeleton_lod.h"
 #include "runtime/plan/needs.h"
@@ -26,8 +27,8 @@ namespace sinew {
 /// out  an empty `detail` if every joint matters
 /// cost O(key times * J), more for deep skeletons that can lose many joints; allocates. At most kMaxLodPoses joint
 ///      poses and kMaxLodVertices vertices of frames are compared; beyond that they are thinned out evenly
-CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m,
-                                         std::span<const std::uint32_t> clips = {}, const Needs& needs = {});
+SINEW_API CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m,
+                                                   std::span<const std::uint32_t> clips = {}, const Needs& needs = {});
 inline constexpr std::size_t kMaxLodPoses = 4'000'000, kMaxLodVertices = 10'000'000;
 
 }  // namespace sinew

@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/lod/update_rate.h"
 
 namespace sinew {
 
 /// Number of frames until the next update of a character at this level: 1 at the finest level.
-std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint32_t phase) noexcept;
+SINEW_API std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint32_t phase) noexcept;
 
 /// Evaluates a character in the frames of its level and interpolates in between. A clip is known in advance, so the
 /// pose of the next update is evaluated one interval early. Frames between the two updates are interpolated without lag
@@ -22,7 +23,7 @@ std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint
 /// err  of second order: under an acceleration a, the pose is off by at most a h^2 / 8, h the time between updates.
 ///      Under a constant turn by an angle x per interval it is off by less than 0.0041 x^3 rad (rotations are
 ///      interpolated on the chord). A sudden step between two updates is smeared over the interval.
-class InterpolatedInput {
+class SINEW_API InterpolatedInput {
  public:
   /// in   plan  with Needs::between_updates
   explicit InterpolatedInput(const Plan& plan);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "runtime/base/api.h"
 #include "runtime/plan/input_copy.h"
 
 namespace sinew {
@@ -20,14 +21,14 @@ struct UpdateRates {
 /// Height of a sphere in the picture of a perspective camera, as a fraction of the picture height. Infinite for a
 /// camera inside of the sphere.
 /// eq   r / (d tan(fov_y / 2))
-double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept;
+SINEW_API double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept;
 
 /// in   screen_size  of the character;   before  its level in the last frame
-UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates = {}) noexcept;
+SINEW_API UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates = {}) noexcept;
 
 /// The level itself, or a finer one if its updates would be farther apart than UpdateRates::longest_s.
 /// in   frame_s  time from one frame to the next
-UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates = {}) noexcept;
+SINEW_API UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates = {}) noexcept;
 
 /// Holds a character's input over the frames that its level leaves out. run_plan gets the same input again and does
 /// nothing, neither for joints nor for vertices, and nothing is uploaded. Poses are not interpolated in between:
@@ -36,7 +37,7 @@ UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& 
 /// asleep) is always that of the current frame.
 /// err  the shown frame is up to 2^k - 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times.
 ///      The root lags as well; to hide that, draw the character with root_now * inverse(input.root) on top
-class HeldInput {
+class SINEW_API HeldInput {
  public:
   explicit HeldInput(const Plan& plan) : held_(plan) {}
 

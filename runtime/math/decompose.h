@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "runtime/base/api.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/transform.h"
 
@@ -54,12 +55,12 @@ template <class T>
 TrsT<T> decompose_trs(const AffineT<T>& m) noexcept;
 
 template <>
-PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
+SINEW_API PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
 template <>
-PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
+SINEW_API PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
 template <>
-TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
+SINEW_API TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
 template <>
-TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
+SINEW_API TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/api.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/conventions.h"
 
@@ -12,8 +13,8 @@ namespace sinew {
 ///      2^-300 of the largest entry of their column
 /// out  the sign for the entries as given. A singular matrix whose entries were rounded before may have any sign.
 /// cost about 25 operations where the error bound decides, else about 1000
-int determinant_sign(const Mat3<float>& m) noexcept;
-int determinant_sign(const Mat3<double>& m) noexcept;
+SINEW_API int determinant_sign(const Mat3<float>& m) noexcept;
+SINEW_API int determinant_sign(const Mat3<double>& m) noexcept;
 
 /// As above, for the linear part.
 template <class T>

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "runtime/base/api.h"
 #include "runtime/math/matrix_rotation.h"
 
 namespace sinew {
@@ -57,24 +58,24 @@ template <class T>
 Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept;
 
 template <>
-Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
+SINEW_API Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
 template <>
-Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
+SINEW_API Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
 template <>
-Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
+SINEW_API Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
 template <>
-Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
+SINEW_API Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
 template <>
-HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>&) noexcept;
+SINEW_API HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>&) noexcept;
 template <>
-HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>&) noexcept;
+SINEW_API HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>&) noexcept;
 template <>
-Mat3<float> matrix_from_euler(const EulerOrder&, const Vec3<float>&) noexcept;
+SINEW_API Mat3<float> matrix_from_euler(const EulerOrder&, const Vec3<float>&) noexcept;
 template <>
-Mat3<double> matrix_from_euler(const EulerOrder&, const Vec3<double>&) noexcept;
+SINEW_API Mat3<double> matrix_from_euler(const EulerOrder&, const Vec3<double>&) noexcept;
 template <>
-Vec3<float> euler_from_matrix(const EulerOrder&, const Mat3<float>&) noexcept;
+SINEW_API Vec3<float> euler_from_matrix(const EulerOrder&, const Mat3<float>&) noexcept;
 template <>
-Vec3<double> euler_from_matrix(const EulerOrder&, const Mat3<double>&) noexcept;
+SINEW_API Vec3<double> euler_from_matrix(const EulerOrder&, const Mat3<double>&) noexcept;
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <unordered_set>
 
+#include "runtime/base/api.h"
 #include "runtime/library/clip_library.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_buffer.h"
@@ -32,7 +33,7 @@ struct MemoryBytes {
 /// Sums the memory of several assets and characters. Shared memory counts once: keys of clips, rest values, names,
 /// plans.
 /// cost O(arrays of the asset), allocates
-class MemoryCount {
+class SINEW_API MemoryCount {
  public:
   MemoryCount& add(const Skeleton& skeleton);
   MemoryCount& add(const Clip& clip);

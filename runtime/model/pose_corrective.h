@@ -4,6 +4,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/model/pose_samples.h"
 
 namespace sinew {
@@ -32,11 +33,11 @@ struct PoseCorrective {
 ///      rank_deficient (condition beyond 1e10: too few poses for the tail, or a gaussian far wider than their
 ///      distances)
 /// cost O(basis^3), allocates
-Result<PoseCorrective> solve_corrective(PoseSamples samples);
+SINEW_API Result<PoseCorrective> solve_corrective(PoseSamples samples);
 
 /// Checks sizes, indices and numbers of a solved corrective.
 /// in   joint_count, weight_count  of the scene
 /// err  as check(PoseSamples), index_out_of_range, unsupported (a range whose lower end is above the upper one)
-ErrorCode check(const PoseCorrective& corrective, std::size_t joint_count, std::size_t weight_count) noexcept;
+SINEW_API ErrorCode check(const PoseCorrective& corrective, std::size_t joint_count, std::size_t weight_count) noexcept;
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/math/conventions.h"
 
@@ -61,6 +62,6 @@ struct PoseSamples {
 /// err  size_mismatch (no driver, sample or weight, or arrays of wrong length); not_finite (also rotations and axes
 ///      without direction, and drivers of weight 0 only); unsupported (negative driver weight or regularisation,
 ///      radius <= 0)
-ErrorCode check(const PoseSamples& samples) noexcept;
+SINEW_API ErrorCode check(const PoseSamples& samples) noexcept;
 
 }  // namespace sinew

@@ -11,6 +11,7 @@
 
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 #include "runtime/base/shared_name.h"
 #include "runtime/clip/clip.h"
 #include "runtime/math/quaternion.h"
@@ -111,15 +112,15 @@ inline std::shared_ptr<const Scene> lend(const Scene& scene) noexcept {
 std::shared_ptr<const Scene> lend(const Scene&& scene) = delete;  // it would be gone already
 
 /// First clip of that name; nothing when there is none.    cost O(clips)
-std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept;
+SINEW_API std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept;
 
 /// Rest morph weights of all mesh instances, one instance after another.
 /// out  [W]     cost O(W), allocates
-std::vector<float> rest_weights_of(const Scene& scene);
+SINEW_API std::vector<float> rest_weights_of(const Scene& scene);
 
 /// Fills `first_weight`, `properties` and missing bounds of primitives, and compiles every animation into `clips`.
 /// Call it once, when everything else is complete.
-void finish_scene(Scene& scene);
+SINEW_API void finish_scene(Scene& scene);
 
 /// Checks once everything that jobs and plans rely on; they check only the sizes of buffers. Call it after
 /// finish_scene for scenes that do not come from the importer. It checks:
@@ -132,15 +133,15 @@ void finish_scene(Scene& scene);
 ///
 /// The inside of clips is checked when they are made (compile_clip, load_clips), and masks by compile_plan.
 /// err  the first broken rule;  cost O(size of the scene), allocates O(meshes)
-ErrorCode check(const Scene& scene);
+SINEW_API ErrorCode check(const Scene& scene);
 
 /// Shows one of Scene::scenes: adds to `hidden_joints` all root joints that are neither roots of it nor above one.
 /// Hidden joints are still evaluated, since skins may use them. Call it before plans are compiled.
 /// in   index  into Scene::scenes; kNone = all roots are shown, nothing changes
 /// cost O(J)
-void show_scene(Scene& scene, std::uint32_t index);
+SINEW_API void show_scene(Scene& scene, std::uint32_t index);
 
 /// The part of check(Scene) for animations, here of ones that are not in the scene yet.
-ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
+SINEW_API ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
 
 }  // namespace sinew

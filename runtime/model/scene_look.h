@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 
 namespace sinew {
@@ -17,18 +18,18 @@ struct SceneLook {
   explicit SceneLook(const Scene& scene) : materials(scene.materials), lights(scene.lights), cameras(scene.cameras) {}
 };
 
-TextureUse& texture_of(Material& material, TextureSlot slot) noexcept;
+SINEW_API TextureUse& texture_of(Material& material, TextureSlot slot) noexcept;
 
 /// The components of a property in the look; empty for node_visible, for which see FrameResult::hidden.
 /// in   target   with its index in range
-std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept;
+SINEW_API std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept;
 
 /// Writes the property values of a frame into the look.
 /// in   values[P]  FrameResult::properties; empty = change nothing;   look  made from the same scene
 /// cost O(P), no allocation
-void apply_properties(const Scene& scene, std::span<const float> values, SceneLook& look) noexcept;
+SINEW_API void apply_properties(const Scene& scene, std::span<const float> values, SceneLook& look) noexcept;
 
 /// Every property that an animation of the scene animates, with its rest value.
-PropertyTable make_property_table(const Scene& scene);
+SINEW_API PropertyTable make_property_table(const Scene& scene);
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/paging/key_slices.h"
 
 namespace sinew {
@@ -9,11 +10,11 @@ namespace sinew {
 /// True if two clips may be parts of one clip: they have the same tracks in all but their keys, and the same
 /// constants.
 /// cost O(tracks + joints)
-bool moves_alike(const Clip& a, const Clip& b);
+SINEW_API bool moves_alike(const Clip& a, const Clip& b);
 
 /// Reassembles a clip from the parts that cut_clip made, added in the order of time. A part may be freed once it was
 /// added.
-class ClipJoiner {
+class SINEW_API ClipJoiner {
  public:
   /// in   head  first_keys() of the clip; the result has its name, duration and certificate
   explicit ClipJoiner(const Clip& head);

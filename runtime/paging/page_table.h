@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/clip/clip.h"
 
 namespace sinew {
@@ -59,6 +60,6 @@ inline std::string name_of_page(const std::string& clip, std::size_t page) {
 
 /// One page of a clip: as cut_clip, but with the name of the page and without a certificate.
 /// cost O(keys of the page + tracks), allocates
-Clip cut_page(const Clip& clip, double page_s, std::size_t page);
+SINEW_API Clip cut_page(const Clip& clip, double page_s, std::size_t page);
 
 }  // namespace sinew

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/paging/page_table.h"
 
@@ -34,7 +35,7 @@ struct PageSample {
 ///
 /// One thread calls `at`. There may be several loader threads, and they may be late. A page that is loaded samples the
 /// same bits as the whole clip.
-class PagedClip {
+class SINEW_API PagedClip {
  public:
   struct Options {
     std::size_t window = 4;  ///< most pages in memory, at least 2: the playing one, the next ones, and from 3 on the

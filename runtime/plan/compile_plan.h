@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/plan_stages.h"
@@ -50,7 +51,7 @@ struct ClipTracks {
 /// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan does
 /// not change. One exception: clips and animations may be added to a lent scene, moved and removed, since the plan
 /// shares the clips themselves. Frames know the clips that the plan was compiled for, by the index that they had.
-class Plan {
+class SINEW_API Plan {
  public:
   /// No plan: run_plan answers no_plan, and all other calls but is_compiled() break a contract.
   Plan() noexcept = default;
@@ -95,11 +96,11 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
 /// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the nearest joint above
 /// it that poses have.
 /// in   model  FrameResult::model of a frame of the plan
-Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
+SINEW_API Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
 
 /// Joints of the scene that poses of the plan have, rising: all but those that Needs::skeleton_lod leaves out.
 /// cost O(J), allocates
-std::vector<std::uint32_t> kept_joints(const Plan& plan);
+SINEW_API std::vector<std::uint32_t> kept_joints(const Plan& plan);
 
 /// Compiles the plan of a scene: share(std::move(scene)) makes one that plans keep alive, lend(scene) one that the
 /// caller keeps (model/scene.h).
@@ -108,13 +109,13 @@ std::vector<std::uint32_t> kept_joints(const Plan& plan);
 ///              joint; skeleton_lod empty or for all joints; cached_instances rising indices of instances
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
-Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
 
 /// Same, for a scene that only this plan has.
 inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_plan(share(std::move(scene)), needs); }
 
 /// Same, for clips of a library (library/clip_library.h) in place of the scene's own. Layers name them by index.
 /// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so that the array may go
-Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/math/affine.h"
 #include "runtime/plan/frame_result.h"
@@ -27,7 +28,7 @@ concept BlockMemory = requires(Memory& memory, void* block) {
 
 /// A share of a compiled plan: a std::shared_ptr, which is made and given back in frame_buffer.cpp. Including <memory>
 /// would cost every source file that runs frames 15,000 lines more. Internal to plan/.
-class PlanShare {
+class SINEW_API PlanShare {
  public:
   explicit PlanShare(const Plan& plan) noexcept;
   PlanShare(PlanShare&& other) noexcept;
@@ -81,7 +82,7 @@ struct LastInput {
 /// The memory of a frame: one block of Plan::frame_bytes() bytes, made once and reused every frame. It holds the result
 /// and the input of its last run. Nothing else is ever allocated for a character. The buffer keeps its plan and the
 /// scene alive, also when the plan's handle goes or is assigned anew.
-class FrameBuffer {
+class SINEW_API FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
 
@@ -134,7 +135,7 @@ class FrameBuffer {
   friend Refusal check_run(const Plan&, const FrameInput&, const FrameBuffer&, const FrameBuffer*) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
 
-  struct Source {
+  struct SINEW_API Source {
     void* context;
     void* (*allocate)(void* context, std::size_t byte_count);
     FrameBlock::Deallocate deallocate;

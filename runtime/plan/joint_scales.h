@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/math/affine.h"
 #include "runtime/plan/plan_assets.h"
 
@@ -27,9 +28,9 @@ struct JointScale {
 /// are taken to reach any scale.
 /// in   additive   layers may add: a scale that changes at all may get any sign
 /// out  [joints of poses]      cost O(J + keys of scale tracks), allocates. Internal to plan/
-std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive);
+SINEW_API std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive);
 
 /// The kind of one matrix. Differences below 1e-5 of its size count as rounding: the matrix is even.
-ScaleKind scale_kind(const Affine& m) noexcept;
+SINEW_API ScaleKind scale_kind(const Affine& m) noexcept;
 
 }  // namespace sinew

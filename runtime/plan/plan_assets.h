@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
 
@@ -36,16 +37,17 @@ struct PlanAssets {
 
 /// in   mirror  keeps the partners of joints that are kept; null = none
 /// out  [J]     cost O(J)
-std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror = nullptr);
+SINEW_API std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail,
+                                               const MirrorMap* mirror = nullptr);
 
 /// The joints of a map that poses have, rising.
-std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map);
+SINEW_API std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map);
 
 /// Points into the scene, but for its clips.
 /// in   clips  of the scene's joints, morph weights and properties
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
-PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,
-                       const std::shared_ptr<const MirrorMap>& mirror = nullptr);
+SINEW_API PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,
+                                 const std::shared_ptr<const MirrorMap>& mirror = nullptr);
 
 /// World matrix of any joint of the scene.
 /// in   model[K]  of a frame (FrameResult::model)

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_buffer.h"
@@ -31,15 +32,15 @@ namespace sinew {
 ///      unsupported         a source in scene space for an instance with copies
 ///      After an error the frame buffer still holds its last good frame.
 /// cost the sum of the plan's stages, no allocation; the same input gives the same bits, whatever ran before
-ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
+SINEW_API ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 
 /// Says why run_plan refuses this call: which field, which index, which rule ("layers[1].weight: a weight is below 0").
 /// A buffer that the refused run should have followed is forgotten by then, so ask before the run about that.
 /// out  empty where run_plan does not refuse     cost as the checks of run_plan, allocates the text
-std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame);
+SINEW_API std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame);
 
 /// True if the buffer holds the result of this very input, so that run_plan would run no stage.
 /// cost O(layers + weights + instances), no allocation
-bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept;
+SINEW_API bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept;
 
 }  // namespace sinew

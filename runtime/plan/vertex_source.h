@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/model/aabb.h"
 
 namespace sinew {
@@ -26,7 +27,7 @@ struct ShownVertices {
 /// (runtime/geometry_cache), or an engine's own simulation. Functions and a context, so that the frame needs no library
 /// of any source. A character has sources of its own: run_plan calls them on the thread that it runs on, and one frame
 /// of a character runs at a time. Functions allocate nothing.
-struct VertexSource {
+struct SINEW_API VertexSource {
   /// True if the source has vertices for all primitives of the instance.
   bool (*has)(const void* context, std::uint32_t instance) noexcept = nullptr;
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/playback/playback_clock.h"
 
 namespace sinew {
@@ -21,7 +22,7 @@ namespace sinew {
 /// event once (in ping-pong, events between the ends twice).
 /// in   event_times_s[E]  never decreasing, in [0, duration]; must outlive the cursor
 /// cost O(E) per visited round, no allocation
-class EventCursor {
+class SINEW_API EventCursor {
  public:
   /// Most rounds that are visited in one step.
   static constexpr std::uint64_t kMostRounds = 1024;

@@ -4,6 +4,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 
 namespace sinew {
@@ -33,7 +34,7 @@ struct PlaybackStep {
 /// Sums are compensated: a million steps of 1/60 s end where their exact sum ends. Wrapping is exact (std::fmod). The
 /// speed may be zero or negative. Numbers that are NaN, infinite or beyond kMost return not_finite and change nothing,
 /// so a bad time step of one frame does not break the clock.
-class PlaybackClock {
+class SINEW_API PlaybackClock {
  public:
   /// Limit of seconds and speeds. Up to it all sums and products of the clock stay finite.
   static constexpr double kMost = 1e300;

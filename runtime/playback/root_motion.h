@@ -3,6 +3,7 @@
 #include <span>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/playback/playback_clock.h"
 
@@ -25,8 +26,8 @@ struct RootMotionParts {
 /// eq   E(t) = T(given axes of the translation) * H(t),  H = R(t) R_rest^-1; for RootTurn::heading its twist about +Y
 /// in   rest  of the root joint: used for properties without a track, and as the direction of heading 0
 /// out  rigid, unit.  cost O(log K), no allocation
-DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
-                     double time_s) noexcept;
+SINEW_API DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
+                               double time_s) noexcept;
 
 /// The movement of the character in a step of the clock, in its own space.
 /// eq   D = E(from)^-1 E(to) within a round;  over rounds of a loop, each continues where the last one ended:
@@ -41,8 +42,8 @@ DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const Roo
 /// With several clips, both what moves and what is removed are blended: blend_root_motion. RootTrack (root_track.h)
 /// gives the same without the authoring keys.
 /// out  rigid, unit.  cost O(log K + log turns), no allocation
-DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
-                      const PlaybackStep& step) noexcept;
+SINEW_API DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
+                                const PlaybackStep& step) noexcept;
 
 /// One clip's share of a blend: its motion in this frame, its place at its time, and its layer's weight.
 struct RootShare {
@@ -64,11 +65,11 @@ struct BlendedRoot {
 ///     frame.root = world * inverse of blended.place;
 ///
 /// in   weights at least 0, of the layers that blend.   out  identities where no weight is above 0
-BlendedRoot blend_root_motion(std::span<const RootShare> shares) noexcept;
+SINEW_API BlendedRoot blend_root_motion(std::span<const RootShare> shares) noexcept;
 
 /// The root motion of a mirrored clip: the motion of the clip, reflected at a plane through the origin.
 /// eq   S D S:  q' = n q n^-1,  t' = t - 2 n (n . t), n the normal as a pure quaternion
 /// in   plane_normal  unit, in the space of the motion (MirrorMap::plane_normal for a root joint without parents)
-DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept;
+SINEW_API DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept;
 
 }  // namespace sinew

@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/playback/root_motion.h"
 
 namespace sinew {
 
 /// The root motion of one clip without its authoring keys, which an engine can then drop. It takes 32 bytes a key.
-class RootTrack {
+class SINEW_API RootTrack {
  public:
   /// A position and rotation of the character. Between keys translations are linear and rotations use slerp. Two keys
   /// with the same time are a jump.

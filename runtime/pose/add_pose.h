@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
@@ -21,7 +22,7 @@ struct AddPoseJob {
   PoseSpan pose;
 };
 
-ErrorCode check(const AddPoseJob& job) noexcept;
-void run_unchecked(const AddPoseJob& job) noexcept;
+SINEW_API ErrorCode check(const AddPoseJob& job) noexcept;
+SINEW_API void run_unchecked(const AddPoseJob& job) noexcept;
 
 }  // namespace sinew

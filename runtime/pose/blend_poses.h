@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
@@ -30,8 +31,8 @@ struct BlendPosesJob {
   PoseSpan pose;
 };
 
-ErrorCode check(const BlendPosesJob& job) noexcept;
-void run_unchecked(const BlendPosesJob& job) noexcept;
+SINEW_API ErrorCode check(const BlendPosesJob& job) noexcept;
+SINEW_API void run_unchecked(const BlendPosesJob& job) noexcept;
 
 /// Weighted mean of the morph weights of several layers. Where the layer weights sum to less than 1, the rest weights
 /// get the remaining weight, as in BlendPosesJob.
@@ -41,7 +42,7 @@ void run_unchecked(const BlendPosesJob& job) noexcept;
 ///      first[W], others[(L - 1) * W]  the morph weights x[0], then x[1], x[2], ...
 /// out  first[W]   the blended weights
 /// cost O(W * L), no allocation
-void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,
-                   std::span<const float> others) noexcept;
+SINEW_API void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,
+                             std::span<const float> others) noexcept;
 
 }  // namespace sinew

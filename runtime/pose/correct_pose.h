@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/model/pose_corrective.h"
 #include "runtime/pose/pose.h"
@@ -28,9 +29,9 @@ struct CorrectPoseJob {
 };
 
 /// Number of doubles that CorrectPoseJob::scratch needs.
-std::size_t scratch_size(const PoseCorrective& corrective) noexcept;
+SINEW_API std::size_t scratch_size(const PoseCorrective& corrective) noexcept;
 
-ErrorCode check(const CorrectPoseJob& job) noexcept;
-void run_unchecked(const CorrectPoseJob& job) noexcept;
+SINEW_API ErrorCode check(const CorrectPoseJob& job) noexcept;
+SINEW_API void run_unchecked(const CorrectPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/joint_matrix.h"
@@ -25,8 +26,8 @@ struct JointPaletteJob {
   bool* unchanged = nullptr;
 };
 
-ErrorCode check(const JointPaletteJob& job) noexcept;
-void run_unchecked(const JointPaletteJob& job) noexcept;
+SINEW_API ErrorCode check(const JointPaletteJob& job) noexcept;
+SINEW_API void run_unchecked(const JointPaletteJob& job) noexcept;
 
 /// A skinning matrix J split for dual-quaternion skinning: a stretch in bind space, then a rigid motion.
 /// eq   J = [R S | t]: R is the rotation of the polar decomposition, S is symmetric: `stretch` = xx yy zz xy xz yz For
@@ -60,7 +61,7 @@ struct SplitPaletteJob {
   std::span<const JointPair> follow;
 };
 
-ErrorCode check(const SplitPaletteJob& job) noexcept;
-void run_unchecked(const SplitPaletteJob& job) noexcept;
+SINEW_API ErrorCode check(const SplitPaletteJob& job) noexcept;
+SINEW_API void run_unchecked(const SplitPaletteJob& job) noexcept;
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
@@ -25,7 +26,7 @@ struct LocalToModelJob {
   std::span<const std::uint32_t> only = {};
 };
 
-ErrorCode check(const LocalToModelJob& job) noexcept;
-void run_unchecked(const LocalToModelJob& job) noexcept;
+SINEW_API ErrorCode check(const LocalToModelJob& job) noexcept;
+SINEW_API void run_unchecked(const LocalToModelJob& job) noexcept;
 
 }  // namespace sinew

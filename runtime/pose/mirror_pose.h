@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/animation/mirror_map.h"
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
@@ -27,7 +28,7 @@ struct MirrorTables {
 
 /// in   joints  of a MirrorMap, or a subset that contains its own sources
 /// cost O(J), allocates
-MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints);
+SINEW_API MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints);
 
 /// Mirrors a pose: each joint gets the reflected transform of its partner on the other side.
 /// eq   as make_mirror_map (mirror_map.h), in float. Rotations that are sums of products are normalised. Values that
@@ -41,7 +42,7 @@ struct MirrorPoseJob {
   PoseSpan mirrored;
 };
 
-ErrorCode check(const MirrorPoseJob& job) noexcept;
-void run_unchecked(const MirrorPoseJob& job) noexcept;
+SINEW_API ErrorCode check(const MirrorPoseJob& job) noexcept;
+SINEW_API void run_unchecked(const MirrorPoseJob& job) noexcept;
 
 }  // namespace sinew

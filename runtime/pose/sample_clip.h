@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
 #include "runtime/pose/pose.h"
@@ -27,7 +28,7 @@ struct SampleClipJob {
   bool holds_clip = false;
 };
 
-ErrorCode check(const SampleClipJob& job) noexcept;
-void run_unchecked(const SampleClipJob& job) noexcept;
+SINEW_API ErrorCode check(const SampleClipJob& job) noexcept;
+SINEW_API void run_unchecked(const SampleClipJob& job) noexcept;
 
 }  // namespace sinew

@@ -5,7 +5,7 @@
 ///
 ///     sinew::ClipLibrary library(knight.skeleton);
 ///     const sinew::Unbound left_out = library.add(walks);
-///     const sinew::Plan plan = compile_plan(knight, clips_for(library, knight).clips, needs);
+///     const sinew::Plan plan = compile_plan(lend(knight), clips_for(library, knight).clips, needs);
 #include "runtime/library/bind_clips.h"
 #include "runtime/library/clip_channels.h"
 #include "runtime/library/clip_library.h"

@@ -9,6 +9,7 @@
 ///     for (const sinew::DeformedPrimitive& primitive : frame.result().primitives) upload(primitive);
 ///
 /// Sources that run frames pay for these lines only. Sources that compile plans include plan.h, which has the scene.
+#include "runtime/base/api.h"
 #include "runtime/plan/frame_buffer.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_result.h"
@@ -17,9 +18,9 @@
 namespace sinew {
 
 /// Runs one frame of a character. plan.h lists the errors. After an error the buffer still holds its last good frame.
-ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
+SINEW_API ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 
 /// True if the buffer holds the result of this very input, so that run_plan would run no stage.
-bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept;
+SINEW_API bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept;
 
 }  // namespace sinew

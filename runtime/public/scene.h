@@ -5,6 +5,6 @@
 ///
 ///     finish_scene(scene);
 ///     if (check(scene) != sinew::ErrorCode::ok) return;
-///     const sinew::Plan plan = compile_plan(scene, {});
+///     const sinew::Plan plan = compile_plan(share(std::move(scene)), {});
 #include "runtime/model/scene.h"
 #include "runtime/model/scene_look.h"

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/retarget/skeleton_map.h"
 
 namespace sinew {
@@ -50,7 +51,7 @@ struct LegJoints {
 /// in   map   of the same skeletons
 ///      legs  joints of the target, for skeletons whose humanoid bones the map does not know
 /// cost O(J log J), allocates
-FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
-                      const std::vector<LegJoints>& legs = {});
+SINEW_API FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
+                                const std::vector<LegJoints>& legs = {});
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/feet_map.h"
@@ -23,8 +24,8 @@ namespace sinew {
 /// out  held    rotations of the three joints of each low leg, or of all legs if the hips come down; the translation of
 ///      the hips
 /// cost O(joints above and in the legs), no allocation
-void hold_feet(const FeetMap& feet, double ground, std::span<const Transformd> pose,
-               std::span<Transformd> held) noexcept;
+SINEW_API void hold_feet(const FeetMap& feet, double ground, std::span<const Transformd> pose,
+                         std::span<Transformd> held) noexcept;
 
 /// hold_feet in float, for the poses of frames.
 /// err  size_mismatch     cost O(joints above and in the legs), no allocation
@@ -35,13 +36,13 @@ struct HoldFeetJob {
   PoseSpan held;  ///< of the target, in place
 };
 
-ErrorCode check(const HoldFeetJob& job) noexcept;
-void run_unchecked(const HoldFeetJob& job) noexcept;
+SINEW_API ErrorCode check(const HoldFeetJob& job) noexcept;
+SINEW_API void run_unchecked(const HoldFeetJob& job) noexcept;
 
 /// Ground height of an animation, relative to the ground of the rest pose. It is the 5 % quantile over time of the
 /// height of the lower foot, so a foot that dips through the floor for a moment does not count. 0 without legs.
 /// cost O(duration * joints), allocates
-double find_ground(const FeetMap& feet, const Animation& animation, const Skeleton& source);
+SINEW_API double find_ground(const FeetMap& feet, const Animation& animation, const Skeleton& source);
 
 /// Foot locking for a retargeted animation. Leg rotations, and translations of hips that come down, get linear keys at
 /// all key times and 60 times a second. A leg that turns by no more than rounding keeps its tracks.
@@ -49,8 +50,8 @@ double find_ground(const FeetMap& feet, const Animation& animation, const Skelet
 ///      retargeted   that animation after retarget_animation
 /// out  retargeted   new tracks for the joints of legs and hips; new bones are appended
 /// cost O(duration * joints), allocates
-void hold_feet(const FeetMap& feet, const Animation& animation, const Skeleton& source, const Skeleton& target,
-               Animation& retargeted);
+SINEW_API void hold_feet(const FeetMap& feet, const Animation& animation, const Skeleton& source,
+                         const Skeleton& target, Animation& retargeted);
 
 /// How far feet slide while they are on the ground. The slide of a contact is the largest distance of the ankle or toes
 /// from the source's path. The path is scaled by the height ratio.
@@ -61,7 +62,7 @@ struct FootSlide {
 };
 
 /// cost O(duration * joints), allocates
-FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, const Skeleton& source,
-                             const Animation& retargeted, const Skeleton& target);
+SINEW_API FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, const Skeleton& source,
+                                       const Animation& retargeted, const Skeleton& target);
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 
 namespace sinew {
 
@@ -65,7 +66,7 @@ inline constexpr std::array<std::string_view, 52> kHumanoidBones = {"hips",
                                                                     "rightLittleDistal"};
 
 /// Index of a name in kHumanoidBones; kNone if it is not a humanoid bone.
-std::uint32_t humanoid_bone(std::string_view name) noexcept;
+SINEW_API std::uint32_t humanoid_bone(std::string_view name) noexcept;
 
 /// Finds the joints of the humanoid bones by their names. It knows these naming schemes and their variants:
 ///     VRM 1.0 and 0.x   leftUpperArm, J_Bip_L_UpperArm
@@ -76,13 +77,13 @@ std::uint32_t humanoid_bone(std::string_view name) noexcept;
 /// Joints between hips and neck become spine, chest and upper chest in this order, whatever their names. Finger bones
 /// are counted from the hand.
 /// out  [kHumanoidBones] a joint, or kNone     cost O(J log J), allocates
-std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
+SINEW_API std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
 
 /// Same, for files that name the joint of each bone (SkeletonMapOptions). Empty if the file names no humanoid bone.
-std::vector<std::uint32_t> humanoid_bones_of(std::span<const NamedBone> bones);
+SINEW_API std::vector<std::uint32_t> humanoid_bones_of(std::span<const NamedBone> bones);
 
 /// The joint above the hips that carries a character through the world, by its name ("root", "Root_Bone"). The topmost
 /// if there are several, kNone if there is none.     cost O(joints above the hips)
-std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips);
+SINEW_API std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips);
 
 }  // namespace sinew

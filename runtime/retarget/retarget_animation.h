@@ -3,6 +3,7 @@
 #include <span>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 #include "runtime/retarget/skeleton_map.h"
 
 namespace sinew {
@@ -11,8 +12,8 @@ namespace sinew {
 /// eq   as make_skeleton_map (skeleton_map.h). Unmapped joints get their rest pose.
 /// in   pose  [J source] local transforms;   out  [J target] local transforms
 /// cost O(J), no allocation
-void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
-                   std::span<const Transformd> pose, std::span<Transformd> out) noexcept;
+SINEW_API void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
+                             std::span<const Transformd> pose, std::span<Transformd> out) noexcept;
 
 /// Retargets an animation of the source to the target. Where a target joint follows a single track, each key is mapped
 /// by itself and keeps its interpolation. The map is linear
@@ -23,8 +24,8 @@ void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleto
 /// names. For morph weights and properties see retarget_weights.h and retarget_properties.h.
 /// in   animation  of the source; must have passed its checks
 /// cost O(keys * joints between mapped ones), allocates
-Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,
-                             const Skeleton& target);
+SINEW_API Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,
+                                       const Skeleton& target);
 
 /// Largest difference between a retargeted animation and retarget_pose of the original, sampled `per_second` times a
 /// second and halfway between.
@@ -33,7 +34,8 @@ struct RetargetError {
   double distance = 0.0;        ///< of local translations, in units of the target
   std::uint32_t joint = kNone;  ///< joint of the target with the largest angle
 };
-RetargetError measure_retarget(const Animation& retargeted, const Animation& animation, const SkeletonMap& map,
-                               const Skeleton& source, const Skeleton& target, double per_second = 97.0);
+SINEW_API RetargetError measure_retarget(const Animation& retargeted, const Animation& animation,
+                                         const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
+                                         double per_second = 97.0);
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/skeleton_map.h"
@@ -47,7 +48,7 @@ struct RetargetTables {
 };
 
 /// cost O(J), allocates
-RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target);
+SINEW_API RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target);
 
 /// Retargets a pose of one skeleton to another.
 /// eq   as make_skeleton_map (skeleton_map.h), in float: within 1e-6 of retarget_pose (retarget_animation.h). On its
@@ -63,7 +64,7 @@ struct RetargetPoseJob {
   PoseSpan retargeted;
 };
 
-ErrorCode check(const RetargetPoseJob& job) noexcept;
-void run_unchecked(const RetargetPoseJob& job) noexcept;
+SINEW_API ErrorCode check(const RetargetPoseJob& job) noexcept;
+SINEW_API void run_unchecked(const RetargetPoseJob& job) noexcept;
 
 }  // namespace sinew

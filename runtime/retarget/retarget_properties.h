@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/retarget/skeleton_map.h"
 
@@ -13,7 +14,7 @@ namespace sinew {
 /// out  retargeted  its property tracks are replaced
 ///      returns the properties that were not copied, named as in clip_channels.h; nameless things are described
 /// cost O(tracks * things), allocates
-std::vector<std::string> retarget_properties(const Animation& animation, const SkeletonMap& map, const Scene& source,
-                                             const Scene& target, Animation& retargeted);
+SINEW_API std::vector<std::string> retarget_properties(const Animation& animation, const SkeletonMap& map,
+                                                       const Scene& source, const Scene& target, Animation& retargeted);
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 
 namespace sinew {
@@ -21,20 +22,20 @@ struct WeightMap {
 /// "Face.M_jawOpen" equals "mJawOpen". If several targets of the source have the name, the one on a mesh of the same
 /// name is taken, else the first. Targets without a name are not mapped.
 /// cost O(W log W), allocates
-WeightMap make_weight_map(const Scene& source, const Scene& target);
+SINEW_API WeightMap make_weight_map(const Scene& source, const Scene& target);
 
 /// Retargets the morph weights of one frame.
 /// in   weights  [W source]
 /// out  out      [W target] only mapped weights are written
 /// cost O(W), no allocation
-void retarget_weights(const WeightMap& map, std::span<const float> weights, std::span<float> out) noexcept;
+SINEW_API void retarget_weights(const WeightMap& map, std::span<const float> weights, std::span<float> out) noexcept;
 
 /// Retargets the weight tracks of an animation. The result has one track per mesh instance of the target. An instance
 /// that follows a single track keeps its keys and interpolation. An instance that follows several tracks gets linear
 /// keys at the key times of all of them. Unmapped morph targets keep their rest weight.
 /// out  retargeted  its weight tracks are replaced
 /// cost O(keys * targets), allocates
-void retarget_weights(const WeightMap& map, const Animation& animation, const Scene& source, const Scene& target,
-                      Animation& retargeted);
+SINEW_API void retarget_weights(const WeightMap& map, const Animation& animation, const Scene& source,
+                                const Scene& target, Animation& retargeted);
 
 }  // namespace sinew

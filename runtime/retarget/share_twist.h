@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/skeleton_map.h"
@@ -34,7 +35,7 @@ struct TwistMap {
 /// next bone (Rigify, Daz) are not twist joints: they rest, and the hand takes over the whole rotation.
 /// in   map  to `target`
 /// cost O(J log J), allocates
-TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target);
+SINEW_API TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target);
 
 /// Turns the twist joints of a retargeted pose. Each gets a share of the twist of its driver (hand, foot, upper arm or
 /// thigh). The twist is relative to the rest pose.
@@ -44,7 +45,7 @@ TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target);
 /// in   pose  local transforms of the target
 /// out  pose  rotations of the twist joints are replaced
 /// cost O(twist joints), some 50 ns each, no allocation
-void share_twist(const TwistMap& twists, std::span<Transformd> pose) noexcept;
+SINEW_API void share_twist(const TwistMap& twists, std::span<Transformd> pose) noexcept;
 
 /// share_twist for the poses of frames. It also computes in double.
 /// err  size_mismatch
@@ -53,14 +54,14 @@ struct ShareTwistJob {
   PoseSpan pose;  ///< of the target, changed in place
 };
 
-ErrorCode check(const ShareTwistJob& job) noexcept;
-void run_unchecked(const ShareTwistJob& job) noexcept;
+SINEW_API ErrorCode check(const ShareTwistJob& job) noexcept;
+SINEW_API void run_unchecked(const ShareTwistJob& job) noexcept;
 
 /// share_twist for a retargeted animation. A twist joint whose driver is animated gets rotation keys at the driver's
 /// key times. Unless the driver's keys step, it also gets 60 keys a second between them.
 /// in   animation   of the target
 /// out  animation   rotation tracks of the twist joints are replaced
 /// cost O(duration * twist joints), allocates
-void share_twist(const TwistMap& twists, Animation& animation);
+SINEW_API void share_twist(const TwistMap& twists, Animation& animation);
 
 }  // namespace sinew

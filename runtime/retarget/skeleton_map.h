@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/api.h"
 #include "runtime/retarget/humanoid_bones.h"
 
 namespace sinew {
@@ -80,6 +81,7 @@ struct SkeletonMapOptions {
 ///      out.
 /// in   skeletons  rest rotations unit;   options  joints in range
 /// cost O(J log J), allocates
-SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options = {});
+SINEW_API SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target,
+                                        const SkeletonMapOptions& options = {});
 
 }  // namespace sinew

@@ -10,6 +10,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/plan/run_plan.h"
 
@@ -49,7 +50,7 @@ struct JobThreadOptions {
 /// task to end publishes the results. No call but wait(), add_character() and the destructor blocks.
 /// owns  one worker thread unless own_thread is false, the frame buffers of all characters added
 /// thread-safe  submit and latest from one thread; poll, take_task and tasks from any
-class JobThread {
+class SINEW_API JobThread {
   struct State;
 
  public:
@@ -79,7 +80,7 @@ class JobThread {
   void wait(Ticket ticket) const;
 
   /// One run of characters of a frame; a value of two words.
-  class Task {
+  class SINEW_API Task {
    public:
     Task() = default;  ///< not to be called
     /// Runs the characters. Each task is called exactly once, on any thread; a frame is done when its last task is.

@@ -62,6 +62,23 @@ TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_
     EXPECT_THAT(table, testing::Not(testing::HasSubstr(name)));
 }
 
+#ifdef SINEW_SHARED_RUNTIME
+TEST(library_symbols, the_shared_library_shows_functions_of_sinew_and_no_copy_of_an_inline_function) {
+  std::istringstream lines(output_of("nm -D -C --defined-only " SINEW_SHARED_RUNTIME));
+  std::size_t functions = 0;
+  for (std::string text; std::getline(lines, text);) {
+    const std::string kind = text.substr(std::min(text.size(), text.find(' ')), 3);  // " T " between value and name
+    functions += kind == " T ";
+    EXPECT_NE(kind, " W ") << text;
+    EXPECT_TRUE(kind != " u " || std::regex_search(text, std::regex("::k[A-Z]"))) << text;  // constants of classes
+    EXPECT_THAT(text, testing::HasSubstr("sinew")) << "of another library";
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("::N_"))) << "a kernel";
+  }
+  EXPECT_GT(functions, 100u);
+  EXPECT_LT(functions, 400u);
+}
+#endif
+
 #ifdef SINEW_IMPORTER_ARCHIVE
 // Classes of tinygltf are inline, and Debian's libdraco and engines contain other versions of them. Of two classes with
 // one name the linker takes the first it meets. Then the destructor of one version would destroy an object of the

@@ -221,7 +221,7 @@ Json image_json(const Image& image) {
 }
 
 Json camera_json(const Scene& scene, const Camera& camera) {
-  return {{"name", camera.name},
+  return {{"name", std::string(camera.name)},
           {"node", index_or_null(node_of(scene, camera.joint))},
           {"kind", camera.perspective ? "perspective" : "orthographic"},
           {"fov_y_rad", camera.perspective ? Json(camera.fov_y_rad) : Json(nullptr)},
@@ -231,7 +231,7 @@ Json camera_json(const Scene& scene, const Camera& camera) {
 }
 
 Json light_json(const Scene& scene, const Light& light) {
-  return {{"name", light.name},
+  return {{"name", std::string(light.name)},
           {"node", index_or_null(node_of(scene, light.joint))},
           {"kind", name_of(light.kind, kLightNames)},
           {"color", {light.color.r, light.color.g, light.color.b}},
