@@ -22,7 +22,7 @@
 #include "runtime/retarget/retarget_weights.h"
 #include "runtime/retarget/share_twist.h"
 
-// What is behind the handles of the C interface, for C++ code that hands its own scene to C:
+// The structs behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)
 
 struct sinew_scene {

@@ -69,8 +69,9 @@ class Crowd {
   std::vector<InputCopy> queued_, running_;
   std::vector<std::size_t> part_end_;            // characters of part p: from the end of the one before to part_end_[p]
   std::size_t bytes_ = 0, last_part_bytes_ = 0;  // of the frames of all characters, and of those in the last part
-  // What one thread writes before it hands tasks over, and other threads after that, must be visible whatever the
-  // executor does to order them; and an executor that leaves out or repeats a task must be noticed.
+
+  // These make the writes of one thread visible to the others before and after the tasks, even if the executor orders
+  // nothing. They also reveal an executor that leaves out or repeats a task.
   alignas(64) std::atomic<std::uint64_t> started_{0};  // read by all
   alignas(64) std::atomic<std::size_t> tasks_run_{0};  // written by all
 };

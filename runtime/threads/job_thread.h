@@ -26,10 +26,11 @@ using Ticket = std::uint64_t;
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
-  Executor executor;  ///< empty = oneTBB, or a pool of our own threads where the library was built without it; without
-                      ///< a thread of its own: the thread that polls
-  /// A frame of all characters smaller than this is one task and is not handed to the executor (P16): the sum of
-  /// Plan::frame_bytes, which grows with the time. Waking threads that slept takes as long as this much work.
+  /// Empty = oneTBB, or sinew's own pool of threads if the library was built without oneTBB. If own_thread is false,
+  /// empty = the thread that polls.
+  Executor executor;
+  /// A frame is one task, and is not handed to the executor, if the sum of Plan::frame_bytes() of all characters is
+  /// below this. That sum grows with the work. Waking sleeping threads takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;
   std::size_t part_bytes = std::size_t{1} << 17;      ///< consecutive characters that are one task: at least so much
   std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new.
@@ -45,9 +46,9 @@ struct JobThreadOptions {
 /// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the
 /// worker unless it calls wait().
 ///
-/// Without a thread of its own (for engines whose jobs are fibres, or that have one thread only) a submitted frame
-/// waits for the engine: poll() runs it, or take_task() hands it out in pieces for any threads or fibres; the last
-/// task to end publishes the results. No call but wait(), add_character() and the destructor blocks.
+/// Without a thread of its own a submitted frame waits for the engine. This is for engines whose jobs are fibres, or
+/// that have only one thread. poll() runs the frame, or take_task() hands it out in pieces for any threads or fibres.
+/// The last task to end publishes the results. No call but wait(), add_character() and the destructor blocks.
 /// owns  one worker thread unless own_thread is false, the frame buffers of all characters added
 /// thread-safe  submit and latest from one thread; poll, take_task and tasks from any
 class SINEW_API JobThread {
@@ -93,8 +94,8 @@ class SINEW_API JobThread {
     std::size_t index_ = 0;
   };
 
-  /// Without a thread of its own: the next task of the frame in flight, or the first one of the frame that is queued;
-  /// nothing while all tasks are taken. A task that was taken and never run leaves its frame unfinished.
+  /// Without a thread of its own: takes the next task of the frame in flight, or the first one of the queued frame.
+  /// Returns std::nullopt while all tasks are taken. A task that was taken and never run leaves its frame unfinished.
   std::optional<Task> take_task() noexcept;
 
   /// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
@@ -102,9 +103,9 @@ class SINEW_API JobThread {
   bool poll();
 
   /// Newest finished frame of a character of this job thread; stays valid and unchanged until the next call of latest()
-  /// for that character. A character whose input is as before is not run: it keeps its result, with the number of the
-  /// frame that made it, so that characters that rest or are held (update_rate.h) cost nothing. Null before the first
-  /// frame is done.
+  /// for that character. A character whose input is unchanged is not run: it keeps its result, with the number of the
+  /// frame that made it. So characters that rest or are held (update_rate.h) cost nothing. Null before the first frame
+  /// is done.
   const FrameResult* latest(Character character) noexcept;
 
   /// First error of the last finished frame in the order of characters, ok if none. A character that failed keeps

@@ -4,9 +4,10 @@
 
 #include "runtime/threads/default_executor.h"
 
-// The thread sanitizer cannot see inside the system's libtbb. Its build leaves this file uninstrumented, so that TBB's
-// own templates do not look like races, and is told here the one thing that TBB guarantees: what the caller wrote is
-// visible to the bodies, and what they wrote is visible to the caller afterwards.
+// The thread sanitizer cannot see inside the system's libtbb, so TBB's own templates would look like races. Its build
+// therefore does not instrument this file.
+// Annotations below declare the one guarantee of TBB: the bodies see what the caller wrote, and the caller sees
+// afterwards what the bodies wrote.
 #ifdef SINEW_TELL_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif

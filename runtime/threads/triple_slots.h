@@ -5,11 +5,11 @@
 
 namespace sinew {
 
-/// Says which of three frame buffers the writer and the reader may touch, so that neither waits: one is being written,
-/// one is finished, one is being read. One writer at a time and one reader; lock-free.
+/// Says which of three frame buffers the writer and the reader may touch, so that neither waits. One buffer is being
+/// written, one is finished, one is being read. One writer at a time and one reader; lock-free.
 ///
-/// With two buffers one of the three places is empty: the writer has nothing to write into from the moment it has
-/// published a buffer until the reader takes that one and so gives back the buffer before it.
+/// With two buffers one of the three places is empty. Once the writer has published a buffer, it has none to write into
+/// until the reader takes that buffer and gives back the one before.
 class TripleSlots {
  public:
   /// in   buffer_count  3, or 2 (see above)

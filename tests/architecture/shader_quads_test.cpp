@@ -38,7 +38,7 @@ TEST(shader_quads, nothing_follows_a_discard) {
   EXPECT_GE(discarding, 2) << "the passes with an alpha test";
 }
 
-TEST(shader_quads, the_search_sees_what_it_is_for) {
+TEST(shader_quads, finds_code_after_a_discard) {
   EXPECT_TRUE(goes_on_after_discard("void main() { if (a < b) discard; c = texture(d, e); }\n"));
   EXPECT_TRUE(goes_on_after_discard("void f() { discard; }\nvoid main() { f(); c = dFdx(d); }\n"));
   EXPECT_FALSE(goes_on_after_discard("void main() { c = texture(d, e); if (a < b) discard; }\n"));

@@ -111,7 +111,7 @@ std::vector<std::string> missing_libraries(const std::string& text, const std::s
   return missing;
 }
 
-TEST(standard_includes, what_a_file_uses_it_includes) {
+TEST(standard_includes, files_include_the_headers_of_the_names_they_use) {
   const std::vector<SourceFile> files = source_tree();
   Includes includes(files);
   for (const SourceFile& file : files)

@@ -205,7 +205,7 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("all", needs);
   Needs fewer = needs;
   const std::size_t joints = scene->skeleton.joint_count();
-  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // the deeper half goes
+  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // drops the deeper half
   add_level("half", fewer);
   needs.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);

@@ -70,7 +70,7 @@ bool hold_to(const Options& options) {
 }
 
 void add_all(bool for_counting) {
-  const std::size_t most_vertices = for_counting ? 10'000 : 1'000'000;  // valgrind is slow on the larger ones
+  const std::size_t most_vertices = for_counting ? 10'000 : 1'000'000;  // valgrind is too slow for larger cases
   if (!for_counting) {
     add_memory();
     add_import();

@@ -246,7 +246,7 @@ TEST(c_interface, frame_memory_comes_from_the_engine_alone) {
   EXPECT_EQ(memory.allocations, 1u);
   EXPECT_EQ(memory.bytes_in_use, sinew_plan_frame_bytes(plan));
   sinew_frame* second = nullptr;
-  EXPECT_EQ(sinew_frame_create(plan, &allocator, &second), SINEW_OUT_OF_MEMORY);  // the engine refuses
+  EXPECT_EQ(sinew_frame_create(plan, &allocator, &second), SINEW_OUT_OF_MEMORY);  // the engine's allocator fails
   EXPECT_EQ(second, nullptr);
   sinew_frame_destroy(frame);
   EXPECT_EQ(memory.bytes_in_use, 0u);

@@ -24,8 +24,8 @@ sinew_error engine_read(const sinew_result* result, size_t skin_count, engine_nu
 sinew_error engine_play(const sinew_scene* scene, const sinew_needs* needs, const sinew_frame_input* input,
                         const sinew_allocator* allocator, engine_numbers* out);
 
-/// Same, in a memory block of the engine. Guard bytes show that nothing outside it was written, else the answer is
-/// SINEW_OVERLAPPING_BUFFERS.
+/// Same, in a memory block of the engine between guard bytes. Returns SINEW_OVERLAPPING_BUFFERS if the guards were
+/// overwritten.
 sinew_error engine_play_in_block(const sinew_scene* scene, const sinew_needs* needs, const sinew_frame_input* input,
                                  engine_numbers* out);
 

@@ -58,7 +58,7 @@ void expect_plan(const Samples& samples, const std::string& name, const std::str
       << name << "; if that was meant: SINEW_RECORD=1 sinew-test-plan-text";
 }
 
-TEST(plan_text, of_the_samples_is_what_is_stored) {
+TEST(plan_text, of_the_samples_equals_the_stored_text) {
   const Samples samples;
   expect_plan(samples, "skull.txt", "skull.glb", {});
   expect_plan(samples, "skull_by_joints.txt", "skull.glb",

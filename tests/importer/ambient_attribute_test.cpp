@@ -99,7 +99,7 @@ TEST(ambient_attribute, an_older_one_is_replaced_and_leaves_nothing_behind) {
   EXPECT_EQ(read.values[0][0], std::vector<float>(6, 0.5f));
 }
 
-TEST(ambient_attribute, what_is_no_fraction_for_each_vertex_is_a_warning_and_taken_as_absent) {
+TEST(ambient_attribute, attributes_other_than_a_fraction_per_vertex_are_ignored_with_a_warning) {
   const auto issue_of = [](const auto& add) {
     TinyGltf gltf = bent_square();
     Json& attribute = gltf.root["meshes"][0]["primitives"][0]["attributes"]["_AMBIENT_ACCESS"];

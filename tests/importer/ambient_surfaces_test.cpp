@@ -130,7 +130,7 @@ TEST(bake_mesh_visibility, a_mesh_at_several_places_gets_the_mean_of_them) {
   EXPECT_TRUE(visibility[2][0].empty()) << "nobody sees it";
 }
 
-TEST(key_pose_baker, what_a_pose_does_not_show_is_open_in_it_and_what_none_shows_has_no_values) {
+TEST(key_pose_baker, meshes_are_open_in_poses_that_hide_them_and_have_no_values_if_all_do) {
   Placed placed;
   placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
   placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over it

@@ -188,7 +188,7 @@ TEST(broken_rules, one_run_finds_errors_of_every_step) {
       << list(issues);
 }
 
-TEST(broken_rules, what_only_suffers_from_an_error_is_not_reported) {
+TEST(broken_rules, consequences_of_an_error_are_not_reported) {
   TinyGltf file;
   file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
   file.root["accessors"][1]["count"] = 100;  // JOINTS_0

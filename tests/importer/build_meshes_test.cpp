@@ -357,7 +357,7 @@ TEST(build_meshes, G47_targets_may_omit_attributes_but_not_invent_them) {
   EXPECT_THAT(result->scene.instances[0].rest_weights, ElementsAre(0, 0, 0));
 }
 
-TEST(build_meshes, G47_displaced_texture_coordinates_are_kept_and_the_file_is_told_that_nothing_adds_them) {
+TEST(build_meshes, G47_displaced_texture_coordinates_are_kept_and_reported_as_unused) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
   primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>(6), "VEC2", 5126, 2);

@@ -153,7 +153,7 @@ TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
 TEST(cost_skin_probe, a_mesh_without_a_skin_goes_with_its_joint) {
   Scene arm = arm_scene();
   arm.instances[0].skin = kNone;
-  arm.instances[0].joint = 2;  // which turns: vertex 1 lies two metres from it
+  arm.instances[0].joint = 2;  // joint 2 turns; vertex 1 lies two metres from it
   const cost::SkinProbe probe(arm, 1000);
   const auto pose = [&](double time_s) {
     return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));
@@ -215,7 +215,7 @@ TEST(cost_skin_probe, looks_a_twentieth_of_the_skeletons_size_away_wherever_it_s
     bones.skeleton.rest[0].translation = {10.0f, -7.0f, 3.0f};
     bones.skeleton.rest[1].translation = {0.0f, height, 0.0f};
     const auto pose = cost::model_pose(bones.skeleton, cost::rest_pose(bones.skeleton));
-    auto turned = pose;  // joint 1 by half a turn about x: points on y and z come to the other side of it
+    auto turned = pose;  // joint 1 makes half a turn about x: points on y and z go to its other side
     for (const int row : {1, 2})
       for (const int column : {1, 2}) turned[1].row[row][column] *= -1.0;
     EXPECT_NEAR(cost::SkinProbe(bones, 1000).distance_m(pose, turned), height > 0.0f ? 0.2 : 0.06, 1e-12);
@@ -279,7 +279,7 @@ TEST(cost_influences, whole_weights_of_every_vertex_have_sum_one) {
 
 TEST(cost_influences, whole_weights_have_sum_one_and_the_heaviest_takes_what_is_missing) {
   const VertexInfluences two{
-      {{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // 127.5 63.9 63.6
+      {{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // times 255: 127.5 63.9 63.6
   EXPECT_THAT(cost::whole_weights<std::uint8_t>(two), ElementsAre(255, 127, 64, 64));
   EXPECT_THAT(cost::whole_weights<std::uint16_t>(two_vertices()), ElementsAre(65535, 39320, 19661, 6554));
 }

@@ -182,7 +182,7 @@ TEST(cost_studies, thresholds_of_morph_weights_lose_what_they_leave_out) {
 
 TEST(cost_studies, normals_not_made_unit_again_count_as_wrong) {
   Scene face = face_scene();
-  face.animations[0].weights[0].weights.values = {1.0f, 0.0f, 1.0f, 0.0f};  // "lift" leans a normal by its own length
+  face.animations[0].weights[0].weights.values = {1.0f, 0.0f, 1.0f, 0.0f};  // "lift" adds a unit vector to a normal
   const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
   EXPECT_LT(point_named(study.group, "active targets").error, 1e-4);
   // A normal of length sqrt(2) instead of 1 counts as the angle of that chord.

@@ -63,7 +63,7 @@ TEST(cost_retargeting, both_sides_of_the_other_body_are_alike) {
   }
 }
 
-TEST(cost_retargeting, a_body_that_glides_strays_by_what_its_rule_makes_of_the_path_of_the_hips) {
+TEST(cost_retargeting, errors_of_a_gliding_body_follow_from_the_rule_for_its_hips) {
   const Scene scene = glider();
   const Study study = cost::study_retargeting(Subject(scene, 0, Effort::quick()));
   const Group& group = study.group;

@@ -74,7 +74,7 @@ TEST(json, what_json_does_not_allow_is_refused) {
     EXPECT_EQ(parse(bad), nullptr) << bad;
 }
 
-TEST(json, of_two_values_with_one_name_the_last_counts_and_it_is_said) {
+TEST(json, the_last_of_two_values_with_one_name_counts_and_is_reported) {
   const auto result = import_gltf(
       bytes_of(
           R"({"asset":{"version":"2.0"},"nodes":[{"name":"a","name":"b","mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":7,"POSITION":0}}]}],

@@ -254,7 +254,7 @@ TEST(rewrite_gltf, refuses_extensions_that_name_places_in_a_buffer) {
   EXPECT_EQ(refused(gltf, {"NOT_A_codec"}), "carried");
 }
 
-TEST(rewrite_gltf, makes_one_buffer_of_many_and_lists_what_the_others_said) {
+TEST(rewrite_gltf, merges_buffers_and_lists_the_properties_that_get_lost) {
   TinyGltf gltf;
   gltf.root["buffers"] = {{{"byteLength", 3}, {"uri", "data:;base64,AQID"}, {"name", "first"}},
                           {{"byteLength", 3}, {"uri", "data:;base64,BAUG"}}};

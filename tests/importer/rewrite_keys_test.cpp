@@ -116,7 +116,7 @@ TEST(rewrite_keys, accessors_that_nothing_named_before_stay_as_they_are) {
 }
 
 /// Everything that refers to an accessor or a view must use its new number.
-TEST(rewrite_keys, where_entries_go_all_that_is_behind_them_is_found_again) {
+TEST(rewrite_keys, references_are_renumbered_when_entries_are_removed) {
   TinyGltf gltf;
   gltf.animate("translation", gltf.times({0, 1, 2}), gltf.vec3({0, 0, 0, 1, 0, 0, 2, 0, 0}));
   Json& primitive = gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});

@@ -57,7 +57,7 @@ inline GlbParts rewritten(const TinyGltf& gltf, const RewriteOptions& options = 
   return split_glb(out->file);
 }
 
-/// The document without buffers and buffer views.
+/// The document without the properties that say where bytes lie: buffers, buffer views and references to them.
 inline Json without_places(Json root) {
   for (const char* list : {"buffers", "bufferViews"}) root.erase(list);
   return root;

@@ -2,7 +2,6 @@
 // Compares two readings of each model: by tinygltf alone, without the checks before it, and by the importer. The
 // importer feeds tinygltf slices of the core properties. Both must agree on every model and on the outputs of both
 // writers.
-// writers make of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -260,8 +259,8 @@ TEST(tinygltf_view, of_every_model_is_that_of_the_importer) {
       expect_same(*alone, read_checked(bytes));
       ++compared;
     } else {
-      ++refused;  // tinygltf refuses some files that the importer reads: primitives' indices without bytes, empty
-                  // buffers
+      // The importer reads some files that tinygltf refuses: indices without bytes, empty buffers.
+      ++refused;
     }
   }
   EXPECT_GT(compared, 4 * refused);

@@ -82,7 +82,7 @@ TEST_P(far_characters, N25_a_root_far_out_leaves_what_float_resolves_there) {
   EXPECT_GT(off, 0.2 * kGrid_m);
 }
 
-TEST_P(far_characters, N25_one_that_its_clip_carries_far_out_keeps_its_shape_under_a_root_that_brings_it_back) {
+TEST_P(far_characters, N25_a_clip_that_carries_far_out_keeps_the_shape_if_the_root_brings_it_back) {
   for (BoneAnimation& bone : scene_.animations[0].bones)
     for (glm::vec3& key : bone.translation.values) key += kPlace;
   finish_scene(scene_);

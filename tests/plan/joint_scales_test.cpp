@@ -134,8 +134,7 @@ TEST(joint_scales, P07_mirrored_layers_bring_those_of_the_partner) {
   expect_scale(mirrored_scale(two, flipped, true), ScaleKind::even, 1, true);
   expect_scale(mirrored_scale(one, uneven, true), ScaleKind::uneven, 1, true);
   expect_scale(mirrored_scale(uneven, one, true), ScaleKind::uneven, 1, true);
-  expect_scale(mirrored_scale(one, one, false), ScaleKind::none, 1,
-               false);  // 0.5 + 0.5 = 1
+  expect_scale(mirrored_scale(one, one, false), ScaleKind::none, 1, false);  // 0.5 + 0.5 = 1
   expect_scale(mirrored_scale(one, two, false), ScaleKind::uneven, 1, true);
   expect_scale(mirrored_scale(two, two, false), ScaleKind::uneven, 1, true);
 }

@@ -263,7 +263,7 @@ TEST_F(play_geometry, bad_inputs_answer_codes_and_leave_the_last_frame) {
   EXPECT_EQ(refused([](FrameInput&) {}), ErrorCode::index_out_of_range);
 }
 
-TEST_F(play_geometry, a_source_has_one_time_among_those_that_play_from_it_and_any_among_those_of_weight_0) {
+TEST_F(play_geometry, a_source_plays_at_one_time_a_frame_except_at_weight_0) {
   ASSERT_GE(scene_.instances.size(), 2u);
   for (const std::size_t idle : {0u, 1u}) {
     const FrameInput input = input_at(0.75, 1.0f);

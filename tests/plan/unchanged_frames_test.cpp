@@ -129,8 +129,8 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_are_composed_once) {
 
 TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_and_between_updates) {
   Scene scene = arm_scene();
-  scene.skeleton.rest[0] = {
-      {0.1f, -0.7f, 0.3f}, quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f), glm::vec3(1.1f, 0.9f, 1.3f)};  // clips drop the 3e-19
+  // Clips drop numbers as small as 3e-19.
+  scene.skeleton.rest[0] = {{0.1f, -0.7f, 0.3f}, quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f), glm::vec3(1.1f, 0.9f, 1.3f)};
   scene.skeleton.rest[1].rotation = glm::normalize(glm::quat(0.7f, 0.1f, -0.4f, 0.5f));
   finish_scene(scene);
   Needs needs;

@@ -185,7 +185,7 @@ TEST(unseen_characters, a_pose_from_before_the_sleep_is_not_taken_for_the_restin
   EXPECT_TRUE(same_shape(frame.result().primitives[0], fresh.result().primitives[0]));
 }
 
-TEST(unseen_characters, a_paused_one_that_comes_back_into_view_is_there_again_in_one_buffer_or_in_turns) {
+TEST(unseen_characters, a_paused_character_is_shown_again_when_it_comes_back_into_view) {
   const Scene scene = arm_scene();
   const Plan plan = compile_plan(lend(scene), all_needs());
   const ClipLayer paused{0, 0.7};

@@ -10,7 +10,7 @@ namespace sinew::reference {
 
 /// The light that reaches a surface point.
 struct Surroundings {
-  std::span<const ArrivingLight> lights;  ///< at the point
+  std::span<const ArrivingLight> lights;  ///< light that arrives at the point
   AmbientGradient ambient;
   Openness open;
 };

@@ -10,9 +10,8 @@ namespace sinew::reference {
 
 double overlap(double cos_a, double cos_b, double cos_between) {
   const double a = std::acos(cos_a), b = std::acos(cos_b), between = std::acos(std::clamp(cos_between, -1.0, 1.0));
-  const double nearest = std::abs(a - b),
-               farthest =
-                   a + b;  // at `nearest` the smaller circle begins to leave the larger one, at `farthest` it has left
+  // Up to `nearest` the smaller circle lies in the larger one; from `farthest` on the circles share nothing.
+  const double nearest = std::abs(a - b), farthest = a + b;
   if (between >= farthest) return 0.0;
   const double area = 1.0 - std::max(cos_a, cos_b);
   if (between <= nearest) return area;

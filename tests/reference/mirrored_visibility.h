@@ -9,8 +9,8 @@ namespace sinew::reference {
 /// How much of the ambient light other surfaces let through.
 struct Openness {
   double visibility = 1.0;  ///< share of the light that arrives, weighted by the cosine to the normal
-  std::optional<glm::dvec3>
-      bend;  ///< unit mean direction of the arriving light minus the normal; without it `visibility` scales reflections
+  /// Unit mean direction of the arriving light minus the normal. Without it `visibility` scales reflections.
+  std::optional<glm::dvec3> bend;
   double baked = 1.0;  ///< share of all ambient light that an occlusion texture leaves; multiplies `visibility`
 };
 

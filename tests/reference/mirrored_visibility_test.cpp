@@ -105,7 +105,7 @@ TEST(mirrored_visibility, is_nearer_to_rays_and_to_paths_of_light_than_visibilit
   }
 }
 
-TEST(mirrored_visibility, is_all_where_nothing_is_in_the_way_and_visibility_where_no_bent_normal_is_known) {
+TEST(mirrored_visibility, is_one_in_the_open_and_equals_visibility_without_a_bent_normal) {
   const glm::dvec3 v = glm::normalize(glm::dvec3(0.9, 0.2, 0.0));
   for (const double roughness : {0.05, 0.4, 1.0}) {
     EXPECT_NEAR(mirrored_visibility({.bend = glm::dvec3(0.0)}, kUp, v, roughness), 1.0, 1e-12);
@@ -117,8 +117,7 @@ TEST(mirrored_visibility, is_all_where_nothing_is_in_the_way_and_visibility_wher
 }
 
 TEST(mirrored_visibility, is_less_on_the_side_of_the_wall) {
-  const Openness open{.visibility = 0.6,
-                      .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // bent away from a wall at -x
+  const Openness open{.visibility = 0.6, .bend = glm::normalize(glm::dvec3(0.5, 1.0, 0.0)) - kUp};  // wall at -x
   const glm::dvec3 from_wall = glm::normalize(glm::dvec3(-0.8, 0.6, 0.0)), towards = {-from_wall.x, from_wall.y, 0.0};
   for (const double roughness : {0.1, 0.5}) {
     EXPECT_GT(mirrored_visibility(open, kUp, from_wall, roughness), 0.7);

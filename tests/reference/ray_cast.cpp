@@ -76,7 +76,7 @@ double open_share(const std::vector<RayTriangle>& triangles, const glm::dvec3& f
     std::uint32_t reversed = 0;
     for (int bit = 0; bit < 32; ++bit) reversed |= (static_cast<std::uint32_t>(i) >> bit & 1u) << (31 - bit);
     const double angle = 2.0 * std::numbers::pi * reversed * 0x1p-32,
-                 height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
+                 height2 = (i + 0.5) / ray_count;  // cos^2 is distributed evenly
     const glm::dvec3 flat = tangent * std::cos(angle) + bitangent * std::sin(angle);
     const glm::dvec3 direction = flat * std::sqrt(1.0 - height2) + normal * std::sqrt(height2);
     if (!cast(triangles, from, direction, radius)) ++open;

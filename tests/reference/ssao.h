@@ -13,7 +13,7 @@ struct DepthAndNormals {
   int width = 0, height = 0;
   std::vector<double> distance;
   std::vector<glm::dvec3> normals;
-  double cot_x = 1.0, cot_y = 1.0;  ///< clip = x * cot_x, y * cot_y over distance
+  double cot_x = 1.0, cot_y = 1.0;  ///< clip x = x * cot_x / distance, y likewise
   double near_m = 0.01;
 
   /// The view-space point seen through the middle of a pixel.

@@ -13,7 +13,7 @@ struct RandomSceneOptions {
   std::uint32_t skins = 2;    ///< 0 = no mesh is skinned
   std::uint32_t targets = 3;  ///< morph targets of each mesh, 0 = none
   std::uint32_t meshes = 2;
-  std::uint32_t instances = 4;   ///< every other one is skinned, if there are skins
+  std::uint32_t instances = 4;   ///< every second one is skinned, if there are skins
   std::uint32_t triangles = 40;  ///< of each primitive
   std::uint32_t most_influences = 6;
   std::uint32_t combinations = 0;  ///< sets of joints and weights to share; 0 = none are shared

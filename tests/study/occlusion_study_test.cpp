@@ -220,7 +220,7 @@ BuiltScene floor_and(bool wall) {
   return built;
 }
 
-TEST(exhaustive_visibility, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_more) {
+TEST(exhaustive_visibility, equals_the_open_share_beside_a_wall_and_falls_with_thickness) {
   const BuiltScene built = floor_and(true);
   const RayCaster rays(built.scene, built.frame());
   const View view = look_at({2.0, 8.0, 0.0}, {1.0, 0.0, 0.0}, 0.5, 0.05);

@@ -171,7 +171,7 @@ TEST(ray_caster_forms, the_nearest_of_several_surfaces_is_seen_and_nothing_where
   EXPECT_FALSE(RayCaster(empty.scene, empty.frame()).seen({0, 0, 0}, {0, 1, 0}));
 }
 
-TEST(ray_caster_forms, what_is_hidden_blended_or_no_surface_stops_no_ray) {
+TEST(ray_caster_forms, hidden_meshes_blended_meshes_and_lines_stop_no_ray) {
   for (const int left_out : {0, 1, 2, 3}) {
     BuiltScene built = floor_scene(1.0f);
     Primitive upper = square(1.0f);

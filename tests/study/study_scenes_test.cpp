@@ -137,7 +137,7 @@ TEST(study_scenes, the_pattern_has_squares_of_three_sizes_and_colours_that_tell_
       EXPECT_TRUE(is_light || at(x, y) == dark) << x << ' ' << y;
     }
   EXPECT_EQ(light, 128u * 256);
-  /// True if squares of that size start in the corner, the first one light and its neighbours dark.
+  /// True if a light square of that size starts at this corner, with dark neighbours.
   const auto squares = [&](std::size_t x, std::size_t y, std::size_t side) {
     const std::size_t last = side - 1;
     return at(x, y) == kLight && at(x + last, y + last) == kLight && at(x + side, y + last) != kLight &&

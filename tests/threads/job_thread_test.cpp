@@ -55,8 +55,7 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
   check(spread(), "the default");
 #if __has_include(<tbb/global_control.h>)
   {
-    const tbb::global_control more(tbb::global_control::max_allowed_parallelism,
-                                   16);  // maybe more than there are
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);  // maybe more than exist
     check(spread(), "oneTBB, 16 threads");
   }
 #endif

@@ -7,10 +7,10 @@
 
 namespace sinew::cost {
 
-/// Measures the viewer's texture filters, on a plane that reaches the horizon, each with its error against
-/// supersampling, and both its interpolations of normals, on a sphere, on the Vulkan device of this machine. Neither
-/// depends on a file. A separate program (tests/study) does it, so that this program needs no Vulkan.
-/// out  JSON as tests/study/shading_main.cpp writes it, for the groups below; they say why where that fails
+/// Measures the viewer's texture filters and interpolations of normals on this machine's Vulkan device. Filters are
+/// drawn on a plane that reaches the horizon, with their error against supersampling; normals on a sphere.
+/// Neither depends on a file. A separate program (tests/study) does it, so that this program needs no Vulkan.
+/// out  JSON as tests/study/shading_main.cpp writes it, for the groups below; if measuring fails, they give the reason
 std::string measure_shading(bool quick);
 
 Group filter_group(const std::string& measured);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A file of an engine that uses the library's inline functions. The program is built twice: with this file compiled as
-// ever, and with fused multiply-add and -ffast-math, without inlining. Then this object has a copy of every function
-// below, and of what they call in GLM, and it comes first when the program is linked.
+// A file of an engine that uses the library's inline functions. The program is built twice: with normal flags for this
+// file, and with fused multiply-add, -ffast-math and no inlining.
+// In the second build this object holds its own copy of every function below and of the GLM functions they call. The
+// linker meets this object first.
 #include <glm/gtc/quaternion.hpp>
 
 #include "runtime/animation/track_sample.h"

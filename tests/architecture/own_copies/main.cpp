@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints the bits of poses and vertices of a scene, made and run by the library alone: this file gives it numbers, and
-// calculates nothing with functions that engine.cpp has too.
+// Prints the bits of poses and vertices of a scene that the library alone computes. This file supplies the numbers, and
+// uses no function that engine.cpp uses, too.
 #include <cinttypes>
 #include <cstdio>
 #include <vector>
