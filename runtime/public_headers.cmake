@@ -96,6 +96,8 @@ set(sinew_public_headers
   runtime/deform/surface_faces.h
   runtime/deform/surface_normals.h
   runtime/deform/vertex_streams.h
+  runtime/pose_program/pose_program.h
+  runtime/pose_program/run_pose_program.h
   runtime/plan/compile_plan.h
   runtime/plan/frame_buffer.h
   runtime/plan/frame_hash.h
