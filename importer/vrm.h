@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"  // kNone
 #include "runtime/math/conventions.h"
 

@@ -6,14 +6,61 @@ set(sinew_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
 
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/sinew DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
+file(RELATIVE_PATH sinew_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" sinew_up "${sinew_up}")
+set(sinew_shared_flag "")
+if(BUILD_SHARED_LIBS)
+  set(sinew_shared_flag " -DSINEW_SHARED")
+endif()
+
+# pkg-config's names of packages; a package without one is headers only.
+set(sinew_pkg_config_of hwy=libhwy TBB=tbb zstd=libzstd draco=draco OpenMesh=openmesh turbojpeg=libturbojpeg webp=libwebp avif=libavif)
+
 # Packages whose targets a static library names: who links it finds them again. What is not listed here is a plain library.
-set(sinew_package_of glm=glm tl=tl-expected hwy=hwy TBB=TBB nlohmann_json=nlohmann_json OpenMeshCore=OpenMesh
+set(sinew_package_of glm=glm tl=tl-expected hwy=hwy TBB=TBB Threads=Threads nlohmann_json=nlohmann_json OpenMeshCore=OpenMesh
   meshoptimizer=meshoptimizer draco=draco)
+
+# Writes sinew-NAME.pc. What a shared library links is its own affair; whoever links a static one links that, too.
+function(sinew_pkg_config name components links packages)
+  list(TRANSFORM components PREPEND sinew- OUTPUT_VARIABLE requires)
+  set(libraries "")
+  foreach(library IN LISTS links packages)
+    set(required "")
+    foreach(pair IN LISTS sinew_pkg_config_of)
+      if(pair MATCHES "^${library}=(.+)$")
+        set(required ${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+    if(BUILD_SHARED_LIBS)
+    elseif(required)
+      list(APPEND requires ${required})
+    elseif(library STREQUAL "Threads::Threads")
+      list(APPEND libraries -pthread)
+    elseif(library STREQUAL "meshoptimizer")
+      list(APPEND libraries -lmeshoptimizer)
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES requires)
+  list(REMOVE_DUPLICATES libraries)
+  list(JOIN requires ", " requires)
+  list(JOIN libraries " " libraries)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/sinew-${name}.pc @ONLY CONTENT [[
+prefix=${pcfiledir}/@sinew_up@
+Name: sinew-@name@
+Description: @PROJECT_DESCRIPTION@, component @name@
+Version: @PROJECT_VERSION@
+Requires: @requires@
+Cflags: -I${prefix}/@CMAKE_INSTALL_INCLUDEDIR@@sinew_shared_flag@
+Libs: -L${prefix}/@CMAKE_INSTALL_LIBDIR@ -lsinew_@name@ @libraries@
+]])
+  install(FILES ${PROJECT_BINARY_DIR}/package/sinew-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
 
 # One component: a library, the others of ours that it links, and the packages.
 set(SINEW_COMPONENTS "")
 function(sinew_component name)
   get_target_property(links sinew_${name} LINK_LIBRARIES)
+  list(TRANSFORM links REPLACE "^[$]<INSTALL_INTERFACE:(.*)>$" "\\1")
   set(components "")
   set(packages "")
   foreach(link IN LISTS links)
@@ -28,6 +75,7 @@ function(sinew_component name)
       endif()
     endforeach()
   endforeach()
+  sinew_pkg_config(${name} "${components}" "${links}" "${packages}")
   install(TARGETS sinew_${name} EXPORT sinew_${name}_targets)
   install(EXPORT sinew_${name}_targets NAMESPACE sinew:: FILE sinew-${name}.cmake DESTINATION ${sinew_package_dir})
   set(SINEW_COMPONENTS ${SINEW_COMPONENTS} ${name} PARENT_SCOPE)

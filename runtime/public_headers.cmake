@@ -7,6 +7,7 @@ set(sinew_public_headers
   runtime/base/contract.h
   runtime/base/index.h
   runtime/base/result.h
+  runtime/base/run_job.h
   runtime/base/same_bits.h
   runtime/base/shared_array.h
   runtime/base/shared_name.h
@@ -23,22 +24,18 @@ set(sinew_public_headers
   runtime/math/matrix_rotation.h
   runtime/math/negligible.h
   runtime/math/normal_transform.h
-  runtime/math/perpendicular.h
   runtime/math/quat_log_exp.h
   runtime/math/quaternion.h
   runtime/math/rotation_about.h
   runtime/math/rotation_between.h
-  runtime/math/squad.h
   runtime/math/stretch.h
   runtime/math/swing_twist.h
   runtime/math/transform.h
   runtime/math/two_bones.h
   runtime/animation/bone_animation.h
   runtime/animation/close_loop.h
-  runtime/animation/keyframe.h
   runtime/animation/mirror_animation.h
   runtime/animation/mirror_map.h
-  runtime/animation/named_bone.h
   runtime/animation/property_track.h
   runtime/animation/side_names.h
   runtime/animation/skeleton.h
@@ -46,13 +43,10 @@ set(sinew_public_headers
   runtime/animation/track.h
   runtime/animation/truth_pose.h
   runtime/clip/clip.h
-  runtime/clip/clip_certificate.h
-  runtime/clip/base_numbers.h
   runtime/clip/clip_file.h
   runtime/clip/clip_rest.h
   runtime/clip/decompile_clip.h
   runtime/clip/keep_joints.h
-  runtime/clip/key_tolerances.h
   runtime/clip/unpack_clip.h
   runtime/library/bind_clips.h
   runtime/library/clip_channels.h
@@ -61,17 +55,14 @@ set(sinew_public_headers
   runtime/paging/cut_clip.h
   runtime/paging/page_table.h
   runtime/paging/paged_clip.h
-  runtime/model/clip_boxes.h
   runtime/model/material.h
   runtime/model/mesh.h
-  runtime/model/mesh_copies.h
   runtime/model/mirror_scene.h
   runtime/model/morph_set.h
   runtime/model/pose_corrective.h
   runtime/model/pose_samples.h
   runtime/model/scene.h
   runtime/model/scene_look.h
-  runtime/model/show_scene.h
   runtime/model/skeleton_lod.h
   runtime/model/skin.h
   runtime/pose/add_pose.h

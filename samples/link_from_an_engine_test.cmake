@@ -46,6 +46,19 @@ set(consumer -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE
 step(${CMAKE_COMMAND} -S ${ONLY_RUNTIME} -B ${SCRATCH}/only_runtime ${consumer} -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 step(${CMAKE_COMMAND} --build ${SCRATCH}/only_runtime)
 step(${SCRATCH}/only_runtime/engine)
+
+# The same program without CMake.
+file(GLOB_RECURSE described ${SCRATCH}/moved/sinew-runtime.pc)
+cmake_path(GET described PARENT_PATH folder)
+step(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} pkg-config --cflags --libs sinew-runtime)
+separate_arguments(runtime UNIX_COMMAND "${output}")
+separate_arguments(flags_of_compiler UNIX_COMMAND "${flags}")
+step(${COMPILER} -std=c++20 ${flags_of_compiler} -I${ONLY_RUNTIME} ${ONLY_RUNTIME}/main.cpp -o ${SCRATCH}/by_pkg_config ${runtime})
+step(${SCRATCH}/by_pkg_config)
+foreach(name IN ITEMS threads compress lod geometry_cache asset_file c c_assets c_geometry importer)  # each names what there is
+  step(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} pkg-config --exists --print-errors sinew-${name})
+endforeach()
+
 step(${CMAKE_COMMAND} -S ${SAMPLE} -B ${SCRATCH}/build ${consumer})
 step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 step(${SCRATCH}/moved/bin/sinew compile ${SAMPLE}/lift.gltf -o ${SCRATCH}/lift.sinew --budget 0)

@@ -7,7 +7,7 @@
 
 #include "runtime/math/determinant_sign.h"
 #include "runtime/math/normal_transform.h"
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {

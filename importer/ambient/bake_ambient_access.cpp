@@ -8,12 +8,11 @@
 #include <numeric>
 #include <tuple>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "importer/ambient/access_rays.h"
 #include "importer/ambient/ray_scene.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
@@ -136,10 +135,9 @@ std::vector<float> cast_all(const RayScene& blockers, const std::vector<std::vec
   std::vector<float> access(faces.size());
   for (std::size_t first = 0; first < faces.size(); first += kBlock) {
     const std::size_t end = std::min(faces.size(), first + kBlock);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end), [&](const auto& range) {
-      std::vector<glm::dvec3> directions;
-      for (std::size_t v = range.begin(); v != range.end(); ++v)
-        access[v] = access_of(blockers, faces[v], options, directions);
+    run_in_parallel(end - first, [&](std::size_t i) {
+      thread_local std::vector<glm::dvec3> directions;  // keeps its memory from vertex to vertex
+      access[first + i] = access_of(blockers, faces[first + i], options, directions);
     });
     if (options.progress) options.progress(static_cast<double>(end) / static_cast<double>(faces.size()));
   }

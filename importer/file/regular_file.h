@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <utility>
+
+#include "importer/platform/files.h"
 
 namespace sinew {
 
@@ -13,11 +14,12 @@ namespace sinew {
 /// does not wait for the other end of a pipe and does not take over a terminal.
 class RegularFile {
  public:
-  /// Names the file on the disk, whatever its path: device and number of its entry.
-  using Identity = std::pair<std::uint64_t, std::uint64_t>;
+  using Identity = platform::FileIdentity;
 
-  explicit RegularFile(const std::filesystem::path& path) noexcept;
-  ~RegularFile();
+  explicit RegularFile(const std::filesystem::path& path) noexcept : descriptor_(platform::open_to_read(path)) {}
+  ~RegularFile() {
+    if (opened()) platform::close(descriptor_);
+  }
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
@@ -25,11 +27,11 @@ class RegularFile {
   bool opened() const noexcept { return descriptor_ >= 0; }
 
   /// Nothing for folders, pipes and devices, which must not be read.
-  std::optional<std::uint64_t> size() const noexcept;
-  Identity identity() const noexcept;
+  std::optional<std::uint64_t> size() const noexcept { return platform::regular_size(descriptor_); }
+  Identity identity() const noexcept { return platform::identity_of(descriptor_); }
 
   /// Fills `out` from where the last call ended; false where the file ends early.
-  bool read(std::span<std::byte> out) const noexcept;
+  bool read(std::span<std::byte> out) const noexcept { return platform::read_all(descriptor_, out); }
 
   /// For libraries that read from a descriptor. It belongs to this object.
   int descriptor() const noexcept { return descriptor_; }

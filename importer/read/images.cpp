@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/images.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/image_codec.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
@@ -82,7 +81,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
                                    ? source.missing_reason
                                    : admit(source.encoded, options.decode_images, pixels_left, images[i]);
   }
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  run_in_parallel(count, [&](std::size_t i) {
     const gltf::Bytes encoded = document.images[i].encoded;
     if (options.decode_images && images[i].missing_reason.empty()) decode(encoded, images[i]);
     if (options.keep_encoded_images && images[i].missing_reason.empty())

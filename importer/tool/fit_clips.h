@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/compress/compile_clip_within.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew::tool {
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/topology/centers_cache.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <span>
 
+#include "importer/write/replace_file.h"
 #include "runtime/base/checksum.h"
 
 namespace sinew {
@@ -79,23 +77,14 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
   if (file_.empty()) return;
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  // Two programs, or two threads of one, may store the same centers at a time.
-  std::string unfinished = file_.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(unfinished.data());
-  if (descriptor < 0) return;
-  ::close(descriptor);
-  {
-    std::ofstream out(unfinished, std::ios::binary);
-    Header header;
-    header.vertex_count = static_cast<std::uint32_t>(centers.size());
-    header.data_hash = hash_of(centers);
-    out.write(reinterpret_cast<const char*>(&header), sizeof header);
-    out.write(reinterpret_cast<const char*>(centers.data()),
-              static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3)));
-    out.flush();
-    if (out) std::filesystem::rename(unfinished, file_, ignored);
-  }
-  std::filesystem::remove(unfinished, ignored);  // where it could not take its place
+  Header header;
+  header.vertex_count = static_cast<std::uint32_t>(centers.size());
+  header.data_hash = hash_of(centers);
+  const auto head = std::as_bytes(std::span(&header, 1)), data = std::as_bytes(std::span(centers));
+  std::vector<std::byte> bytes(head.begin(), head.end());
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  // A cache that cannot be written is done without. Of two threads that store the same centers at a time, one does.
+  (void)write::replace_file(file_, bytes);
 }
 
 }  // namespace sinew

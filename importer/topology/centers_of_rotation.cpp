@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/topology/centers_of_rotation.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,6 +9,7 @@
 #include <utility>
 
 #include "importer/topology/centers_cache.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
@@ -166,8 +164,9 @@ class CenterSearch {
         const double part = static_cast<double>(first) / static_cast<double>(vertices.size());
         options_.progress(done_before + part / static_cast<double>(pairs_.size()));
       }
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) add(surface, vertices[i], sums_[vertices[i].vertex]);
+      run_in_parallel(end - first, [&](std::size_t i) {
+        const PairVertex& vertex = vertices[first + i];
+        add(surface, vertex, sums_[vertex.vertex]);
       });
     }
   }

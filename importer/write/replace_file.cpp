@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "importer/write/replace_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <deque>
 #include <vector>
+
+#include "importer/platform/files.h"
 
 namespace sinew::write {
 namespace fs = std::filesystem;
@@ -17,37 +16,35 @@ namespace {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
-      : path_(target.string() + "." + std::to_string(::getpid()) + ".tmp"),
-        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {}
+      : path_(platform::temporary_beside(target)), descriptor_(platform::create_new(path_)) {}
   ~TemporaryFile() {
     if (descriptor_ < 0) return;
-    ::close(descriptor_);
-    if (!renamed_) ::unlink(path_.c_str());
+    close();
+    if (!renamed_) platform::remove(path_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   bool opened() const noexcept { return descriptor_ >= 0; }
 
-  bool write(std::span<const std::byte> bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return false;
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return ::fsync(descriptor_) == 0;
-  }
+  bool write(std::span<const std::byte> bytes) const { return platform::write_to_disk(descriptor_, bytes); }
 
+  /// Windows renames no file that is open.
   bool rename_to(const fs::path& target) {
-    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
+    close();
+    renamed_ = platform::rename_over(path_, target);
     return renamed_;
   }
 
  private:
-  std::string path_;
+  void close() {
+    if (!closed_) platform::close(descriptor_);
+    closed_ = true;
+  }
+
+  fs::path path_;
   int descriptor_ = -1;
-  bool renamed_ = false;
+  bool renamed_ = false, closed_ = false;
 };
 
 /// The file that is replaced: the one behind a symbolic link.

@@ -13,7 +13,7 @@ Result<BoneAnimation> BoneAnimation::from_keyframes(std::uint32_t joint, std::sp
   BoneAnimation bone;
   bone.joint = joint;
   bone.rotation.interpolation = interpolation;
-  // Squad is a curve of rotations; translation and scale beside it run straight.
+  // Squad exists for rotations only. Translation and scale become linear.
   const bool step = interpolation == Interpolation::step;
   bone.translation.interpolation = bone.scale.interpolation = step ? Interpolation::step : Interpolation::linear;
   for (const Keyframe& key : keys) {

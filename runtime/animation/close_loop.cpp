@@ -9,7 +9,8 @@
 namespace sinew {
 namespace {
 
-/// The keys of a track, `width` numbers or vectors each; those of cubic splines have tangents on both sides (G03, G19).
+/// The keys of a track, with `width` numbers or vectors per row. Keys of cubic splines have three rows: in-tangent,
+/// value, out-tangent.
 template <class T>
 struct KeyRows {
   T& track;
@@ -21,7 +22,7 @@ struct KeyRows {
   auto values(std::size_t key) const noexcept { return track.values.begin() + at(key, cubic() ? 1 : 0); }
   auto out_tangents(std::size_t key) const noexcept { return track.values.begin() + at(key, 2); }
 
-  /// A key with the value of key `like`, at rest.
+  /// Appends a key with the value of key `like` and tangents of 0.
   void append(float time_s, std::size_t like) const {
     const std::size_t key = track.times_s.size();
     track.times_s.push_back(time_s);
@@ -35,8 +36,8 @@ struct KeyRows {
   }
 };
 
-/// A cubic spline is evaluated without sign fix (G05): the key that closes it must be the one of the two quaternions of
-/// its rotation that the last key is nearer to.
+/// Cubic splines are evaluated without sign correction. So the closing key must be q or -q, whichever is nearer to the
+/// last key.
 void take_short_arc(const KeyRows<QuatTrack>& keys, std::size_t last) {
   if (!keys.cubic() || quat_dot(*keys.values(last), *keys.values(last + 1)) >= 0.0f) return;
   *keys.values(last + 1) = -*keys.values(last + 1);

@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// What an animation says of one joint: its tracks, null where the joint rests. Where several of its `bones` name the
-/// joint, tracks of all count, and of two for one property the last (G20).
+/// The tracks of one joint in an animation; null where the joint keeps its rest value. Several of Animation::bones may
+/// name the joint: if two of them have a track for the same property, the last one counts.
 struct JointTracks {
   const Vec3Track* translation = nullptr;
   const QuatTrack* rotation = nullptr;
@@ -21,13 +21,13 @@ struct JointTracks {
 JointTracks tracks_of_joint(const Animation& animation, std::uint32_t joint) noexcept;
 
 /// Tracks of each joint. They point into the animation.
-/// in   joint_count  greater than each joint that the animation names
+/// in   joint_count  above every joint index in the animation
 /// out  [joint_count]
 /// cost O(animation.bones + joint_count), allocates
 std::vector<JointTracks> tracks_by_joint(const Animation& animation, std::size_t joint_count);
 
-/// The last of an animation's bones that names a joint: a track put there is the one that counts. Where none does, an
-/// empty one is appended.
+/// The last entry of Animation::bones for a joint; its tracks override those of earlier entries. Appends an empty
+/// entry if the joint has none.
 /// cost O(animation.bones)
 BoneAnimation& last_bone_of(Animation& animation, std::uint32_t joint);
 

@@ -22,7 +22,7 @@ glm::vec3 mirrored_vector(const std::array<MirrorRow<3>, 3>& rows, const Vec3<do
           mirrored_number(rows[2], in, offset.z)};
 }
 
-/// Tangents on either side of a cubic key are differences: no offset is added to them.
+/// True for rows of tangents. They are differences, so the offset is not added to them.
 bool is_tangent(Interpolation interpolation, std::size_t row) noexcept {
   return interpolation == Interpolation::cubic_spline && row % 3 != 1;
 }
@@ -40,7 +40,7 @@ BoneAnimation mirrored_bone(const BoneAnimation& bone, std::uint32_t to, const M
   return out;
 }
 
-/// The numbers of `from`, of the targets that `target_of` gives for those of the result.
+/// A copy of `from` with other targets: target i of the result is target `target_of[i]` of `from`.
 WeightAnimation picked(const WeightAnimation& from, std::uint32_t first_target,
                        std::span<const std::uint32_t> target_of) {
   const std::size_t old_count = from.weights.target_count, count = target_of.size();
@@ -73,7 +73,7 @@ bool differ(const V& a, const V& b) noexcept {
   return largest_component(a - b) > kTolerance * std::max(size, 1.0f);
 }
 
-/// How the mirrored rest pose of a joint differs from its rest pose.
+/// The mirrored rest transform of a joint, and which of its parts differ from the rest transform.
 struct RestDifference {
   Transform there;
   bool translation, rotation, scale;
@@ -87,7 +87,8 @@ struct RestDifference {
   }
 };
 
-/// Constants of joints that no track moves and that the mirror moves away from their rest pose.
+/// Adds constant tracks for joints that no track moves, but whose mirrored rest transform differs from the rest
+/// transform.
 void add_constants(const MirrorMap& map, const Skeleton& skeleton, std::vector<BoneAnimation>& bones) {
   struct Moved {
     bool translation = false, rotation = false, scale = false;
@@ -132,7 +133,7 @@ Animation mirror_animation(const Animation& animation, const MirrorMap& map, con
   Animation out = animation;
   out.bones.clear();
   for (const BoneAnimation& bone : animation.bones) {
-    const std::uint32_t to = map.joints[bone.joint].source;  // partners are each other's
+    const std::uint32_t to = map.joints[bone.joint].source;  // partners are mutual
     out.bones.push_back(mirrored_bone(bone, to, map.joints[to]));
   }
   if (!map.is_about_rest) add_constants(map, skeleton, out.bones);

@@ -5,27 +5,27 @@
 
 namespace sinew {
 
-/// The animation of the other side: tracks go to the partners of their joints, and each key is mirrored by itself.
-/// Nothing is resampled, since every kind of interpolation commutes with the linear maps of a mirror (mirror_map.h):
-/// the mirrored animation at any time is the mirrored pose of that time, but for rounding. Cubic tangents are mirrored
-/// without the offset. Mirrored twice, keys of joints that copy and negate numbers come back bit for bit.
+/// The mirrored animation: tracks move to the partners of their joints, and each key is mirrored by itself. Nothing is
+/// resampled: mirroring is linear (mirror_map.h), and every kind of interpolation commutes with it. So the result at
+/// any time is the mirrored pose of that time, within rounding. Cubic tangents are mirrored without the offset.
+/// Mirroring twice restores the bits of joints whose map only copies and negates numbers.
 ///
-/// Morph weights go to the partners that `map.weight_source` names; a track of some targets whose partners are not
-/// among them becomes one track a target. Properties stay. Where the reference pose is not the rest pose, joints
-/// without a track get a constant where they would else rest on the wrong side. Events are the caller's: they keep
-/// their times, and name_partners (side_names.h) says which event each one becomes. Root motion follows from the
-/// mirrored tracks (playback/root_motion.h).
-/// in   animation     checked;   map  of the same skeleton
-///      first_weight  Scene::first_weight; empty = morph weights stay
+/// Morph weights move to the partners in `map.weight_source`. A track of several targets is split into one track per
+/// target if the partners are not all in that track. Properties do not change. If the reference pose is not the rest
+/// pose, mirroring may move joints at rest. Joints without a track then get a constant track. Events belong to the
+/// caller: they keep their times, and name_partners (side_names.h) tells which event each becomes. For root motion, use
+/// the mirrored tracks (playback/root_motion.h).
+/// in   animation     passed check();   map  of the same skeleton
+///      first_weight  Scene::first_weight; empty = morph weights do not change
 /// cost O(keys + J), allocates
 Animation mirror_animation(const Animation& animation, const MirrorMap& map, const Skeleton& skeleton,
                            std::span<const std::uint32_t> first_weight = {});
 
-/// One local transform of joint `map.joints[joint].source`, mirrored to `joint`.
+/// Mirrors a local transform of joint `map.joints[joint].source`; the result is the local transform of `joint`.
 Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept;
 
-/// Whether the mirrored rest pose of a joint is another than its rest pose, beyond rounding: only where the reference
-/// pose is not the rest pose.
+/// True if the mirrored rest transform of a joint differs from its rest transform by more than rounding. This happens
+/// only if the reference pose is not the rest pose.
 bool is_moved_at_rest(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept;
 
 }  // namespace sinew

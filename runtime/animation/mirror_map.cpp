@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// C_j of mirror_map.h, the axes of a joint as its partner's axes see them mirrored.
+/// C_j of mirror_map.h: maps the mirrored axes of a joint to the axes of its partner.
 struct MirroredAxes {
   Quat<double> rotation;  ///< of -C
   Mat3<double> matrix;    ///< C
@@ -21,7 +21,7 @@ Mat3<double> rounded(const Mat3<double>& m) noexcept {
   return r;
 }
 
-/// The rounded matrix maps axes onto axes, and turns by no more than the tolerance from where it was.
+/// True if the rounded matrix maps axes onto axes, and differs by no more than the tolerance from the exact rotation.
 bool maps_axes(const Mat3<double>& rounded, const Quat<double>& rotation, double tolerance_rad) noexcept {
   const Mat3<double> square = rounded * glm::transpose(rounded);
   if (square != Mat3<double>(1.0) || glm::determinant(rounded) > 0.0) return false;
@@ -53,7 +53,7 @@ std::vector<MirroredAxes> mirrored_axes(const ReferencePose& reference, const Jo
   return axes;
 }
 
-/// Entries that are 0 or 1 but for the rounding of doubles.
+/// Rounds entries that are 0, 1 or -1 within the rounding of doubles.
 double without_rounding(double entry) noexcept {
   constexpr double kRounding = 1e-12;
   const double whole = std::round(entry);
@@ -102,7 +102,7 @@ void set_scale(const Mat3<double>& of_joint, const Vec3<double>& from, const Vec
   clean(to.scale);
 }
 
-/// How much longer lengths are in model space than in the space of a joint.
+/// Factor from lengths in the space of a joint to lengths in model space.
 double scale_of(const Affined& model) noexcept {
   const double volume = std::abs(determinant(model));
   return volume > 0.0 ? std::cbrt(volume) : 1.0;

@@ -14,14 +14,14 @@
 namespace sinew {
 namespace {
 
-constexpr double kNear = 0.02;              // of the size: places that are each other's mirror image, by eye
-constexpr std::size_t kMostSiblings = 256;  // that are compared with each other by place
-constexpr std::size_t kMostOffsets = 16;    // places at which a plane is tried
-constexpr double kAlongAxis = 0.98;         // cosine from which a normal is taken to be the axis
+constexpr double kNear = 0.02;  // relative to the size: positions so near to each other's mirror image may be partners
+constexpr std::size_t kMostSiblings = 256;  // above this, siblings are not compared by position
+constexpr std::size_t kMostOffsets = 16;    // plane offsets that are tried
+constexpr double kAlongAxis = 0.98;         // from this cosine on, the normal is rounded to a coordinate axis
 
 bool is_own_partner(const std::vector<std::uint32_t>& partner, std::uint32_t j) noexcept { return partner[j] == j; }
 
-/// The letters of a name, without the numbers that tell its joints apart.
+/// The letters of a name, without the digits that number joints.
 std::string letters_of(const std::string& name) {
   std::string letters;
   for (const char c : name)
@@ -29,7 +29,7 @@ std::string letters_of(const std::string& name) {
   return letters;
 }
 
-/// Partners that the options and names ask for.
+/// Partners by the options, then by names.
 std::vector<std::uint32_t> named_partners(const Skeleton& skeleton, const MirrorOptions& options) {
   std::vector<std::uint32_t> partner = name_partners(skeleton.names);
   const auto part = [&](std::uint32_t joint) {
@@ -85,7 +85,7 @@ class Walk {
     const std::uint32_t by_name = named_[j];
     if (by_name != j && by_name != kNone) {
       if (!decided_[by_name] && skeleton_.parents[by_name] == parents_partner(j)) return pair(j, by_name);
-      named_[j] = named_[by_name] = kNone;  // their parents are no partners
+      named_[j] = named_[by_name] = kNone;  // their parents are not partners
     }
     if (const std::uint32_t by_place = nearest(j); by_place != kNone) return pair(j, by_place);
     if (parents_partner(j) == parent)
@@ -112,12 +112,12 @@ class Walk {
     return side_of(skeleton_.names[j]) != Side::none ||
            std::abs(pairs_.distance(reference_.position(j))) > kNear * reference_.size;
   }
-  /// Names do not tell that the two are something else.
+  /// True unless their names differ in more than digits.
   bool may_be_partners(std::uint32_t a, std::uint32_t b) const {
     return !has_names_ || letters_of(skeleton_.names[a]) == letters_of(skeleton_.names[b]);
   }
 
-  /// The joint under the parent's partner whose place is nearest to the mirror image of this one; kNone = none is near.
+  /// The child of the parent's partner that is nearest to the mirror image of this joint; kNone if none is near.
   std::uint32_t nearest(std::uint32_t j) const {
     if (is_forced(j)) return kNone;
     const std::vector<std::uint32_t>& candidates = siblings_[slot(parents_partner(j))];
@@ -153,7 +153,7 @@ std::size_t count_pairs(const JointPairs& pairs) {
   return count;
 }
 
-/// The normal that partners lie along, and the mean offset of their middles.
+/// Computes the plane from given partners: the direction between partners, and the mean offset of their midpoints.
 void plane_of_partners(const ReferencePose& reference, const std::vector<std::uint32_t>& partner, Vec3<double>& normal,
                        double& offset, bool normal_is_given) {
   Vec3<double> between(0.0), middles(0.0);
@@ -176,7 +176,7 @@ void plane_of_partners(const ReferencePose& reference, const std::vector<std::ui
   offset = glm::dot(normal, middles) / count;
 }
 
-/// The plane across one of the axes at which most joints find a partner by place.
+/// Tries planes perpendicular to the coordinate axes. Returns the one at which most joints find a partner by position.
 JointPairs best_by_places(const Skeleton& skeleton, const ReferencePose& reference, const MirrorOptions& options,
                           const std::vector<std::uint32_t>& named) {
   std::vector<Vec3<double>> normals = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};

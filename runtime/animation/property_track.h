@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// What a clip can animate besides joint transforms and morph weights.
+/// The properties that a clip can animate besides joint transforms and morph weights.
 enum class PropertyKind : std::uint8_t {
-  node_visible,  ///< a flag: shown from 0.5 on. Hides a joint and all below it (KHR_node_visibility)
+  node_visible,  ///< a flag: visible if >= 0.5. Hides a joint and all joints below it (KHR_node_visibility)
   camera_fov_y,
   camera_aspect,
   camera_half_width,
@@ -38,7 +38,7 @@ enum class PropertyKind : std::uint8_t {
 /// The textures of a material, in the order of its members.
 enum class TextureSlot : std::uint8_t { base_color, metallic_roughness, normal, occlusion, emissive };
 
-/// The texture of a slot, for any material type that has these members.
+/// The texture of a slot, in any material type with these members.
 template <class AnyMaterial>
 auto& texture_in_slot(AnyMaterial& material, TextureSlot slot) noexcept {
   switch (slot) {
@@ -51,7 +51,7 @@ auto& texture_in_slot(AnyMaterial& material, TextureSlot slot) noexcept {
   return material.base_color_texture;
 }
 
-/// One property of one thing.
+/// One animated property of a joint, camera, light or material.
 struct PropertyTarget {
   PropertyKind kind = PropertyKind::node_visible;
   std::uint32_t index = 0;                     ///< joint, or index into the scene's cameras, lights or materials
@@ -63,22 +63,23 @@ struct PropertyTarget {
 std::uint32_t component_count(PropertyKind kind) noexcept;
 inline bool is_flag(PropertyKind kind) noexcept { return kind == PropertyKind::node_visible; }
 
-/// A property over time. Its numbers are interpolated one by one, angles and colours too; flags only step.
+/// A property over time. Its components are interpolated one by one, also those of angles and colours. Flags use step
+/// only.
 struct PropertyTrack {
   PropertyTarget target;
   WeightTrack values;  ///< target_count = component_count(target.kind)
 };
 
-/// Where each animated property of a scene lies in one flat array of numbers.
+/// The position of each animated property in the flat array of all property values of a scene.
 struct PropertyTable {
   struct Entry {
     PropertyTarget target;
     std::uint32_t first = 0, count = 0;
   };
-  std::vector<Entry> entries;  ///< by rising target: each property that some clip animates, once
+  std::vector<Entry> entries;  ///< sorted by target: each property that some clip animates, once
   std::vector<float> rest;     ///< [P] values without a clip
 
-  /// Null when no clip animates it.      cost O(log entries)
+  /// Null if no clip animates it.      cost O(log entries)
   const Entry* find(const PropertyTarget& target) const noexcept;
 };
 

@@ -15,13 +15,13 @@ bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 char small(char c) noexcept { return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c; }
 char capital(char c) noexcept { return is_small(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// A part of a name that says the side.
+/// A part of a name that tells the side.
 struct SidePlace {
   std::size_t at = 0, length = 0;
   Side side = Side::none;
 };
 
-/// Characters around a part of a name; separators where it ends.
+/// The first and last character of a part of a name, and those around it; separators at the ends of the name.
 struct Around {
   char before, first, last, after;
 
@@ -55,7 +55,7 @@ bool is_joined_letter(const Around& around) noexcept {
   return leads || trails;
 }
 
-/// All places, whole words before letters that stand alone, these before letters that are joined to a word.
+/// All marks of a side in a name: first whole words, then letters that stand alone, then letters joined to a word.
 std::vector<SidePlace> side_places(std::string_view name) {
   std::vector<SidePlace> words, letters, joined;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -74,7 +74,7 @@ std::vector<SidePlace> side_places(std::string_view name) {
   return words;
 }
 
-/// The word of the other side, in the case of this one.
+/// The word for the other side, in the same case.
 std::string turned(std::string_view word, Side side) {
   std::string other = side == Side::left ? "right" : "left";
   if (word.size() == 1) other.resize(1);
@@ -84,7 +84,7 @@ std::string turned(std::string_view word, Side side) {
   return other;
 }
 
-/// The name without the number that exporters append after a separator; the name itself where there is none.
+/// The name without a separator and number at its end, which exporters append.
 std::string_view without_number(std::string_view name) noexcept {
   std::size_t end = name.size();
   while (end > 0 && is_digit(name[end - 1])) --end;
@@ -92,7 +92,7 @@ std::string_view without_number(std::string_view name) noexcept {
   return has_number ? name.substr(0, end - 1) : name;
 }
 
-/// Where each name is; nothing for one that repeats.
+/// Finds the index of a name, unless the name occurs twice.
 class UniqueNames {
  public:
   void add(std::string_view name, std::uint32_t index) {
@@ -138,7 +138,7 @@ std::vector<std::uint32_t> name_partners(std::span<const std::string> names) {
       for (const std::string& other : other_sides(key_of(names[i]))) {
         const auto found = known.find(other);
         if (partner[i] != i || !found || partner[*found] != *found || *found == i) continue;
-        if (known.find(std::string(key_of(names[i]))) != i) continue;  // the name repeats
+        if (known.find(std::string(key_of(names[i]))) != i) continue;  // the name occurs twice
         partner[i] = *found;
         partner[*found] = i;
       }

@@ -8,22 +8,23 @@
 
 namespace sinew {
 
-/// What a name says about the side of a body.
+/// The side of a body.
 enum class Side : std::uint8_t { none, left, right };
 
-/// Side of a joint, morph target or event by its name: a word `left` or `right` at the start or end of a word, in any
-/// case (LeftArm, mixamorig:LeftArm, eyeBlinkLeft, left_foot_down), or a letter L or R that stands alone between
-/// separators (upperarm.l, Ear_L, J_Bip_L_Hand, Bip01 L Thigh, l_arm), before a capital (lShldr, LArm) or after a small
-/// letter at the end of a word (HandL).
+/// The side that the name of a joint, morph target or event tells. The mark of a side is one of these, in any case:
+///     `left` or `right` at an end of a word   LeftArm, mixamorig:LeftArm, eyeBlinkLeft, left_foot_down
+///     L or R between separators               upperarm.l, Ear_L, J_Bip_L_Hand, Bip01 L Thigh, l_arm
+///     L or R before a capital letter          lShldr, LArm
+///     capital L or R at the end of a word     HandL
 Side side_of(std::string_view name);
 
-/// The names that stand for the other side of `name`, best first: one place of it is turned in each. Empty without one.
+/// Candidates for the name of the same thing on the other side, best first. Each has one mark of a side exchanged.
+/// Empty if `name` tells no side.
 std::vector<std::string> other_sides(std::string_view name);
 
-/// For each name the index of its partner on the other side, its own index where there is none. A number at the end of
-/// both, as exporters append, may differ where the rest is unique (LeftArm_09, RightArm_06). Names that repeat have no
-/// partner. Two names are always partners of each other. For events: fire event `partner[i]` where a mirrored clip
-/// crosses event i.
+/// For each name the index of its partner on the other side, or its own index if it has none. Partners are mutual, and
+/// names that occur twice have none. Numbers that exporters append may differ if the names are unique without them
+/// (LeftArm_09, RightArm_06). For events: when a mirrored clip crosses event i, fire event `partner[i]`.
 /// out  [names]     cost O(N log N), allocates
 std::vector<std::uint32_t> name_partners(std::span<const std::string> names);
 

@@ -30,7 +30,7 @@ ErrorCode check_track(const Track<V>& track) noexcept {
   return all_finite(std::span<const V>(track.values)) ? ErrorCode::ok : ErrorCode::not_finite;
 }
 
-/// Whether the values of all keys have the length that their interpolation needs.
+/// True if the quaternions of all keys have the length that their interpolation needs.
 bool have_length(const QuatTrack& track) noexcept {
   bool good = true;
   if (track.interpolation == Interpolation::cubic_spline)

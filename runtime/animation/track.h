@@ -10,17 +10,17 @@
 
 namespace sinew {
 
-/// How values between two keys are computed. `linear` is slerp on the short arc for rotations (G01). `cubic_spline` is
-/// glTF's Hermite form: per key an in-tangent, a value and an out-tangent, tangents per second (G03). `squad` is
-/// spherical and quadrangle interpolation of rotations; its control points follow from the keys.
+/// How values between two keys are computed. `linear` is slerp on the short arc for rotations. `cubic_spline` is
+/// glTF's Hermite form: each key has an in-tangent, a value and an out-tangent; tangents are per second. `squad` is
+/// spherical quadrangle interpolation of rotations, with control points computed from the keys.
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline, squad };
 
-/// Key times and values of one animated property, in the precision of the file; sample_track evaluates them in float or
-/// double (track_sample.h).
+/// Key times and values of one animated property, in the precision of the file. sample_track (track_sample.h)
+/// evaluates it in float or double.
 ///
-/// in   times_s[K]   seconds, finite, >= 0, never decreasing; two equal times are a jump: the later key's value holds
-///                   from that time on (G13)
-///      values[K]    or [3K] for cubic_spline: in-tangent, value, out-tangent of key 0, then of key 1, ... (G03)
+/// in   times_s[K]   seconds, finite, >= 0, never decreasing; at two equal times the value jumps: the later key counts
+///                   from that time on
+///      values[K]    or [3K] for cubic_spline: in-tangent, value, out-tangent of key 0, then of key 1, ...
 template <class V>
 struct Track {
   Interpolation interpolation = Interpolation::linear;
@@ -34,8 +34,8 @@ struct Track {
 using Vec3Track = Track<glm::vec3>;
 using QuatTrack = Track<glm::quat>;
 
-/// Morph weights of one mesh instance over shared key times: values key after key, `target_count` each (G19). For
-/// cubic_spline a key holds all in-tangents, then all values, then all out-tangents.
+/// Morph weights of one mesh instance with shared key times. `values` has `target_count` numbers per key. With
+/// cubic_spline a key has all in-tangents, then all values, then all out-tangents.
 struct WeightTrack {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s;
@@ -46,16 +46,16 @@ struct WeightTrack {
   std::size_t key_count() const noexcept { return times_s.size(); }
 };
 
-/// Whether a rotation is a unit quaternion as far as jobs rely on it: they use it without dividing by its length.
+/// True if a rotation is unit within tolerance. Jobs rely on it: they never divide by its length.
 inline bool is_unit(const glm::quat& q) noexcept {
   constexpr float kTolerance = 2e-4f;  // of the squared length
   return std::abs(((q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w)) - 1.0f) <= kTolerance;
 }
 
-/// Whether keys are what interpolation and jobs rely on. Rotation keys are unit; the values of cubic ones may have any
-/// length from 1e-10 to 1e15, as the curve between them is normalised.
+/// Checks everything that interpolation and jobs rely on. Rotation keys must be unit. Only values of cubic rotations
+/// may have any length from 1e-10 to 1e15, since the curve between them is normalised.
 /// err  too_few_keys, size_mismatch, not_finite, times_not_increasing (negative or decreasing times), not_normalised
-///      (rotations), unsupported (squad for what is no rotation, or no known interpolation)
+///      (rotations), unsupported (squad for a track that has no rotations, or an unknown interpolation)
 /// cost O(K)
 ErrorCode check(const Vec3Track& track) noexcept;
 ErrorCode check(const QuatTrack& track) noexcept;

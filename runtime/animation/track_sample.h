@@ -5,13 +5,13 @@
 #include <span>
 
 #include "runtime/animation/track.h"
-#include "runtime/math/squad.h"
+#include "runtime/math/interpolate.h"
 
-/// Plain evaluation of authoring tracks in float or double. Compiled clips are measured against the double results.
+/// Evaluates authoring tracks in float or double. The double results are the truth for compiled clips.
 namespace sinew {
 
-/// Where a time falls among the keys: on `key` itself (also before the first and after the last key, G10), or at
-/// `fraction` (0 to 1) of the interval from `key` to the next one, which lasts `interval_s` > 0.
+/// Position of a time among the keys. It is on `key` itself, also before the first and after the last key. Or it is
+/// between `key` and the next one, at `fraction` (0 to 1) of an interval of `interval_s` > 0.
 struct KeyPosition {
   std::size_t key = 0;
   bool on_key = true;
@@ -19,8 +19,8 @@ struct KeyPosition {
   double interval_s = 0.0;
 };
 
-/// Position of `time_s` when `key` is the last key at or before it. The difference to the key time is taken in double
-/// (N24).
+/// Position of `time_s` if `key` is the last key at or before it. The subtraction is in double, since float would lose
+/// digits late in a long clip.
 inline KeyPosition position_after(std::span<const float> times_s, std::size_t key, double time_s) noexcept {
   const double begin = static_cast<double>(times_s[key]);
   if (time_s == begin || key + 1 == times_s.size()) return {key, true, 0.0, 0.0};
@@ -28,8 +28,8 @@ inline KeyPosition position_after(std::span<const float> times_s, std::size_t ke
   return {key, false, (time_s - begin) / interval, interval};
 }
 
-/// Of equal key times the last one counts: the value jumps there (G13).
-/// in   times_s[K]  K >= 1, never decreasing;  a time that is NaN falls on the first key      cost O(log K)
+/// Position of a time. If keys have equal times, the last one counts: the value jumps there.
+/// in   times_s[K]  K >= 1, never decreasing;   time_s  NaN gives the first key      cost O(log K)
 inline KeyPosition locate_key(std::span<const float> times_s, double time_s) noexcept {
   if (!(time_s >= static_cast<double>(times_s.front()))) return {};
   const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s,
@@ -37,14 +37,14 @@ inline KeyPosition locate_key(std::span<const float> times_s, double time_s) noe
   return position_after(times_s, static_cast<std::size_t>(after - times_s.begin()) - 1, time_s);
 }
 
-/// The four corners of squad between key k and k + 1; `end` and `end_control` are on the half sphere of `begin` (N08).
+/// The four quaternions of squad between key k and k + 1; `end` and `end_control` are on the hemisphere of `begin`.
 template <class T>
 struct SquadSegment {
   Quat<T> begin, begin_control, end_control, end;
 };
 
-/// Builds the corners from the keys around. The track's ends and jumps have no neighbour on their far side: there the
-/// key itself is the control point (N09).
+/// Computes the control points from the neighbouring keys. At the ends of the track and at jumps a neighbour is
+/// missing: there the key itself is the control point.
 template <class T>
 SquadSegment<T> squad_segment(const QuatTrack& track, std::size_t k) noexcept {
   const auto& times = track.times_s;
@@ -65,12 +65,12 @@ SquadSegment<T> squad_segment(const QuatTrack& track, std::size_t k) noexcept {
   return s;
 }
 
-/// Row of a key's own value among the rows of `values`: cubic keys have a tangent on either side.
+/// Row of a key's value in `values`. Cubic keys have three rows: in-tangent, value, out-tangent.
 inline std::size_t value_row(Interpolation interpolation, std::size_t key) noexcept {
   return interpolation == Interpolation::cubic_spline ? 3 * key + 1 : key;
 }
 
-/// Value at `fraction` of the way from key `a` to key `b` if there were no keys between them; squad takes its slerp.
+/// Value at `fraction` between the keys `a` and `b`, ignoring keys between them. Squad tracks use slerp here.
 /// eq   glTF 2.0, Appendix C.   in  0 < fraction < 1 of interval_s seconds
 template <class T>
 Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, double fraction,
@@ -84,7 +84,7 @@ Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, doubl
   return lerp(value(from), value(to), static_cast<T>(fraction));
 }
 
-/// The same for rotations: slerp on the short arc, Hermite then normalised.
+/// As above, for rotations: slerp on the short arc, or a Hermite spline that is then normalised.
 template <class T>
 Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, double fraction,
                      double interval_s) noexcept {
@@ -97,7 +97,7 @@ Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, doubl
   return slerp_short_arc(value(from), value(to), static_cast<T>(fraction));
 }
 
-/// The same for one of the weights.
+/// As above, for one of the weights.
 template <class T>
 T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s,
                std::size_t weight) noexcept {
@@ -110,7 +110,7 @@ T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fr
   return lerp(value(from), value(to), static_cast<T>(fraction));
 }
 
-/// in  a track that passed check(Track)
+/// in  track  passed check(Track)
 template <class T>
 Vec3<T> sample_track(const Vec3Track& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);

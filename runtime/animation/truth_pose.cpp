@@ -16,7 +16,7 @@ void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double
   out.local.resize(joints);
   out.model.resize(joints);
   for (std::size_t j = 0; j < joints; ++j) out.local[j] = in_double(skeleton.rest[j]);
-  // Of two tracks for one property the last one counts, as it does in compiled clips (G20).
+  // If two tracks move the same property, the last one counts, as in compiled clips.
   for (const BoneAnimation& bone : animation.bones)
     out.local[bone.joint] = bone.interpolate<double>(time_s, out.local[bone.joint]);
   model_from_local(skeleton, out.local, out.model);

@@ -13,14 +13,15 @@ inline Transformd in_double(const Transform& t) noexcept {
   return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
 }
 
-/// A pose in double precision, evaluated from the authoring form. Compiled clips are measured against it.
+/// A pose in double precision, evaluated from the authoring form. It is the truth that compiled clips are compared
+/// with.
 struct TruthPose {
   std::vector<Transformd> local;  ///< [J]
   std::vector<Affined> model;     ///< [J]
 };
 
-/// Local transforms and model matrices at one time; joints without tracks have their rest transform.
-/// cost O(tracks log keys + J), allocates when `out` is smaller than the skeleton
+/// Local transforms and model matrices at one time. Joints without tracks have their rest transform.
+/// cost O(tracks log keys + J), allocates if `out` is smaller than the skeleton
 void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out);
 
 /// eq   M[j] = M[parent(j)] * T(j) * R(j) * S(j), or the joint's fixed matrix      out  model[J]

@@ -16,7 +16,7 @@
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/clip/decompile_clip.h"
-#include "runtime/model/clip_checks.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "runtime/asset_file/asset_file.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "runtime/model/scene.h"
 #include "runtime/model/skeleton_lod.h"
 

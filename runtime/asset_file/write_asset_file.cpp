@@ -15,7 +15,7 @@
 #include "runtime/base/checksum.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_file.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "runtime/paging/cut_clip.h"
 
 namespace sinew {

@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// Whether no number is infinite or NaN. Looks at all numbers without a branch, so that compilers vectorise the loop.
+/// True if no number is infinite or NaN. The loop has no branch, so compilers vectorise it.
 /// cost O(n), memory-bound
 template <std::floating_point T>
 bool all_finite(std::span<const T> numbers) noexcept {
@@ -22,7 +22,7 @@ bool all_finite(std::span<const T> numbers) noexcept {
   return odd == 0;
 }
 
-/// The same for vectors, quaternions and matrices of floats.
+/// As above, for vectors, quaternions and matrices of floats.
 template <class Element>
 bool all_finite(std::span<const Element> elements) noexcept {
   static_assert(sizeof(Element) % sizeof(float) == 0);

@@ -7,13 +7,13 @@
 
 namespace sinew {
 
-/// Hash of numbers by their bits: the step of 64-bit FNV-1a (Fowler, Noll, Vo) taken over 32-bit words. Each step is
-/// one to one, so that two runs that differ in a single number never agree.
-/// Its values are stored: in the pose files that `sinew verify` compares, and in the tests' golden hashes. So the step
-/// stays as it is; checksums of files are base/checksum.h.
+/// Hash of the bits of numbers: 64-bit FNV-1a (Fowler, Noll, Vo), fed with 32-bit words instead of bytes. Each step is
+/// a bijection of the state, so two inputs that differ in one word never have the same hash. Hash values are stored,
+/// in the pose files of `sinew verify` and in the golden hashes of the tests: never change the function. Files use
+/// checksum() (base/checksum.h) instead.
 class BitHash {
  public:
-  /// in   values  of a type made of 32-bit or 64-bit numbers, without padding
+  /// in   values  elements of a type made of 32-bit or 64-bit numbers, without padding
   template <class T, std::size_t kCount>
   BitHash& add(std::span<T, kCount> values) noexcept {
     static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);

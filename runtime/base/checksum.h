@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// Checksum of bytes, the same on every machine and in every version: what files store and caches are named by.
+/// Checksum of bytes, the same on every machine and in every version. Files store it, and cache files are named by it.
 /// eq   XXH3, 64 bits (Collet)
-/// in   seed  of several arrays in turn, the checksum of those before
+/// in   seed  0, or the checksum of the arrays before this one, to chain several
 /// cost O(bytes), memory-bound
 std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t seed = 0) noexcept;
 

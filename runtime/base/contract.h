@@ -3,23 +3,23 @@
 
 namespace sinew {
 
-/// A rule that the calling program broke: the condition as the source has it, and where it is checked.
+/// A broken contract: the text of the condition that was false, and where it is checked.
 struct BrokenContract {
   const char* condition;
   const char* file;
   int line;
 };
 
-/// Is told of a broken contract before the program ends: logs it, writes a crash report, shows a message.
+/// Called with the broken contract before the program ends, for example to log it or to write a crash report.
 using ContractHandler = void (*)(const BrokenContract& broken);
 
-/// Sets what is called when a contract is broken; nullptr = the default, which prints one line to stderr.
-/// Contracts hold in every build and are about bugs of the program only: bad files and bad numbers answer codes.
-/// Data after a broken contract cannot be trusted, so std::abort follows when the handler returns, and std::terminate
-/// when it throws. A handler that must not end the process ends its thread or waits for ever.
-/// The handler is the one variable of the library; everything else lives in objects of the caller.
-/// in   handler  may be called on any thread that uses the library, on several at once
-/// out  the handler before this one, nullptr = the default
+/// Sets the function that is called when a contract is broken; nullptr = the default, which prints one line to stderr.
+/// Contracts are checked in every build. They catch bugs of the calling program only: bad files and bad numbers return
+/// error codes. Data cannot be trusted after a broken contract, so std::abort follows when the handler returns, and
+/// std::terminate when it throws. A handler that must keep the process alive ends its thread or blocks for ever. The
+/// handler is the only global variable of the library.
+/// in   handler  may be called on any thread that uses the library, on several at the same time
+/// out  the previous handler, nullptr = the default
 /// Safe to call from any thread at any time: the handler is swapped atomically.
 ContractHandler set_contract_handler(ContractHandler handler) noexcept;
 
@@ -29,6 +29,6 @@ namespace detail {
 
 }  // namespace sinew
 
-/// A bug of the program, not of its input: checked in every build, never used for file contents.
+/// Ends the program when the condition is false. For bugs of the program, never for the contents of files.
 #define CONTRACT(condition) \
   ((condition) ? static_cast<void>(0) : ::sinew::detail::contract_failed(#condition, __FILE__, __LINE__))

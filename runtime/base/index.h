@@ -9,9 +9,8 @@ namespace sinew {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;  ///< "no index": no parent, no skin, no material
 
-/// Whether every index is below `count`. Looks at all indices without a branch, so that compilers vectorise the loop,
-/// also for targets without unsigned comparisons: the top bit of (i - count) & ~i is set exactly when i < count <=
-/// 2^31.
+/// True if every index is below `count`. The loop has no branch, so compilers vectorise it. It works on targets
+/// without an unsigned comparison, since the top bit of (i - count) & ~i is set exactly when i < count <= 2^31.
 /// cost O(n), memory-bound
 template <class Index>
 bool all_below(const std::vector<Index>& indices, std::size_t count) noexcept {

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Asks the processor to load memory that is soon read or written, without waiting for it. Reads and writes nothing as
-/// far as the language is concerned, so other threads may write there meanwhile.
+/// Asks the processor to load memory into its cache, without waiting for it. In terms of the language this accesses
+/// nothing, so other threads may write to the memory at the same time.
 inline void prefetch(const void* from, std::size_t byte_count) noexcept {
   constexpr std::size_t kLineBytes = 64;
   for (std::size_t at = 0; at < byte_count; at += kLineBytes) hwy::Prefetch(static_cast<const std::byte*>(from) + at);

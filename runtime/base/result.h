@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// What a call of the runtime answers. These codes are for bad *calls* and bad numbers: wrong sizes, indices or orders
-/// of buffers, NaN. The importer reports bad *files* with text and place (importer/import_error.h), and bugs of the
-/// calling program end in a contract (base/contract.h).
+/// Error codes of the runtime, for bad *calls*: wrong sizes, indices or orders in buffers, and NaN. The importer
+/// reports bad *files* with a text and a position (importer/import_error.h). Bugs of the program break a contract
+/// (base/contract.h).
 enum class ErrorCode {
   ok,
   size_mismatch,         ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
@@ -18,8 +18,8 @@ enum class ErrorCode {
   times_not_increasing,  ///< key times decrease, or a time is not finite
   too_few_keys,          ///< no key at all, or fewer than two for a cubic spline
   not_finite,            ///< a number is NaN or infinite
-  unsupported,           ///< the combination asked for does not exist
-  coincident_poses,      ///< two sample poses are the same as far as their drivers count
+  unsupported,           ///< the requested combination does not exist
+  coincident_poses,      ///< two sample poses have the same driver rotations
   rank_deficient,        ///< a system of equations has no unique solution within rounding
   busy,                  ///< the job thread has no free slot for another frame
   not_normalised,        ///< a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1

@@ -5,9 +5,8 @@
 
 namespace sinew {
 
-/// Whether two arrays agree in every bit, so that computing with either gives the same bits. 0 and -0 differ, and a NaN
-/// equals itself.
-/// in   a, b  elements made of numbers, without padding
+/// True if two arrays have the same bits. Unlike ==, 0 and -0 differ, and a NaN equals itself.
+/// in   a, b  elements of a type made of numbers, without padding
 template <class T>
 bool same_bits(std::span<const T> a, std::span<const T> b) noexcept {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);

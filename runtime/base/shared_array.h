@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// An array whose copies share its elements, for what is written once and then read by many owners. Reading it costs
-/// what reading a std::vector costs. Moving it copies the handle, so that no array is left without its elements.
+/// An array whose copies share its elements (copy on write), for data that is written once and has many owners.
+/// Reading costs the same as for std::vector. A move is a copy, so the source of a move keeps its elements.
 /// owns  the elements, together with its copies;  cost  of a copy O(1), allocates nothing
 template <class T>
 class SharedArray {
@@ -36,13 +36,13 @@ class SharedArray {
     look();
   }
 
-  /// The elements for writing. Elements that copies share are copied first.
+  /// The elements for writing. If copies share the elements, they are copied first.
   T* own() {
     if (elements_.use_count() > 1) *this = SharedArray(std::vector<T>(*elements_));
     return elements_ == nullptr ? nullptr : elements_->data();
   }
 
-  /// Whether they are the same elements in memory.
+  /// True if both arrays refer to the same memory.
   bool shares_with(const SharedArray& other) const noexcept { return elements_ == other.elements_; }
 
   friend bool operator==(const SharedArray& a, const SharedArray& b) {

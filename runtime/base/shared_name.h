@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// A name whose copies share one text, for things that a file names once and places often. It never changes in place,
-/// and reads as a std::string.
-/// owns  the text, together with its copies;  cost  of a copy O(1), allocates nothing
+/// An immutable name whose copies share one string, for objects that a file names once and instantiates often. It
+/// converts to std::string.
+/// owns  the string, together with its copies;  cost  of a copy O(1), allocates nothing
 class SharedName {
  public:
   SharedName() = default;

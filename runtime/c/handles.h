@@ -13,7 +13,7 @@
 #include "runtime/c/retarget.h"
 #include "runtime/library/clip_library.h"
 #include "runtime/lod/compile_skeleton_lod.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/pose/mirror_pose.h"

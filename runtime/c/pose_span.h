@@ -26,9 +26,7 @@ inline sinew_error read_pose(const sinew_pose* given, std::size_t joint_count, P
 /// Runs a job that accepts its buffers.
 template <class Job>
 sinew_error run_job(const Job& job) noexcept {
-  const ErrorCode code = check(job);
-  if (code == ErrorCode::ok) run(job);
-  return error_from(code);
+  return error_from(run(job));
 }
 
 }  // namespace sinew::c

@@ -15,7 +15,7 @@ namespace sinew {
 
 static_assert(std::endian::native == std::endian::little, "byte streams are the memory of little-endian machines");
 
-/// Writes numbers and arrays of numbers one after another; an array is its count and its elements.
+/// Writes numbers and arrays of numbers; an array is written as its count and its elements.
 class ByteWriter {
  public:
   template <class T>
@@ -40,7 +40,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what ByteWriter wrote. Past the end every number is 0 and every array empty, and ended() is true.
+/// Reads the output of ByteWriter. Past the end, numbers are 0, arrays are empty, and ended() is true.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes, std::size_t offset = 0) : bytes_(bytes), at_(offset) {}
@@ -53,7 +53,7 @@ class ByteReader {
     at_ += sizeof(T);
     return value;
   }
-  /// An array whose count exceeds the bytes that are left ends the stream and allocates nothing.
+  /// If the count of the array exceeds the remaining bytes, the stream ends and nothing is allocated.
   template <class T>
   std::vector<T> numbers() {
     const auto count = number<std::uint32_t>();
@@ -78,8 +78,7 @@ class ByteReader {
   bool ended_ = false;
 };
 
-/// A varint (LEB128): groups of seven bits, the lowest first, all but the last with the eighth bit set. Small numbers
-/// take one byte.
+/// Writes a varint (LEB128): groups of seven bits, the lowest first; the eighth bit is set in all but the last.
 inline void write_varint(std::uint32_t number, ByteWriter& out) {
   for (std::uint32_t more = 1; more != 0; number >>= 7) {
     more = number > 0x7f ? 0x80 : 0;
@@ -97,7 +96,7 @@ inline std::uint32_t read_varint(ByteReader& in) {
   return number;
 }
 
-/// Rising numbers as the gaps between them.
+/// Writes rising numbers as the varints of the gaps between them.
 inline void write_rising(std::span<const std::uint32_t> numbers, ByteWriter& out) {
   out.add(static_cast<std::uint32_t>(numbers.size()));
   std::uint32_t before = 0;
@@ -112,8 +111,8 @@ inline std::vector<std::uint32_t> read_rising(ByteReader& in) {
   return numbers;
 }
 
-/// A float as a varint of its distance from an expected one, counted in floats between them and zigzag coded: one byte
-/// where it is among the next 63 on either side.
+/// Writes a float as its distance from an expected one, counted in representable floats, as a zigzag-coded varint. It
+/// takes one byte if at most 63 floats lie between.
 inline void write_near(float number, float expected, ByteWriter& out) {
   const std::uint32_t gap = std::bit_cast<std::uint32_t>(number) - std::bit_cast<std::uint32_t>(expected);
   write_varint(gap << 1 ^ (gap >> 31 != 0 ? ~0u : 0u), out);
@@ -124,7 +123,7 @@ inline float read_near(float expected, ByteReader& in) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(expected) + gap);
 }
 
-/// The key time to expect: as far from the last one as that is from the one before.
+/// The expected next key time: the last interval repeats.
 inline float next_time(std::span<const float> times_s) noexcept {
   const std::size_t n = times_s.size();
   return n < 2 ? 0.0f : 2.0f * times_s[n - 1] - times_s[n - 2];

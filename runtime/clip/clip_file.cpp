@@ -17,8 +17,8 @@ namespace sinew {
 namespace {
 
 constexpr char kMagic[8] = {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'};
-/// Limit of the memory for tables that are made instead of stored (places of joints, base poses): kMadeBytes, and
-/// kMadeTimes the block.
+/// Tables that the loader computes (JointPlaces, base poses) may take kMadeBytes plus kMadeTimes the size of the
+/// block.
 constexpr std::uint64_t kMadeBytes = std::uint64_t{16} << 20, kMadeTimes = 64;
 
 void write_certificate(const std::optional<ClipCertificate>& certificate, ByteWriter& out) {
@@ -35,8 +35,8 @@ void write_all(const std::vector<T>& numbers, ByteWriter& out) {
   out.add(std::span<const T>(numbers));
 }
 
-/// Tables are [component][lane], a left-out component has no range. A range is the two halves of `low` and, where the
-/// component takes bits, the upper half of `step`.
+/// Tables are [component][lane]. A range is the two halves of `low` and, if the component takes bits, the upper half
+/// of `step`. A derived component has no range.
 void write_packed(const TrackBlock& block, std::size_t key_count, ByteWriter& out) {
   std::vector<PackedTrack> tracks;
   for (std::size_t lane = 0; lane < block.lane_count; ++lane)
@@ -72,7 +72,7 @@ void write_block(const TrackBlock& block, std::size_t key_count, ByteWriter& out
 
 constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
 
-/// Joints whose property no block of the clip animates: they have the value of the base pose.
+/// Joints whose property is not animated by any block, so that it comes from the base pose.
 std::vector<std::uint32_t> resting_joints(const ClipLayout& clip, Property property) {
   std::vector<bool> moved(clip.joint_count, false);
   for (const TimeGroup& group : clip.groups)
@@ -85,7 +85,7 @@ std::vector<std::uint32_t> resting_joints(const ClipLayout& clip, Property prope
   return resting;
 }
 
-/// Calls `visit(number)` for each base value of a property, for these joints.
+/// Calls `visit(value)` for each base value of a property of these joints.
 template <class Base, class Visit>
 void each_base(Base& base, Property property, const std::vector<std::uint32_t>& joints, const Visit& visit) {
   const std::size_t first = first_plane(property), count = property == Property::rotation ? 4 : 3;
@@ -93,7 +93,7 @@ void each_base(Base& base, Property property, const std::vector<std::uint32_t>& 
     for (std::size_t plane = first; plane < first + count; ++plane) visit(base.planes[plane * base.stride + j]);
 }
 
-/// Base values of a property for these joints.
+/// Base values of a property of these joints.
 std::vector<float> base_values(const BasePose& base, Property property, const std::vector<std::uint32_t>& joints) {
   std::vector<float> values;
   each_base(base, property, joints, [&](float x) { values.push_back(x); });
@@ -125,13 +125,13 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
     const std::vector<std::uint32_t> joints = resting_joints(clip, property);
     std::vector<float> values = base_values(base, property, joints);
     const std::vector<float> expected = base_values(identity, property, joints);
-    if (same_bits<float>(values, expected)) values.clear();  // -0 is not 0
+    if (same_bits<float>(values, expected)) values.clear();  // compares bits: -0 is stored
     out.add(static_cast<std::uint32_t>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) write_near(values[i], expected[i], out);
   }
 }
 
-/// Reads clips until one breaks a rule; the first broken rule is kept.
+/// Reads clips, and keeps the first broken rule.
 class Loader {
  public:
   explicit Loader(std::span<const std::byte> block)
@@ -156,7 +156,7 @@ class Loader {
     return clip;
   }
 
-  /// False, with the first rule that was broken, also when bytes are missing.
+  /// False once a rule is broken or bytes are missing; error() then has the first one.
   bool ok() {
     if (in_.ended() && error_.rule.empty()) error_ = {"clip-size", in_.offset(), "the block ends inside of a clip"};
     return error_.rule.empty();
@@ -186,7 +186,7 @@ class Loader {
     return c;
   }
 
-  /// Counts memory that few bytes of the block ask for.
+  /// Takes bytes from the limit for computed tables, whose size a few bytes of the block decide.
   void take(std::uint64_t bytes) {
     require(bytes <= left_, "the clip has far more joints than its tracks account for");
     left_ -= std::min(left_, bytes);
@@ -210,7 +210,7 @@ class Loader {
     clip.base_pose = base(std::move(pose.planes), pose_);
   }
 
-  /// Clips share the numbers of the first one, as far as they agree.
+  /// Values equal to those of the first clip of the block are shared.
   static BaseNumbers base(std::vector<float> numbers, RestNumbers& shared) {
     if (shared != nullptr && shared->size() == numbers.size()) return BaseNumbers::over(shared, numbers);
     shared = rest_numbers(std::move(numbers));
@@ -327,7 +327,7 @@ class Loader {
 
   ByteReader in_;
   std::uint64_t left_;
-  RestNumbers pose_, weights_, properties_;  ///< of the first clip
+  RestNumbers pose_, weights_, properties_;  ///< base values of the first clip
   ClipFileError error_;
 };
 

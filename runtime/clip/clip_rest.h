@@ -1,30 +1,87 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "runtime/clip/base_numbers.h"
 #include "runtime/clip/clip.h"
 
 namespace sinew {
 
-/// What joints, morph weights and properties are without a clip. Clips that are compiled with one of these share it.
+/// Rest values that several clips share. Null only in default-constructed objects.
+using RestNumbers = std::shared_ptr<const std::vector<float>>;
+
+/// The values that sampling starts from: the rest values, with those of the clip's constant tracks in their place. The
+/// clips of a scene share the rest values, so a clip takes memory only for the joints that it changes.
+class BaseNumbers {
+ public:
+  struct Own {
+    std::uint32_t at;
+    float value;
+  };
+  /// A clip that changes more than one value in kFewOwn has its own copy of all values instead.
+  static constexpr std::size_t kFewOwn = 16;
+
+  BaseNumbers() = default;
+  /// in   rest  fewer than 2^32 values
+  ///      own   in any order; if several have the same `at`, the last one counts; rest values are dropped
+  /// cost O(own log own); O(rest) if there are more than rest / kFewOwn
+  explicit BaseNumbers(RestNumbers rest, std::vector<Own> own = {});
+
+  /// The given values, of which those equal to `rest` are shared.
+  /// in   numbers  as many as in rest    cost O(numbers)
+  static BaseNumbers over(const RestNumbers& rest, std::span<const float> numbers);
+
+  std::size_t size() const noexcept { return size_; }
+  const RestNumbers& rest() const noexcept { return rest_; }
+  /// The values that differ from the rest values, sorted by `at`; empty for a clip with its own copy.
+  std::span<const Own> own() const noexcept { return own_; }
+  float operator[](std::size_t at) const noexcept;
+
+  void copy_to(float* out) const noexcept {
+    std::copy_n(first_, size_, out);
+    for (const Own& number : own_) out[number.at] = number.value;
+  }
+  std::vector<float> all() const {
+    std::vector<float> numbers(size_);
+    copy_to(numbers.data());
+    return numbers;
+  }
+  /// Bytes that are not shared with other clips.
+  std::size_t byte_size() const noexcept { return own_.size() * sizeof(Own) + (is_copy_ ? size_ * sizeof(float) : 0); }
+
+ private:
+  const float* first_ = nullptr;  ///< data of `rest_`
+  std::size_t size_ = 0;
+  RestNumbers rest_;
+  std::vector<Own> own_;
+  bool is_copy_ = false;  ///< `rest_` belongs to this clip alone
+};
+
+inline RestNumbers rest_numbers(std::vector<float> numbers) {
+  return std::make_shared<const std::vector<float>>(std::move(numbers));
+}
+
+/// Rest values of joints, morph weights and properties. Clips that are compiled with the same ClipRest share them.
 struct ClipRest {
   std::size_t joint_count = 0;
-  RestNumbers pose;  ///< the planes of BasePose
+  RestNumbers pose;  ///< in the order of BasePose::planes
   RestNumbers weights, properties;
 };
 
 /// cost O(joints + weights + properties), allocates
 ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties);
 
-/// Takes the numbers of a clip in place of those with the same bits, so that they exist once.
+/// Replaces arrays of `rest` by those of the clip if they have the same bits, so that they exist once.
 /// cost O(joints + weights + properties)
 void share_rest(const Clip& clip, ClipRest& rest);
 
-/// compile_clip (clip.h) for clips that share what is at rest.
-/// in   rest        of the skeleton, of the weights that `first_weight` counts, and of `properties`
+/// As compile_clip in clip.h, for clips that share rest values.
+/// in   rest  clip_rest() of the same skeleton, weights and properties
 /// cost O(total keys), whatever the number of joints; allocates the clip
 Clip compile_clip(const Animation& animation, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                   const PropertyTable& properties = {}, const KeyTolerances& rounding = {});

@@ -21,18 +21,18 @@ template <class TrackType>
 struct Lane {
   std::uint32_t target;
   const TrackType* track;
-  double tolerance = 0.0;  ///< of its keys; 0 = full float
+  double tolerance = 0.0;  ///< how far keys may be rounded; 0 = full float
 };
 
-/// A track of weights or numbers: its targets are neighbours.
+/// A track of weights or property components. Its targets are consecutive.
 template <>
 struct Lane<WeightTrack> {
   std::uint32_t target;  ///< the first
   const WeightTrack* track;
-  std::span<const double> tolerances = {};  ///< of each target, or empty
+  std::span<const double> tolerances = {};  ///< [target_count] or empty = full float
 };
 
-/// Tracks that will share one key search.
+/// Tracks with the same key times, which become a TimeGroup.
 struct Draft {
   std::vector<float> times_s;
   std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
@@ -40,7 +40,7 @@ struct Draft {
   std::vector<Lane<WeightTrack>> weights, numbers;
 };
 
-/// Finds the draft with exactly these key times, or opens one.
+/// The drafts of a clip, one for each distinct array of key times.
 class Drafts {
  public:
   Draft& with_times(const std::vector<float>& times_s) {
@@ -57,7 +57,7 @@ class Drafts {
 
 bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }
 
-/// True when the track has the value of its first key at all times. Compares bits, so that folding changes no result.
+/// True if the track has the value of its first key at all times. Compares bits, so that folding changes no result.
 template <class V>
 bool is_constant(const Track<V>& track) noexcept {
   const auto same = [](const V& a, const V& b) { return std::memcmp(&a, &b, sizeof(V)) == 0; };
@@ -73,17 +73,17 @@ bool is_constant(const Track<V>& track) noexcept {
   return true;
 }
 
-/// True when the values between keys are stored ones, not made by interpolation and its normalisation.
+/// True if samples are always stored keys, so that they are never normalised.
 bool holds_keys(const QuatTrack& track) noexcept {
   return track.interpolation == Interpolation::step || track.key_count() == 1;
 }
 
-/// Of length 1 within the rounding of four components, so that normalising changes nothing.
+/// True if the length is 1 within the rounding of four components, so that normalising changes nothing.
 bool is_rounded_unit(const glm::quat& q) noexcept {
   return std::abs(safe_length(quat_cast<double>(q)) - 1.0) <= 0x1p-23;
 }
 
-/// True when no weight of the track ever changes. Compares bits.
+/// True if no weight of the track ever changes. Compares bits.
 bool is_constant(const WeightTrack& track) noexcept {
   const std::size_t n = track.target_count, rows = n == 0 ? 0 : track.values.size() / n;
   const bool cubic = is_cubic(track.interpolation);
@@ -109,7 +109,7 @@ std::uint32_t target_of(const Lane<TrackType>& lane) noexcept {
   return lane.target;
 }
 
-/// Calls `add(first, count)` for runs of targets that are no further apart than a block allows (kWidestGap).
+/// Calls `add(first, count)` for each run of targets without a gap above kWidestGap.
 template <class Targets, class Add>
 void each_run(const Targets& targets, const Add& add) {
   for (std::size_t first = 0, end = 0; first < targets.size(); first = end) {
@@ -131,7 +131,7 @@ void add_full_block(TimeGroup& group, Property property, std::span<const Lane<Tr
   group.blocks.push_back(std::move(block));
 }
 
-/// Blocks of no more lanes than packed rows can have.
+/// Appends blocks of at most kMostPackedLanes lanes.
 void add_packed_blocks(TimeGroup& group, Property property, Interpolation interpolation,
                        std::span<const std::uint32_t> targets, std::span<const PackedTrack> tracks) {
   for (std::size_t first = 0; first < tracks.size(); first += kMostPackedLanes) {
@@ -171,7 +171,7 @@ void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<Trac
   }
 }
 
-/// All targets of a weight track in packed form, or nothing when one of them cannot be.
+/// All weights of a track in packed form; empty if one of them cannot be packed.
 std::vector<PackedTrack> packed_weights(const Lane<WeightTrack>& lane) {
   std::vector<PackedTrack> packed;
   for (std::uint32_t i = 0; i < lane.tolerances.size(); ++i) {
@@ -182,7 +182,7 @@ std::vector<PackedTrack> packed_weights(const Lane<WeightTrack>& lane) {
   return packed;
 }
 
-/// A weight track is frame-major already: its targets become lanes one after another.
+/// Weight tracks have the layout of a block already: their targets become the lanes.
 void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lane) {
   const std::size_t n = lane.track->target_count;
   std::vector<std::uint32_t> targets(n);
@@ -196,7 +196,7 @@ void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lan
   group.blocks.push_back(std::move(block));
 }
 
-/// One compilation: constant tracks go to the base pose, the others to drafts by key times.
+/// Compiles one animation: constant tracks become part of the base pose, others are grouped by key times.
 class Compiler {
  public:
   Compiler(ClipLayout& layout, const ClipRest& rest, const PropertyTable& properties)
@@ -215,7 +215,7 @@ class Compiler {
   }
 
  private:
-  /// One track per joint and property: when an animation has several, the last one counts (G20).
+  /// If an animation has several tracks for one property of a joint, the last one counts.
   void add_bones(const Animation& animation, const KeyTolerances& rounding) {
     const std::vector<BoneAnimation>& bones = animation.bones;
     std::vector<std::size_t> order(bones.size());
@@ -261,7 +261,7 @@ class Compiler {
     if (lane.track == nullptr) return;
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
     if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_rounded_unit(q)) &&
-        same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
+        same_bits(without_tiny(q), q)) {  // the base pose would change tiny components
       set_constant(first_plane(Property::rotation), lane.target, {q.x, q.y, q.z, q.w});
       ++layout_.counts.folded;
       return;
@@ -271,7 +271,7 @@ class Compiler {
 
   void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight,
                    const KeyTolerances& rounding) {
-    // One track per set of weights: when an animation has several, the last one counts.
+    // If an animation has several tracks for the same weights, the last one counts.
     std::map<std::uint32_t, Lane<WeightTrack>> tracks;
     for (std::size_t i = 0; i < animation.weights.size(); ++i) {
       const WeightAnimation& a = animation.weights[i];
@@ -294,7 +294,7 @@ class Compiler {
     }
   }
 
-  /// A track that never changes becomes the base value; false for others.
+  /// Makes a constant track part of the base values; false if the track is not constant.
   bool fold(const WeightTrack& track, std::uint32_t first, std::vector<BaseNumbers::Own>& own) {
     if (!is_constant(track)) return false;
     const std::uint32_t n = track.target_count;

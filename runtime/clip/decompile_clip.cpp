@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-/// Parts of a key: in-tangent, value and out-tangent, or the value alone.
+/// Number of parts of a key: 3 with tangents (in-tangent, value, out-tangent), else 1.
 std::size_t parts_of(Interpolation interpolation) noexcept {
   return interpolation == Interpolation::cubic_spline ? 3 : 1;
 }
@@ -40,7 +40,7 @@ void read_value(const PackedTrack& packed, std::size_t key, glm::vec3& out) {
 
 void read_value(const PackedTrack& packed, std::size_t key, glm::quat& out) { out = unpack_rotation(packed, key); }
 
-/// One lane of a block with a single key, which needs no tangents.
+/// The track of one lane of a block with a single key. It is a step track, since tangents have no effect.
 template <class V>
 Track<V> key_of(const TrackBlock& block, float time_s, std::size_t lane) {
   Track<V> track{Interpolation::step, {time_s}, {V{}}};
@@ -51,7 +51,7 @@ Track<V> key_of(const TrackBlock& block, float time_s, std::size_t lane) {
   return track;
 }
 
-/// One lane of a block with all its keys.
+/// The track of one lane of a block.
 template <class V>
 Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::size_t lane) {
   const std::size_t parts = parts_of(block.interpolation), components = components_of(block.property);
@@ -74,7 +74,7 @@ void set_track(const TrackBlock& block, std::span<const float> times_s, std::siz
     (block.property == Property::scale ? bone.scale : bone.translation) = track_of<glm::vec3>(block, times_s, lane);
 }
 
-/// All lanes of a block of weights or numbers, which lie as a WeightTrack has them.
+/// All lanes of a block of weights or numbers. They have the layout of a WeightTrack.
 WeightTrack weights_of(const TrackBlock& block, std::span<const float> times_s) {
   const std::size_t lanes = block.lane_count, count = times_s.size() * parts_of(block.interpolation) * lanes;
   if (times_s.size() == 1 && block.packed.empty()) {
@@ -93,7 +93,7 @@ WeightTrack weights_of(const TrackBlock& block, std::span<const float> times_s) 
   return track;
 }
 
-/// A track that never changes.
+/// A track with one key.
 WeightTrack constant(std::span<const float> values) {
   return {Interpolation::step, {0.0f}, {values.begin(), values.end()}, static_cast<std::uint32_t>(values.size())};
 }
@@ -140,7 +140,7 @@ class Decompiler {
       set_track(block, times_s, lane, bone(block.targets[lane]));
   }
 
-  /// The instance that has a weight.
+  /// The mesh instance that a weight belongs to.
   std::uint32_t instance_of(std::uint32_t weight) const noexcept {
     const auto after = std::upper_bound(first_weight_.begin(), first_weight_.end(), weight);
     return static_cast<std::uint32_t>(after - first_weight_.begin()) - 1;
@@ -196,7 +196,7 @@ class Decompiler {
     }
   }
 
-  /// Runs of weights of one instance that the clip holds at other values than those at rest.
+  /// Adds constant tracks for runs of weights whose constant value in the clip differs from the rest value.
   void add_constant_weights() {
     const std::vector<float> base = clip_.base_weights.all();
     const auto is_held = [&](std::uint32_t w) { return !weight_moves_[w] && !same_bits(base[w], (*rest_.weights)[w]); };

@@ -8,23 +8,22 @@
 
 namespace sinew {
 
-/// The keys of a clip in authoring form, for what is derived from keys (root motion, bounds, LODs) where the truth that
-/// the clip was compiled from is not at hand. compile_clip makes of it a clip that samples the bits of
-/// `unpacked(clip)`. Keys that a budget removed stay removed; tracks that were constant have one key.
-/// in    rest, first_weight, properties  of a scene of the clip's size
-/// err   unsupported: a block moves a part of a property, or weights of two instances (compile_clip makes none)
+/// The keys of a clip in authoring form. Needed for data derived from keys (root motion, bounds, LODs) if the original
+/// animation is not available. Compiled again it samples the bits of `unpacked(clip)`. Keys that an error budget
+/// removed stay removed; constant tracks have one key.
+/// in    rest, first_weight, properties  of a scene with the joint, weight and property counts of the clip
+/// err   unsupported: a block moves a part of a property, or weights of two instances (never from compile_clip)
 /// cost  O(keys + joints), allocates decompiled_bytes(clip)
 Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                                  const PropertyTable& properties);
 
-/// The keys of one joint, for what follows from them alone: the root motion of a clip that came without its source,
-/// such as one of a library (playback/root_motion.h). What no track animates has one key, where the clip holds the
-/// joint.
-/// in    joint  of the clip
+/// The keys of one joint, for example for root motion (playback/root_motion.h) of a clip without its original
+/// animation. A property that no track animates has one key, with its constant value in the clip.
+/// in    joint  < clip.joint_count()
 /// cost  O(blocks + keys of the joint), allocates them
 BoneAnimation decompile_joint(const Clip& clip, std::uint32_t joint);
 
-/// Bytes that the keys of decompile_clip take.      cost O(blocks)
+/// Bytes that the result of decompile_clip takes.      cost O(blocks)
 std::uint64_t decompiled_bytes(const Clip& clip) noexcept;
 
 }  // namespace sinew

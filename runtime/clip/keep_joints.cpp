@@ -11,14 +11,14 @@
 namespace sinew {
 namespace {
 
-/// The new number of each old one, kNone for those that are not kept.
+/// The new index of each joint; kNone for joints that are not kept.
 std::vector<std::uint32_t> new_numbers(std::size_t joint_count, std::span<const std::uint32_t> joints) {
   std::vector<std::uint32_t> numbers(joint_count, kNone);
   for (std::size_t k = 0; k < joints.size(); ++k) numbers[joints[k]] = static_cast<std::uint32_t>(k);
   return numbers;
 }
 
-/// Base poses of some joints. Clips that share one share the new one too.
+/// Makes base poses of the kept joints. Clips that shared rest values share the new ones.
 class KeptPoses {
  public:
   KeptPoses(std::span<const std::uint32_t> joints, std::span<const std::uint32_t> numbers)
@@ -47,7 +47,7 @@ class KeptPoses {
 
   std::span<const std::uint32_t> joints_, numbers_;
   std::size_t stride_;
-  std::map<RestNumbers, RestNumbers> known_;  ///< of all joints, and of those kept
+  std::map<RestNumbers, RestNumbers> known_;  ///< from rest values of all joints to those of kept joints
 };
 
 Clip keep_tracks(const ClipLayout& whole, std::span<const std::uint32_t> numbers, std::size_t joint_count,

@@ -8,18 +8,18 @@
 
 namespace sinew {
 
-/// A skeleton of some joints only, numbered in their order, without names and nodes.
-/// in   joints  rising; with a joint also its parent
+/// A skeleton with only the given joints, in their order, without names and node indices.
+/// in   joints  rising; they contain the parent of each of them
 /// cost O(J), allocates
 Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> joints);
 
-/// The clip of that skeleton: without the tracks of other joints. The tracks left sample the same bits at every time;
-/// morph weights and properties stay as they are. Works for exact, packed and loaded clips.
+/// The clip for that skeleton, without the tracks of other joints. The remaining tracks sample the same bits at every
+/// time. Morph weights and properties do not change.
 /// in   joints  rising
 /// cost O(keys + J), allocates the clip
 Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints);
 
-/// The same for clips of one scene: what they share they go on sharing.
+/// As above, for several clips. Data shared between the inputs stays shared in the outputs.
 std::vector<Clip> keep_joints(std::span<const Clip> clips, std::span<const std::uint32_t> joints);
 
 }  // namespace sinew

@@ -10,8 +10,9 @@
 
 namespace sinew {
 
-/// The key times of one group of tracks, with a table of uniform buckets: a search costs the same for forward play and
-/// for jumps, O(1) for evenly spread keys and O(log K) at worst. Copies share the times and the table.
+/// The key times of one group of tracks, with a table of uniform buckets for the search. A search costs O(1) if keys
+/// are evenly spaced and O(log K) at worst, for forward play and for jumps alike. Copies share the times and the
+/// table.
 class KeyTimes {
  public:
   /// in   times_s[K]  K >= 1, finite, never decreasing
@@ -27,14 +28,14 @@ class KeyTimes {
     for (std::size_t b = 1; b <= buckets; ++b) first_key[b] += first_key[b - 1];
   }
 
-  /// The same answer as locate_key(times_s(), time_s).
+  /// Same result as locate_key(times_s(), time_s).
   KeyPosition locate(double time_s) const noexcept {
     if (!(time_s >= static_cast<double>(times_s_.front()))) return {};
     if (time_s >= static_cast<double>(times_s_.back())) return {times_s_.size() - 1, true, 0.0, 0.0};
-    // bucket_of never decreases with time, whatever it rounds: all keys of earlier buckets are earlier than time_s and
-    // all keys of later buckets are later, so the answer lies in this bucket or is the last key before it.
+    // bucket_of is monotonic in spite of rounding. So keys in earlier buckets are earlier than time_s, and keys in
+    // later buckets are later. The result is in this bucket, or it is the last key before it.
     const std::size_t b = bucket_of(time_s);
-    // A fixed number of steps without a branch on the keys: uneven keys do not cost mispredictions.
+    // A fixed number of steps without a branch on key times, so uneven keys cause no mispredictions.
     std::size_t low = first_key_[b], left = first_key_[b + 1] - low;
     for (std::size_t step = 0; step < search_steps_; ++step) {
       const std::size_t half = (left + 1) / 2;
@@ -47,7 +48,7 @@ class KeyTimes {
 
   std::span<const float> times_s() const noexcept { return times_s_; }
   std::size_t key_count() const noexcept { return times_s_.size(); }
-  /// Comparisons of one search, whatever its time and the one before: no cursor remembers where a clip was (P03).
+  /// Number of comparisons in a search. It is constant, since a search does not depend on earlier ones.
   std::size_t search_steps() const noexcept { return search_steps_; }
   std::size_t byte_size() const noexcept {
     return (times_s_.size() * sizeof(float)) + first_key_.size() * sizeof(std::uint32_t);
@@ -62,7 +63,7 @@ class KeyTimes {
   SharedArray<float> times_s_;
   SharedArray<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
   double buckets_per_s_ = 0.0;
-  std::size_t search_steps_ = 0;  ///< of a binary search in the fullest bucket
+  std::size_t search_steps_ = 0;  ///< steps of a binary search in the fullest bucket
 };
 
 }  // namespace sinew

@@ -11,7 +11,7 @@ struct MovedLane {
   std::uint32_t target, lane;
 };
 
-/// By rising target.
+/// The lanes with a new target, sorted by it.
 std::vector<MovedLane> moved_lanes(const TrackBlock& block, std::span<const std::uint32_t> new_target) {
   std::vector<MovedLane> lanes;
   for (std::uint32_t lane = 0; lane < block.lane_count; ++lane)
@@ -20,7 +20,7 @@ std::vector<MovedLane> moved_lanes(const TrackBlock& block, std::span<const std:
   return lanes;
 }
 
-/// [key][plane][lane] of some lanes alone.
+/// [key][plane][lane] rows of the given lanes.
 std::vector<float> rows_of(const TrackBlock& block, std::span<const MovedLane> lanes) {
   const std::size_t row = block.lane_count, rows = (block.rows.size() - kLanePadding) / row;
   std::vector<float> kept;
@@ -36,7 +36,7 @@ PackedRows packed_rows_of(const TrackBlock& block, std::span<const MovedLane> la
   for (const MovedLane& moved : lanes)
     tracks.push_back(packed_lane(block.packed, block.lane_count, moved.lane, key_count));
   PackedRows rows = packed_rows(tracks, key_count);
-  rows.power = block.packed.power;  // so that poses keep their bits
+  rows.power = block.packed.power;  // as in the whole block, so that poses keep their bits
   return rows;
 }
 
@@ -66,7 +66,8 @@ TrackBlock block_of_lanes(const TrackBlock& block, std::span<const MovedLane> la
 void add_moved_lanes(const TrackBlock& block, std::span<const std::uint32_t> new_target, std::size_t key_count,
                      std::vector<TrackBlock>& out) {
   const std::vector<MovedLane> lanes = moved_lanes(block, new_target);
-  const std::uint32_t widest_gap = is_of_joints(block) ? kWidestGap : 1;  // weights and numbers are neighbours
+  const std::uint32_t widest_gap =
+      is_of_joints(block) ? kWidestGap : 1;  // targets of weights and numbers are consecutive
   for (std::size_t first = 0, end = 0; first < lanes.size(); first = end) {
     for (end = first + 1; end < lanes.size(); ++end)
       if (lanes[end].target - lanes[end - 1].target > widest_gap) break;

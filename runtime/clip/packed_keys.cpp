@@ -12,14 +12,14 @@
 namespace sinew {
 namespace {
 
-/// A component that comes closer to 0 than this is not left out: it would follow too inaccurately from the others.
+/// A component that comes closer to 0 than this cannot be the derived one: it would be too inaccurate.
 constexpr double kSmallestDerived = 0.3;
 
 bool has_plain_keys(Interpolation interpolation) noexcept {
   return interpolation == Interpolation::step || interpolation == Interpolation::linear;
 }
 
-/// The next float above a positive number whose lower half is 0: two bytes are enough for a step.
+/// The next float above a positive number whose lower 16 bits are 0, so that two bytes store a step.
 float coarse_above(double x) noexcept {
   constexpr std::uint32_t kLower = 0xffffu;
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
@@ -31,7 +31,7 @@ struct Range {
   double length() const noexcept { return static_cast<double>(high) - static_cast<double>(low); }
 };
 
-/// Numbers of component `c` in as many bits as its width says, over its range; without bits the middle stands for all.
+/// Quantises component `c` of all keys to out.width[c] bits over its range. With 0 bits all keys become the middle.
 /// in   values[key][components]
 void quantise(std::span<const float> values, const Range& range, std::size_t c, PackedTrack& out) {
   const std::size_t n = out.components, keys = values.size() / n;
@@ -52,8 +52,9 @@ void quantise(std::span<const float> values, const Range& range, std::size_t c, 
   }
 }
 
-/// Finds few bits at which `error(packed, key)` is never above the tolerance: first all components as coarse as each
-/// other, then one bit less wherever that still holds. in   values[key][components]
+/// Searches for few bits with `error(packed, key)` <= tolerance for every key. First all components get the same step,
+/// then bits are removed from one component after another while the tolerance holds.
+/// in   values[key][components]
 template <class Error>
 std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> values, double tolerance,
                                        const Error& error) {
@@ -97,7 +98,7 @@ std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> v
   return tolerance > 0.0 ? std::optional(std::move(out)) : std::nullopt;
 }
 
-/// Keys with signs that let one component be left out, or else change least from key to key.
+/// The keys with their signs chosen: the derived component is positive, or if there is none, neighbours are aligned.
 std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
   std::array<double, 4> smallest;
   smallest.fill(2.0);
@@ -115,7 +116,7 @@ std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
     Quat<double> q = normalised(quat_cast<double>(key));
     if (derived == PackedTrack::kNoneDerived ? quat_dot(before, q) < 0.0 : q[derived] < 0.0) q = -q;
     before = q;
-    const glm::quat key_now = without_tiny(quat_cast<float>(q));  // lanes need not look for them (N26)
+    const glm::quat key_now = without_tiny(quat_cast<float>(q));  // sampling does not check for tiny components
     values.insert(values.end(), {key_now.x, key_now.y, key_now.z, key_now.w});
   }
   return values;
@@ -129,7 +130,7 @@ std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexc
     if (c != track.derived)
       v[c] = static_cast<float>(track.numbers[key * track.components + c]) * track.step[c] + track.low[c];
   if (track.derived < track.components) {
-    // In the order of the lanes, where w takes the place of the component that is left out.
+    // Sums in the order of sample_clip, where w takes the slot of the derived component.
     std::array<float, 4> stored = v;
     std::swap(stored[track.derived], stored[3]);
     const float rest = 1.0f - ((stored[0] * stored[0] + stored[1] * stored[1]) + stored[2] * stored[2]);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFour = 4;  ///< lanes of one load
 
-/// The slot of a component that is not left out.
+/// The slot of a component that is not derived.
 std::size_t slot_of(std::size_t component, std::uint8_t derived) noexcept {
   return component == 3 && derived < 3 ? derived : component;
 }
@@ -35,7 +35,7 @@ std::size_t bit_of(const PackedRows& rows, std::size_t lanes, std::size_t slot, 
          static_cast<std::size_t>(std::countr_zero(rows.mask[at]));
 }
 
-/// The eight bytes in which a number begins. Rows have kReadAhead bytes after them.
+/// The eight bytes in which a number begins. The read stays inside thanks to kReadAhead.
 std::uint64_t eight_bytes(const std::uint8_t* row, std::size_t bit) noexcept {
   std::uint64_t bytes;
   std::memcpy(&bytes, row + bit / 8, sizeof bytes);
@@ -46,14 +46,14 @@ std::uint32_t read_bits(const std::uint8_t* row, std::size_t bit, std::uint32_t 
   return static_cast<std::uint32_t>(eight_bytes(row, bit) >> bit % 8) & ((std::uint32_t{1} << width) - 1);
 }
 
-/// Where the bits are 0 so far.
+/// Writes a number into bits that are 0.
 void write_bits(std::uint8_t* row, std::size_t bit, std::uint32_t number) noexcept {
   const std::uint64_t bytes = eight_bytes(row, bit) | std::uint64_t{number} << bit % 8;
   std::memcpy(row + bit / 8, &bytes, sizeof bytes);
 }
 
-/// Calls `visit(lane, component, slot, at)` for the components of all lanes that are not left out, in the order of
-/// lanes; `at` is the place in tables.
+/// Calls `visit(lane, component, slot, at)` for all components that are not derived, lane by lane. `at` is the index
+/// in the tables.
 template <class Visit>
 void each_component(const PackedRows& rows, std::size_t lanes, std::size_t components, const Visit& visit) {
   for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -88,7 +88,7 @@ void make_tables(PackedRows& rows, std::span<const PackedTrack> tracks) {
   rows.low.assign(table, 0.0f);
 }
 
-/// Makes `first_byte`: that of the slot before, where sixteen bytes from there have the numbers of both.
+/// Computes `first_byte` and `shares_bytes`. A slot shares the bytes of the previous one if they contain its numbers.
 void share_bytes(PackedRows& rows, std::size_t lanes, std::span<const std::size_t> bits) {
   const std::size_t count = fours(lanes);
   for (std::size_t slot = 0; slot < rows.slot_count; ++slot) {
@@ -96,7 +96,7 @@ void share_bytes(PackedRows& rows, std::size_t lanes, std::span<const std::size_
     const auto before = std::span(rows.first_byte).subspan(slot > 0 ? (slot - 1) * count : 0, count);
     bool shares = slot > 0;
     for (std::size_t lane = 0; lane < lanes && shares; ++lane) {
-      // the four bytes from that of the first bit on
+      // a number is read as four bytes from its first bit on
       const std::size_t end = bits[slot * lanes + lane] / 8 + 4;
       shares = end <= std::size_t{before[lane / kFour]} + 16;
     }
@@ -106,7 +106,7 @@ void share_bytes(PackedRows& rows, std::size_t lanes, std::span<const std::size_
   }
 }
 
-/// Places the numbers, and makes `row_bytes`.
+/// Assigns bits of a row to the numbers, and computes `row_bytes`.
 void place_numbers(PackedRows& rows, std::span<const PackedTrack> tracks) {
   const std::size_t lanes = tracks.size(), components = tracks.front().components;
   std::vector<std::uint8_t> width(rows.slot_count * lanes, 0);
@@ -116,7 +116,7 @@ void place_numbers(PackedRows& rows, std::span<const PackedTrack> tracks) {
     step[at] = tracks[lane].step[c];
     rows.low[at] = tracks[lane].low[c];
   });
-  std::vector<std::size_t> bits(rows.slot_count * lanes);  // where numbers begin
+  std::vector<std::size_t> bits(rows.slot_count * lanes);  // [slot][lane] first bit of each number
   std::size_t bit = 0;
   for (std::size_t four = 0; four < fours(lanes); ++four)
     for (std::size_t slot = 0; slot < rows.slot_count; ++slot)
@@ -135,7 +135,7 @@ void place_numbers(PackedRows& rows, std::span<const PackedTrack> tracks) {
   }
 }
 
-/// What a slot stands for in a row: `width` bits from `bit` on.
+/// A stored component of one lane: `width` bits from `bit` on, whose value is low + step * bits.
 struct Number {
   std::size_t bit;
   std::uint32_t width;
@@ -154,7 +154,7 @@ std::array<Number, 4> numbers_of(const PackedRows& rows, std::size_t lanes, std:
   return numbers;
 }
 
-/// Rotation of a key in the order of slots.
+/// The quaternion of one lane in a row, in the order of slots.
 std::array<double, 4> rotation_at(const std::array<Number, 4>& numbers, const std::uint8_t* row,
                                   std::uint8_t derived) noexcept {
   std::array<double, 4> q{};
@@ -168,7 +168,7 @@ std::array<double, 4> rotation_at(const std::array<Number, 4>& numbers, const st
   return q;
 }
 
-/// Makes `power`: for each key what the largest arc of a lane to the next key needs.
+/// Computes `power`: for each key the power that the largest arc of all lanes needs.
 void find_powers(PackedRows& rows, std::size_t lanes, std::size_t key_count) {
   std::vector<double> largest(key_count, 0.0);  // x of slerp_power
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -189,8 +189,7 @@ void find_powers(PackedRows& rows, std::size_t lanes, std::size_t key_count) {
     rows.power.assign(1, kUsualSlerpPower);
 }
 
-/// Moves numbers between rows in the order of slots and rows in the order of lanes, `move(row, bit, lane order bit,
-/// width)` each.
+/// Calls `move(first byte of the row, bit in the row, bit in lane order, width)` for each number of each key.
 template <class Move>
 void each_number(const PackedRows& rows, std::size_t lanes, std::size_t key_count, const Move& move) {
   struct Places {

@@ -15,16 +15,16 @@ namespace {
 
 using Own = std::vector<BaseNumbers::Own>;
 
-constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
+constexpr Property kJointProperties[] = {Property::translation, Property::rotation, Property::scale};
 
 constexpr std::size_t component_count(Property property) noexcept { return property == Property::rotation ? 4 : 3; }
 
-/// Calls `visit(joint, property)` for those with a constant other than the value at rest.
+/// Calls `visit(joint, property)` where the base value differs from the rest value.
 template <class Visit>
 void each_constant(std::span<const float> base, std::span<const float> rest, std::size_t joint_count,
                    const Visit& visit) {
   const std::size_t stride = BasePose::stride_for(joint_count);
-  for (const Property property : kOfJoints)
+  for (const Property property : kJointProperties)
     for (std::uint32_t joint = 0; joint < joint_count; ++joint)
       for (std::size_t c = 0; c < component_count(property); ++c) {
         const std::size_t at = (first_plane(property) + c) * stride + joint;
@@ -73,7 +73,7 @@ BaseNumbers moved_numbers(const BaseNumbers& base, const RestNumbers& from, std:
   return BaseNumbers(to, std::move(own));
 }
 
-/// A block whose targets stay shares its tables too.
+/// If no target changes, the block is copied with its tables.
 void add_block(const TrackBlock& block, const ClipTargets& targets, std::size_t key_count,
                std::vector<TrackBlock>& out) {
   const std::span<const std::uint32_t> new_target = targets_of(block.property, targets);

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// Slerp without trigonometry: the weights of both ends as power series in x = 1 - cos(a), a being the angle between
-/// the unit quaternions on the short arc. The coefficients depend on the fraction alone, which all tracks of a block
-/// share.
+/// Slerp without trigonometry: the weights of both keys are power series in x = 1 - cos(a), where a is the angle
+/// between the unit quaternions on the short arc. The coefficients depend only on the fraction, which all tracks of a
+/// block share.
 /// eq   sin(s a) / sin(a) = sum over i of c_i x^i, c_0 = s, c_i = c_(i-1) (i^2 - s^2) / (i (2 i + 1))
 ///      (hypergeometric: Abramowitz and Stegun 15.1.16; as a recursion: Eberly 2011, A Fast and Accurate Algorithm for
 ///      Computing SLERP). The sum to the power n is within 2^-25 while x <= kSlerpReach[n - 1].
@@ -20,25 +20,25 @@ inline constexpr std::array<float, 20> kSlerpReach = {
 /// Highest power that any arc needs: x is at most 1, which is a right angle.
 inline constexpr std::size_t kMostSlerpPower = kSlerpReach.size() + 1;
 
-/// The power that keys of most clips need. Fewer are not told apart: a number of steps that changes from sample to
-/// sample costs more than it saves.
+/// The power that suffices for keys of most clips, and the least that is used. Using fewer terms where possible costs
+/// more in branches than it saves.
 inline constexpr std::size_t kUsualSlerpPower = 3;
 
-/// The power for quaternions with this x, at least kUsualSlerpPower.
+/// The power needed for quaternions with this x, at least kUsualSlerpPower.
 inline std::uint8_t slerp_power(double x) noexcept {
   const auto* found = std::lower_bound(kSlerpReach.begin() + kUsualSlerpPower - 1, kSlerpReach.end(), x,
                                        [](float reach, double wanted) { return static_cast<double>(reach) < wanted; });
   return static_cast<std::uint8_t>(found - kSlerpReach.begin() + 1);
 }
 
-/// Coefficients of both ends, to the power `power`. A fraction of 0 or 1 gives exactly 0 or 1 for every x.
+/// Coefficients for both keys, up to `power`. A fraction of 0 or 1 gives weights of exactly 0 and 1 for every x.
 struct SlerpCoefficients {
   struct Pair {
     float begin, end;
   };
   std::array<Pair, kMostSlerpPower + 1> of_power;
 
-  /// in   r, s   the fractions of both keys
+  /// in   r, s   the fractions of both keys; r + s = 1
   ///      power  at least kUsualSlerpPower
   SlerpCoefficients(float r, float s, std::size_t power) noexcept {
     double begin = static_cast<double>(r), end = static_cast<double>(s);

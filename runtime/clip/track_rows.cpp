@@ -26,7 +26,8 @@ void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane
   block.rows.own()[(key * block.plane_count + plane) * block.lane_count + lane] = x;
 }
 
-/// Half the rotation angle between two keys on the short arc, computed in double; negative when `next` must be negated.
+/// TrackBlock's `arc` of a key: half the rotation angle to `next` on the short arc, negative if `next` must be
+/// negated.
 float signed_arc(const glm::quat& key, const glm::quat& next) noexcept {
   const Quat<double> q = normalised(quat_cast<double>(key)), r = normalised(quat_cast<double>(next));
   const bool negate = quat_dot(q, r) < 0.0;
@@ -37,7 +38,7 @@ float signed_arc(const glm::quat& key, const glm::quat& next) noexcept {
 void put_squad_segment(TrackBlock& block, const QuatTrack& track, std::size_t key, std::size_t lane) {
   put(block, key, 0, lane, track.values[key]);
   const bool jumps = key + 1 == track.key_count() || !(track.times_s[key + 1] > track.times_s[key]);
-  if (jumps) return;  // nothing is ever evaluated between such keys
+  if (jumps) return;  // no sample falls between keys with equal times
   const SquadSegment<double> s = squad_segment<double>(track, key);
   put(block, key, 4, lane, quat_cast<float>(s.begin_control));
   put(block, key, 8, lane, quat_cast<float>(s.end_control));

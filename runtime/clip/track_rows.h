@@ -7,11 +7,11 @@
 
 namespace sinew {
 
-/// Gives a block rows of zeros for `key_count` keys.
+/// Allocates the rows of a block for `key_count` keys, filled with zeros.
 void make_room(TrackBlock& block, std::size_t key_count);
 
-/// Writes the keys of a track into one lane of rows that make_room made, with what the interpolation needs between keys
-/// (TrackBlock). Reads key times for squad only.
+/// Writes the keys of a track into one lane, with the planes that its interpolation needs (TrackBlock). Call make_room
+/// first.
 void fill_lane(TrackBlock& block, const Vec3Track& track, std::size_t lane);
 void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane);
 

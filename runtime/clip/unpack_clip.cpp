@@ -16,7 +16,7 @@ void fill_rotations(TrackBlock& block, const PackedTrack& track, std::size_t lan
   fill_lane(block, keys, lane);
 }
 
-/// Vectors, weights and numbers are their components.
+/// Writes the keys of a vector, weight or number: its components are the planes.
 void fill_components(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
   float* const rows = block.rows.own();
   for (std::size_t k = 0; k < key_count; ++k) {

@@ -46,7 +46,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 ErrorCode check(const BlendCombinationsJob& job) noexcept {
-  if (job.combinations == nullptr) return ErrorCode::size_mismatch;
+  if (job.combinations == nullptr || !have_memory(job.palette, job.blended)) return ErrorCode::size_mismatch;
   return check_influences(job.combinations, job.blended.size(), job.palette.size());
 }
 

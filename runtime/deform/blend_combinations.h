@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/skin.h"
 
@@ -21,6 +21,6 @@ struct BlendCombinationsJob {
 };
 
 ErrorCode check(const BlendCombinationsJob& job) noexcept;
-void run(const BlendCombinationsJob& job) noexcept;
+void run_unchecked(const BlendCombinationsJob& job) noexcept;
 
 }  // namespace sinew

@@ -309,6 +309,22 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+ErrorCode check(const FlatNormalsJob& job) noexcept {
+  const std::size_t count = job.positions.size();
+  if (job.faces == nullptr || job.rest_normals.size() != count || job.normals.size() != count)
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.positions, job.rest_normals, job.normals)) return ErrorCode::size_mismatch;
+  const auto all_below = [](std::span<const std::uint32_t> vertices, std::size_t limit) {
+    return std::all_of(vertices.begin(), vertices.end(), [limit](std::uint32_t v) { return v < limit; });
+  };
+  for (const FlatStream& stream : job.faces->streams)
+    for (const std::uint32_t first : stream.first)
+      if (std::size_t{first} + stream.count > count) return ErrorCode::index_out_of_range;
+  const bool inside = all_below(job.faces->corners, count > 0 ? count - 1 : 0) && all_below(job.faces->alone, count) &&
+                      all_below(job.faces->at_rest, count);
+  return inside ? ErrorCode::ok : ErrorCode::index_out_of_range;
+}
+
 SINEW_DISPATCH_RUN(FlatNormalsJob, flat_normals)
 }  // namespace sinew
 #endif

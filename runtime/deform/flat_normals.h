@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/run_job.h"
 #include "runtime/deform/flat_faces.h"
 #include "runtime/math/conventions.h"
 
@@ -24,6 +25,7 @@ struct FlatNormalsJob {
   std::span<glm::vec3> normals;
 };
 
-void run(const FlatNormalsJob& job) noexcept;
+ErrorCode check(const FlatNormalsJob& job) noexcept;
+void run_unchecked(const FlatNormalsJob& job) noexcept;
 
 }  // namespace sinew

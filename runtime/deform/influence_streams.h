@@ -4,6 +4,7 @@
 #include <span>
 #include <variant>
 
+#include "runtime/base/run_job.h"
 #include "runtime/model/skin.h"
 
 namespace sinew {
@@ -36,6 +37,10 @@ struct InfluenceStreams {
   }
   std::size_t weight_count() const noexcept {
     return std::visit([](auto all) { return all.size(); }, weights);
+  }
+  bool have_memory() const noexcept {
+    const auto has = [](auto all) { return sinew::have_memory(all); };
+    return has(groups) && std::visit(has, joints) && std::visit(has, weights);
   }
 };
 

@@ -188,7 +188,7 @@ ErrorCode check(const MorphVerticesJob& job) noexcept {
   if (!job.morphs || job.weights.size() < job.morphs->targets.size()) return ErrorCode::size_mismatch;
   if (const auto error = check_streams(job.vertices, job.out); error != ErrorCode::ok) return error;
   const std::size_t count = job.vertices.positions.size();
-  if (job.scratch.size() < count) return ErrorCode::size_mismatch;
+  if (job.scratch.size() < count || !have_memory(job.scratch, job.weights)) return ErrorCode::size_mismatch;
   for (const float weight : job.weights)
     if (!std::isfinite(weight)) return ErrorCode::not_finite;
   for (const auto& target : job.morphs->targets)

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/math/negligible.h"
 #include "runtime/model/morph_set.h"
@@ -31,7 +31,7 @@ struct MorphVerticesJob {
 };
 
 ErrorCode check(const MorphVerticesJob& job) noexcept;
-void run(const MorphVerticesJob& job) noexcept;
+void run_unchecked(const MorphVerticesJob& job) noexcept;
 
 /// Adds the COLOR_0 displacements of all targets whose weight is not zero.
 /// eq   c' = clamp(c + sum(weight[i] * delta[i]), 0, 1)   (glTF 2.0, "Morph Targets"; G47)

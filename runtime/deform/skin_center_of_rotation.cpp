@@ -4,6 +4,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_center_of_rotation.cpp"
 #include <hwy/foreach_target.h>
+#include <cassert>
 
 #include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
@@ -146,11 +147,13 @@ HWY_EXPORT(skin_center_of_rotation);
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   if (job.centers.size() != count || job.palette.size() != job.split.size()) return ErrorCode::size_mismatch;
+  if (!have_memory(job.centers, job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
   if (!are_inside(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-void run(const SkinCenterOfRotationJob& job) noexcept {
+void run_unchecked(const SkinCenterOfRotationJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
   HWY_DYNAMIC_DISPATCH(skin_center_of_rotation)(job);
 }

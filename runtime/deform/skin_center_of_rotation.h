@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/pose/joint_palette.h"
@@ -34,6 +34,6 @@ struct SkinCenterOfRotationJob {
 };
 
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;
-void run(const SkinCenterOfRotationJob& job) noexcept;
+void run_unchecked(const SkinCenterOfRotationJob& job) noexcept;
 
 }  // namespace sinew

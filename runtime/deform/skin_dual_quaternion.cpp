@@ -2,6 +2,7 @@
 #include "runtime/deform/skin_dual_quaternion.h"
 
 #include <algorithm>
+#include <cassert>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_dual_quaternion.cpp"
@@ -104,11 +105,13 @@ HWY_EXPORT(skin_dual_quaternion);
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
   const std::size_t count = job.split.size();
   if (!job.palette.empty() && job.palette.size() < count) return ErrorCode::size_mismatch;
+  if (!have_memory(job.palette, job.split, job.pairs)) return ErrorCode::size_mismatch;
   if (!are_inside(job.pairs, count)) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, count);
 }
 
-void run(const SkinDualQuaternionJob& job) noexcept {
+void run_unchecked(const SkinDualQuaternionJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   if (!job.palette.empty()) skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
   HWY_DYNAMIC_DISPATCH(skin_dual_quaternion)(job);
 }

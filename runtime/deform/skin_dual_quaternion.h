@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/pose/joint_palette.h"
@@ -37,6 +37,6 @@ struct SkinDualQuaternionJob {
 };
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept;
-void run(const SkinDualQuaternionJob& job) noexcept;
+void run_unchecked(const SkinDualQuaternionJob& job) noexcept;
 
 }  // namespace sinew

@@ -325,10 +325,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 ErrorCode check(const SkinLinearJob& job) noexcept {
+  if (!have_memory(job.palette)) return ErrorCode::size_mismatch;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-SINEW_DISPATCH_RUN(SkinLinearJob, skin_linear)
+namespace {
+HWY_EXPORT(skin_linear);
+}
+
+void skin_linear_groups(const SkinLinearJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_linear)(job); }
+
+void run_unchecked(const SkinLinearJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  skin_linear_groups(job);
+}
 
 }  // namespace sinew
 #endif

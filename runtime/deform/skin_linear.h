@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/math/joint_matrix.h"
@@ -36,6 +36,6 @@ struct SkinLinearJob {
 };
 
 ErrorCode check(const SkinLinearJob& job) noexcept;
-void run(const SkinLinearJob& job) noexcept;
+void run_unchecked(const SkinLinearJob& job) noexcept;
 
 }  // namespace sinew

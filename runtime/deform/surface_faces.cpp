@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <span>
 
 #include "runtime/math/conventions.h"
 
@@ -56,6 +57,15 @@ SurfaceFaces join_surface(const Primitive& primitive, bool with_tangents) {
     faces.tangents.push_back(along_edges(Vec3<double>(primitive.tangents[faces.corners[i]]), b - a, c - a));
   }
   return faces;
+}
+
+ErrorCode check_indices(const SurfaceFaces& faces, std::size_t vertex_count) noexcept {
+  if (faces.corners.size() % 3 != 0) return ErrorCode::size_mismatch;
+  const auto all_below = [](std::span<const std::uint32_t> indices, std::size_t limit) {
+    return std::all_of(indices.begin(), indices.end(), [limit](std::uint32_t i) { return i < limit; });
+  };
+  const bool inside = all_below(faces.corners, vertex_count) && all_below(faces.point_of_vertex, faces.point_count);
+  return inside ? ErrorCode::ok : ErrorCode::index_out_of_range;
 }
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/result.h"
 #include "runtime/model/mesh.h"
 
 namespace sinew {
@@ -18,6 +19,10 @@ struct SurfaceFaces {
 
   std::size_t count() const noexcept { return corners.size() / 3; }
 };
+
+/// Every corner is below `vertex_count`, every point below the number of points, and the corners form triangles.
+/// err  size_mismatch, index_out_of_range     cost O(V + T)
+ErrorCode check_indices(const SurfaceFaces& faces, std::size_t vertex_count) noexcept;
 
 /// in   primitive     of triangles;   with_tangents  where the primitive has some
 /// cost O(V log V + T), allocates

@@ -142,6 +142,15 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+ErrorCode check(const SurfaceNormalsJob& job) noexcept {
+  const std::size_t count = job.positions.size();
+  if (job.faces == nullptr || job.faces->point_of_vertex.size() != count) return ErrorCode::size_mismatch;
+  if (job.rest_normals.size() != count || job.normals.size() != count || job.sums.size() < surface_sums(*job.faces))
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.positions, job.rest_normals, job.sums, job.normals)) return ErrorCode::size_mismatch;
+  return check_indices(*job.faces, count);
+}
+
 SINEW_DISPATCH_RUN(SurfaceNormalsJob, surface_normals)
 }  // namespace sinew
 #endif

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/run_job.h"
 #include "runtime/deform/surface_faces.h"
 #include "runtime/math/conventions.h"
 
@@ -31,7 +32,8 @@ struct SurfaceNormalsJob {
   std::span<glm::vec4> sums;
   std::span<glm::vec3> normals;
 };
-void run(const SurfaceNormalsJob& job) noexcept;
+ErrorCode check(const SurfaceNormalsJob& job) noexcept;
+void run_unchecked(const SurfaceNormalsJob& job) noexcept;
 
 /// Tangents that follow a surface.
 /// eq   t = normalise(sum of |n0| (x (b - a) + y (c - a)) over the triangles at a vertex), where x and y give the
@@ -48,6 +50,7 @@ struct SurfaceTangentsJob {
   std::span<const glm::vec4> rest_tangents;
   std::span<glm::vec4> tangents;
 };
-void run(const SurfaceTangentsJob& job) noexcept;
+ErrorCode check(const SurfaceTangentsJob& job) noexcept;
+void run_unchecked(const SurfaceTangentsJob& job) noexcept;
 
 }  // namespace sinew

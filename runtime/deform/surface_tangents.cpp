@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/deform/surface_normals.h"
+
+#include <cassert>
+
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
 
-void run(const SurfaceTangentsJob& job) noexcept {
+ErrorCode check(const SurfaceTangentsJob& job) noexcept {
+  const std::size_t count = job.positions.size();
+  if (job.faces == nullptr || job.faces->tangents.size() != job.faces->corners.size()) return ErrorCode::size_mismatch;
+  if (job.rest_tangents.size() != count || job.tangents.size() != count) return ErrorCode::size_mismatch;
+  if (!have_memory(job.positions, job.rest_tangents, job.tangents)) return ErrorCode::size_mismatch;
+  return check_indices(*job.faces, count);
+}
+
+void run_unchecked(const SurfaceTangentsJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const SurfaceFaces& faces = *job.faces;
   for (glm::vec4& tangent : job.tangents) tangent = glm::vec4(0.0f);
   for (std::size_t i = 0; i < faces.corners.size(); i += 3) {

@@ -16,6 +16,8 @@ ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept
     if (optional && (input == 0 || output == 0)) return true;
     return input == count && output >= count;
   };
+  if (!have_memory(in.positions, in.normals, in.tangents, out.positions, out.normals, out.tangents))
+    return ErrorCode::size_mismatch;
   const bool ok = fits(in.positions.size(), out.positions.size(), false) &&
                   fits(in.normals.size(), out.normals.size(), true) &&
                   fits(in.tangents.size(), out.tangents.size(), true);
@@ -24,7 +26,8 @@ ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept
 
 ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count,
                            std::size_t joint_count) noexcept {
-  if (influences.joint_count() != influences.weight_count()) return ErrorCode::size_mismatch;
+  if (influences.joint_count() != influences.weight_count() || !influences.have_memory())
+    return ErrorCode::size_mismatch;
   std::size_t next_vertex = 0;
   for (const auto& group : influences.groups) {
     const std::size_t end = group.first_influence + std::size_t{group.vertex_count} * group.influence_count;

@@ -245,6 +245,27 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 
+ErrorCode check(const MoveBlocksJob& job) noexcept {
+  const std::size_t numbers = job.blocks.size() * kBlockNumbers;
+  if (job.x1.size() != numbers || job.x2.size() != numbers || job.x.size() != numbers || job.corners.size() != numbers)
+    return ErrorCode::size_mismatch;
+  if (!have_memory(job.blocks, job.payload, job.corners, job.x1, job.x2, job.x)) return ErrorCode::size_mismatch;
+  std::size_t bytes = kPayloadPadding;
+  for (const BlockMotion& block : job.blocks)
+    for (const std::uint8_t width : block.width) {
+      if (width > kMostWidth) return ErrorCode::index_out_of_range;
+      bytes += kBlockPoints / 8 * std::size_t{width};
+    }
+  return job.payload.size() < bytes ? ErrorCode::size_mismatch : ErrorCode::ok;
+}
+
+ErrorCode check(const EmitPointsJob& job) noexcept {
+  const std::size_t blocks = job.from.size() / kBlockNumbers;
+  const bool whole = job.from.size() == blocks * kBlockNumbers && job.to.size() == job.from.size();
+  const bool fits = whole && job.out.size() <= blocks * kBlockPoints && have_memory(job.from, job.to, job.out);
+  return fits ? ErrorCode::ok : ErrorCode::size_mismatch;
+}
+
 SINEW_DISPATCH_RUN(MoveBlocksJob, move_blocks)
 SINEW_DISPATCH_RUN(EmitPointsJob, emit_points)
 

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "runtime/base/run_job.h"
+
 namespace sinew {
 
 /// Points are predicted in blocks of so many neighbours. The last block of a stream is filled up with points that are
@@ -51,7 +53,8 @@ struct MoveBlocksJob {
   std::span<const std::int32_t> x1, x2;   ///< [192 * blocks]
   std::span<std::int32_t> x;              ///< [192 * blocks] may be x2
 };
-void run(const MoveBlocksJob& job) noexcept;
+ErrorCode check(const MoveBlocksJob& job) noexcept;
+void run_unchecked(const MoveBlocksJob& job) noexcept;
 
 /// Points of a state, in metres.
 /// eq   out = step ((1 - part) from + part to), each product and sum rounded to float by itself; `to` alone at part 1
@@ -61,7 +64,8 @@ struct EmitPointsJob {
   float step = 1.0f;                       ///< metres
   std::span<glm::vec3> out;                ///< [points], at most 64 * blocks
 };
-void run(const EmitPointsJob& job) noexcept;
+ErrorCode check(const EmitPointsJob& job) noexcept;
+void run_unchecked(const EmitPointsJob& job) noexcept;
 
 /// Residuals have a small number of bits where small numbers of either sign are small numbers.
 constexpr std::uint32_t zigzag(std::int32_t number) noexcept {

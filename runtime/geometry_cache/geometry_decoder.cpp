@@ -118,12 +118,12 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
       return false;
     if (payload_bytes(blocks) != payload) return false;
     std::swap(stream.now, stream.before);
-    run(MoveBlocksJob{.blocks = blocks,
-                      .payload = m.payload,
-                      .corners = stream.info->corners,
-                      .x1 = stream.before,
-                      .x2 = stream.now,
-                      .x = stream.now});
+    run_unchecked(MoveBlocksJob{.blocks = blocks,
+                                .payload = m.payload,
+                                .corners = stream.info->corners,
+                                .x1 = stream.before,
+                                .x2 = stream.now,
+                                .x = stream.now});
   }
   return sections.ended();
 }
@@ -190,7 +190,7 @@ GeometryStatus GeometryDecoder::write_points(std::size_t stream, std::span<glm::
   if (stream >= streams_.size() || frame_ == kNone) return GeometryStatus::out_of_range;
   const Stream& s = streams_[stream];
   if (out.size() != s.info->point_count) return GeometryStatus::size_mismatch;
-  run(EmitPointsJob{.from = s.before, .to = s.now, .part = part_, .step = s.info->step, .out = out});
+  run_unchecked(EmitPointsJob{.from = s.before, .to = s.now, .part = part_, .step = s.info->step, .out = out});
   return GeometryStatus::ok;
 }
 

@@ -26,7 +26,7 @@ std::vector<glm::vec3> smooth_normals(const Primitive& primitive, const Geometry
   std::vector<glm::vec4> sums(surface_sums(faces));
   std::vector<glm::vec3> normals(primitive.vertex_count());
   const std::vector<glm::vec3> up(primitive.vertex_count(), kUp);
-  run(SurfaceNormalsJob{
+  run_unchecked(SurfaceNormalsJob{
       .faces = &faces, .positions = primitive.positions, .rest_normals = up, .sums = sums, .normals = normals});
   return normals;
 }

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-/// Where the things of a list go in another list.
+/// The index of each name in another list, kNone if it is missing or ambiguous.
 struct Match {
   std::vector<std::uint32_t> target;
   std::vector<bool> is_ambiguous;
@@ -48,26 +48,26 @@ Match match_names(const SharedArray<std::string>& from, const SharedArray<std::s
   return match;
 }
 
-/// Of weights and numbers, whose lists have no order that a signature tells.
+/// For weights and property components, which have no signature that tells if two lists are equal.
 Match match_lists(const SharedArray<std::string>& from, const SharedArray<std::string>& to) {
   const bool all_named = std::none_of(from.begin(), from.end(), [](const std::string& name) { return name.empty(); });
   return from.shares_with(to) || (all_named && from == to) ? each_to_itself(from.size()) : match_names(from, to);
 }
 
-/// Appends names that are not yet there, each once.
+/// Appends the names that `names` does not contain yet, each once.
 void append_new(std::vector<std::string>& names, const std::vector<std::string>& more) {
   std::unordered_set<std::string> there(names.begin(), names.end());
   for (const std::string& name : more)
     if (there.insert(name).second) names.push_back(name);
 }
 
-/// Adds what one clip moves to what others move.
+/// all = all or moved
 void unite(std::vector<bool>& all, const std::vector<bool>& moved) {
   all.resize(moved.size());
   for (std::size_t i = 0; i < moved.size(); ++i) all[i] = all[i] || moved[i];
 }
 
-/// Lists what is moved and goes nowhere; names that stand twice in `names` are listed twice.
+/// Lists channels that are moved but have no target. Names that occur twice in `names` are listed twice.
 void list_unbound(const std::vector<bool>& moved, const SharedArray<std::string>& names, const Match& match,
                   const char* kind, Unbound& unbound) {
   for (std::size_t i = 0; i < moved.size(); ++i) {

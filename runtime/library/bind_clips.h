@@ -9,10 +9,10 @@
 
 namespace sinew {
 
-/// What clips move and has no place where they were bound. A name stands once, whatever the number of clips.
+/// Channels that clips move, but that could not be bound. Each name is listed once, for any number of clips.
 struct Unbound {
-  std::vector<std::string> missing;    ///< by name; what has none is described: "joint 3 without a name"
-  std::vector<std::string> ambiguous;  ///< several have the name, here or there: none of them was taken
+  std::vector<std::string> missing;    ///< not in `to`; without a name, a description: "joint 3 without a name"
+  std::vector<std::string> ambiguous;  ///< several channels have the name, in `from` or in `to`, so none was bound
 
   bool empty() const noexcept { return missing.empty() && ambiguous.empty(); }
   /// Adds the names that are not yet listed.     cost O(names of both), expected
@@ -24,10 +24,10 @@ struct BoundClips {
   Unbound unbound;
 };
 
-/// The clips for another skeleton and model, by names. Skeletons of equal signature bind joint by joint, whatever their
-/// names; weights and numbers bind one by one where all have names and both lists are the same.
-/// Local transforms are copied as they are (rebind_clip). Joints that a clip does not move rest as `to` rests.
-/// A clip for which nothing differs is the same handle. Others share what keys they can.
+/// The clips for another skeleton and model, bound by the names of channels. If both skeletons have the same
+/// signature, joints bind by index. Weights and property components bind by index if both lists of names are equal and
+/// none is empty. Local transforms do not change (rebind_clip). Joints that a clip does not move have the rest values
+/// in `to`. If nothing differs, the result is the same clip handle; otherwise it shares keys where possible.
 /// in   clips  compiled for `from`
 /// cost O(names + clips * (joints + weights + numbers)), allocates
 BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, const ClipChannels& to);

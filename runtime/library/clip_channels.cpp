@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Exporters that name nodes alone are common.
+/// Falls back to the name of the joint, since many exporters name only nodes.
 std::string_view name_of(const MeshInstance& instance, const Scene& scene) noexcept {
   const std::string_view mesh = scene.meshes[instance.mesh].name;
   const std::vector<std::string>& joints = scene.skeleton.names;
@@ -70,7 +70,7 @@ std::string_view name_of(TextureSlot slot) noexcept {
   return "emissive_texture/";
 }
 
-/// Of the joint, camera, light or material; empty where that has none.
+/// The kind and name of the target's joint, camera, light or material; empty if it has no name.
 std::string thing_of(const Scene& scene, const PropertyTarget& target) {
   const auto named = [](std::string_view kind, std::string_view name) {
     return name.empty() ? std::string{} : std::string(kind).append(name).append("/");

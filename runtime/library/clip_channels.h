@@ -9,15 +9,14 @@
 
 namespace sinew {
 
-/// The names by which clips of a file bind to another skeleton or model, and what is at rest there. An empty name binds
-/// to nothing.
+/// The channels that clips of a file can move: joints, morph weights and components of properties. They bind to another
+/// skeleton or model by these names. An empty name binds to nothing.
 ///
-///     joint                 its name
-///     morph weight          "mesh/target"; a target without a name has its number: "mesh/2", and a mesh without one
-///     the
-///                           name of the joint that it is placed at
-///     number of a property  "joint arm/visible", "material skin/base_color/2": the thing, the property, the component;
-///                           of texture transforms the slot too: "material skin/base_color_texture/offset/0"
+///     joint                  the name of the joint
+///     morph weight           "mesh/target"; a target without a name has its number ("mesh/2"), and a mesh without a
+///                            name has that of its joint
+///     component of property  "joint arm/visible", "material skin/base_color/2"; of a texture transform with the
+///                            slot: "material skin/base_color_texture/offset/0"
 ///
 /// owns  the names, together with its copies
 struct ClipChannels {
@@ -28,14 +27,14 @@ struct ClipChannels {
   ClipRest rest;
 };
 
-/// Those of a scene. Its rest numbers are those that its clips share.     cost O(J + W + P), allocates
+/// The channels of a scene. They share the rest values of its clips.     cost O(J + W + P), allocates
 ClipChannels clip_channels(const Scene& scene);
 
-/// Those of a skeleton alone, without weights and properties.     cost O(J), allocates
+/// The channels of a skeleton alone, without weights and properties.     cost O(J), allocates
 ClipChannels clip_channels(const Skeleton& skeleton);
 
-/// "material skin/base_color": the name of a property of a scene, without its components; empty where the thing that
-/// has it is without a name.
+/// The name of a property without its component: "material skin/base_color". Empty if its joint, camera, light or
+/// material has no name.
 std::string property_name(const Scene& scene, const PropertyTarget& target);
 
 }  // namespace sinew

@@ -11,45 +11,44 @@
 
 namespace sinew {
 
-/// What `ClipLibrary::add` does with clips that move what the skeleton does not have.
+/// For ClipLibrary::add: how to treat clips that move joints which the skeleton does not have.
 enum class IfUnbound : std::uint8_t { leave_out, refuse };
 
-/// Clips of any number of files, bound to one skeleton. Scenes with models on that skeleton share it.
+/// Clips from any number of files, bound to one skeleton. All scenes with models on that skeleton can share it.
 ///
 ///     ClipLibrary library(body.skeleton);
 ///     library.add(walks);  // scenes of other files; what does not bind is listed
 ///     library.add(gestures);
-///     const BoundClips clips = clips_for(library, outfit);   // for a scene: the same keys, its own rest, weights,
-///     properties const Plan plan = compile_plan(outfit, clips.clips, needs);
+///     const BoundClips clips = clips_for(library, outfit);  // same keys; rest values and weights of the outfit
+///     const Plan plan = compile_plan(outfit, clips.clips, needs);
 ///
-/// Clips bind by the names of joints. Morph weights and properties keep their names, and bind to each scene on its own.
-/// Where the skeleton of a file rests otherwise than that of the library, joints that a clip does not move rest as the
-/// library says; what it moves has its local transforms as they are. A clip of the same skeleton and rest pose is the
-/// same handle: it takes no memory, and poses have the same bits.
+/// Joints bind by name. Morph weights and properties keep their names, and bind to each scene separately. If the rest
+/// pose of a file differs from the library's, joints that a clip does not move have the library's rest pose. Local
+/// transforms of joints that it moves do not change. A clip from the same skeleton and rest pose is stored as the same
+/// handle: it takes no memory, and its poses have the same bits.
 ///
-/// A library is a value. Copies share clips, so that a copy before each addition is a version of its own, and layers
-/// name clips by index: those of a version keep theirs in later ones. Plans share the clips that they were compiled
-/// for. They need neither the library nor its next version: new plans are compiled for that, while old frames go on
-/// with theirs.
+/// A library is a value whose copies share clips, so a copy before each addition is a cheap version. Clips keep their
+/// index in later versions. Plans keep alive the clips that they were compiled with, and do not need the library. So
+/// new plans can be compiled with a new version while frames still run with the old one.
 class ClipLibrary {
  public:
   /// cost O(J), allocates
   explicit ClipLibrary(const Skeleton& skeleton) : channels_(clip_channels(skeleton)) {}
 
-  /// Adds all clips of a scene, or those given, in their order; with IfUnbound::refuse none when some do not bind as a
-  /// whole.
-  /// in   clips  compiled for `from`: clips of a scene have clip_channels(scene)
-  /// out  what does not bind
+  /// Adds all clips of a scene, or the given clips, in their order. With IfUnbound::refuse it adds none if a channel
+  /// of any clip does not bind.
+  /// in   clips  compiled for `from`; for clips of a scene that is clip_channels(scene)
+  /// out  the channels that do not bind
   /// cost O(names + clips * (joints + weights + numbers)), allocates
   Unbound add(const Scene& file, IfUnbound if_unbound = IfUnbound::leave_out);
   Unbound add(std::span<const Clip> clips, const ClipChannels& from, IfUnbound if_unbound = IfUnbound::leave_out);
 
   std::size_t size() const noexcept { return clips_.size(); }
 
-  /// Bound to the library's skeleton, with the morph weights and properties of their files.
+  /// A clip bound to the library's skeleton, with the morph weights and properties of its file.
   const Clip& operator[](std::size_t index) const noexcept { return clips_[index]; }
 
-  /// The one clip of that name; nothing where there is none, and where there are several.     cost O(clips)
+  /// The clip with that name; nullopt if there is none, or several.     cost O(clips)
   std::optional<std::uint32_t> find(std::string_view name) const noexcept;
 
   std::uint64_t signature() const noexcept { return channels_.signature; }
@@ -58,10 +57,10 @@ class ClipLibrary {
   friend BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
   friend class MemoryCount;
 
-  /// Clips that were added at once, up to `end`.
+  /// The clips of one call of add, up to `end`.
   struct File {
     std::size_t end;
-    ClipChannels channels;  ///< joints of the library, weights and numbers of the file
+    ClipChannels channels;  ///< joints of the library; weights and properties of the file
   };
 
   ClipChannels channels_;
@@ -69,11 +68,11 @@ class ClipLibrary {
   std::vector<File> files_;
 };
 
-/// The clips of a library for a scene, in the library's order, as compile_plan takes them. They share the keys of the
-/// library, unless joints or morph targets come in another order in the scene. Bodies of other sizes are scenes whose
-/// skeleton rests otherwise.
-/// out  what does not bind: morph weights and properties that only other outfits have are listed, too. Properties bind
-///      where clips of the scene itself animate them (Scene::properties).
+/// The clips of a library bound to a scene, in the library's order, for compile_plan. They share the keys of the
+/// library, unless joints or morph targets have another order in the scene. Bodies of other sizes are scenes with
+/// another rest pose.
+/// out  the clips, and the channels that do not bind, also those that only other outfits have. Properties bind only if
+///      clips of the scene itself animate them (Scene::properties).
 /// cost O(names + clips * (joints + weights + numbers)), allocates
 BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
 

@@ -50,7 +50,8 @@ class Poses {
   void look_at(const Moment& moment) {
     const PoseSpan pose = memory_.span();
     if (moment.clip != kNone)
-      run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
+      run_unchecked(
+          SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
     for (std::size_t j = 0; j < local.size(); ++j)
       local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
     model_from_local(scene_.skeleton, local, model);
@@ -225,7 +226,7 @@ class Pruner {
 
 /// Of the tolerance, tried one after the other where linear blending says too little of what vertices do.
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
-constexpr double kRounding = 3e-6;  // of floats, against the distance from the origin
+constexpr double kRelativeRounding = 3e-6;  // of floats, against the distance from the origin
 
 bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -281,7 +282,7 @@ CompiledSkeletonLod find_lod(const Scene& scene, double tolerance_m, std::span<c
     if (within.left_out == 0) return within;
     const FramesApart apart = compare_frames(scene, needs, within.detail, moments);
     within.measured_m = std::max(within.measured_m, apart.worst_m);
-    if (apart.worst_m <= tolerance_m + kRounding * apart.farthest_m) return within;
+    if (apart.worst_m <= tolerance_m + kRelativeRounding * apart.farthest_m) return within;
   }
   return {};
 }

@@ -16,7 +16,7 @@ using Affine = AffineT<float>;
 using Affined = AffineT<double>;
 
 /// Product of two affine matrices.
-/// eq   C = A * B: B is applied first. Each row is summed in the order x, y, z, translation (N28).
+/// eq   C = A * B: B is applied first. Each row is summed in the order x, y, z, translation.
 template <class T>
 AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
   AffineT<T> c;
@@ -27,7 +27,7 @@ AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
   return c;
 }
 
-/// A point, moved by the whole matrix.
+/// Transforms a point, by the whole matrix.
 /// eq   p' = M * (p, 1)
 template <class T>
 Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
@@ -35,7 +35,7 @@ Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
   return {component(m.row[0]), component(m.row[1]), component(m.row[2])};
 }
 
-/// A direction or difference, moved by the linear part alone.
+/// Transforms a direction or a difference, by the linear part only.
 /// eq   v' = M * (v, 0)
 template <class T>
 Vec3<T> transform_vector(const AffineT<T>& m, const Vec3<T>& v) noexcept {
@@ -75,7 +75,7 @@ AffineT<To> affine_cast(const AffineT<From>& m) noexcept {
   return {{Vec4<To>(m.row[0]), Vec4<To>(m.row[1]), Vec4<To>(m.row[2])}};
 }
 
-/// Determinant of the linear part, rounded: use determinant_sign.h for its sign.
+/// Determinant of the linear part, with rounding errors. Use determinant_sign for an exact sign.
 template <class T>
 T determinant(const AffineT<T>& m) noexcept {
   const auto &a = m.row[0], &b = m.row[1], &c = m.row[2];

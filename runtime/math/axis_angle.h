@@ -37,8 +37,8 @@ Mat3<T> matrix_from_axis_angle(const Vec3<T>& axis, T angle_rad) noexcept {
   return {x, y, z};
 }
 
-/// Axis and angle in [0, pi] of a rotation; the axis is x where there is no rotation. The vector part is normalised
-/// itself: its length from 1 - w^2 would cancel for small rotations (N11).
+/// Axis and angle in [0, pi] of a rotation. The axis of the identity is x. The length of the vector part is computed
+/// from its components, since 1 - w^2 would lose digits for small rotations.
 /// eq   angle = 2 atan2(|v|, |w|), axis = v / |v|, negated when w < 0
 template <class T>
 AxisAngleT<T> axis_angle_from_quat(const Quat<T>& q) noexcept {

@@ -6,26 +6,25 @@
 /// - Column vectors: `p_world = world_from_local * p_local`; in a product adjacent words match.
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
-/// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n),
-///   which is the direction of the inverse transpose without its division, so also where M is singular. The
-///   sign is exact (determinant_sign.h). Unskinned meshes, every kind of skinning and flat faces follow this rule; M n
-///   of the linear rule lies on the same side. Mirroring reverses the winding of triangles instead:
-///   InstanceResult::mirrored says so in every frame.
+/// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n).
+///   This is the direction of the inverse transpose; without the division it also exists where M is singular. The sign
+///   is exact (determinant_sign.h). Unskinned meshes, every kind of skinning and flat faces follow this rule.
+///   Mirroring reverses the winding of triangles instead: InstanceResult::mirrored says so in every frame.
 /// - A tangent follows the surface, t' = normalise(M t), and keeps its handedness w. The bitangent is w cross(n', t'),
 ///   negated where the instance is mirrored.
 /// - An affine matrix is 3x4 and stored as three rows of four: 48 bytes, which load without over-reading and upload to
 ///   a GPU as three vec4. The fourth row is 0 0 0 1 and not stored.
-/// - Every kernel of this folder is a template over float and double: double is the truth that tests hold float to.
-/// - Same input, same bits, for every number of threads. Poses have the same bits on every instruction set.
-///   Deformed vertices have the same bits on every instruction set with fused multiply-add (AVX2, AVX-512, NEON), and
-///   on every one without it (SSE and the scalar fallback); between these two groups the last digits differ, since the
-///   latter round each sum twice. (Rounding once without the hardware, through double, took 4 to 8 times as long.) The
-///   build turns contraction off, so that results do not depend on what a compiler fuses. tests/golden holds the bits.
-/// - GLM supplies types and plain arithmetic. Its quaternion functions are not used where they fail: for opposite
-///   quaternions, keys that hold, axes of tiny rotations, matrices near half turns, nearly opposite vectors, and tiny
-///   or mirroring scales. This folder has kernels for those.
-/// - GLM options that change the layout of its types are refused below: a program compiled with other layouts than the
-///   library would link all the same.
+/// - Functions of this folder are templates over float and double. Tests compare the float results with double.
+/// - The same input gives the same bits, for every number of threads. Poses have the same bits on every instruction
+///   set. Deformed vertices have one set of bits with fused multiply-add (AVX2, AVX-512, NEON) and another without it
+///   (SSE, scalar). The two differ in the last digits, since without it each multiply-add rounds twice. (Emulating it
+///   through double took 4 to 8 times as long.) The build turns contraction off, so results do not depend on what a
+///   compiler fuses. The tests compare against stored bits (tests/golden).
+/// - GLM supplies types and plain arithmetic. This folder replaces those of its functions that lose accuracy or fail
+///   in edge cases: opposite or equal quaternions, tiny rotations, matrices near half turns, nearly opposite vectors,
+///   and tiny or mirroring scales.
+/// - GLM options that change the layout of its types are refused below. A program with another layout than the library
+///   would link without an error, and fail when it runs.
 #include <cstddef>
 #include <type_traits>
 
@@ -45,7 +44,7 @@ static_assert(offsetof(glm::quat, x) == 0 && offsetof(glm::quat, w) == 12,
 static_assert(std::is_same_v<glm::length_t, int>,
               "sinew needs GLM's lengths to be int: do not define GLM_FORCE_SIZE_T_LENGTH.");
 
-// Of GLM 1.0. Constructors are not constant with every option, so a static_assert cannot ask for their order.
+// An option of GLM 1.0. A static_assert cannot check the order: not all options leave the constructors constexpr.
 #ifdef GLM_FORCE_QUAT_CTOR_XYZW
 #error "sinew needs GLM's quaternion constructor to take w first: do not define GLM_FORCE_QUAT_CTOR_XYZW."
 #endif

@@ -7,7 +7,7 @@
 #include "runtime/math/determinant_sign.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/normal_transform.h"
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 
 namespace sinew {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using Vec = Vec3<double>;
 using Mat = Mat3<double>;
 
-/// m * v's columns are perpendicular, longest first; v is a rotation.
+/// m * v with perpendicular columns, longest first; v is a rotation.
 struct Orthogonalised {
   Mat columns;
   Mat v;
@@ -68,7 +68,7 @@ Orthogonalised orthogonalise(const Mat& m) noexcept {
   return o;
 }
 
-/// R S = m with singular values below `rounding` times the largest treated as noise.
+/// R S = m. Singular values below `rounding` times the largest count as rounding noise.
 PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   PolarT<double> out;
   if (!finite(m)) {
@@ -86,7 +86,7 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   Vec sigma(safe_length(o.columns[0]), safe_length(o.columns[1]), safe_length(o.columns[2]));
   const Vec u0 = normalised_or(o.columns[0], o.v[0]);
   const Vec second = o.columns[1] - u0 * glm::dot(u0, o.columns[1]);
-  // A rank of 1 or 0 leaves a choice: the one nearest to no rotation keeps v's second axis.
+  // With rank 1 or 0 the second axis is arbitrary. That of v gives the smallest rotation.
   const Vec kept = o.v[1] - u0 * glm::dot(u0, o.v[1]);
   const Vec free_axis = glm::dot(kept, kept) > 0.25 ? normalised_or(kept, kept) : perpendicular_to(u0);
   const bool rank_two = sigma.y > rounding * sigma.x;
@@ -95,11 +95,11 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   if (!rank_two) sigma.y = glm::dot(u1, o.columns[1]);
   sigma.z = glm::dot(u2, o.columns[2]);
   const int sign = determinant_sign(m);
-  if (rank_two && (sigma.z < 0.0) != (sign < 0)) sigma.z = -sigma.z;  // it is rounding alone
+  if (rank_two && (sigma.z < 0.0) != (sign < 0)) sigma.z = -sigma.z;  // its sign was rounding noise
 
   const bool singular = !rank_two || !(std::abs(sigma.z) > rounding * sigma.x);
   const bool mirrored = !singular && sign < 0;
-  // u2 is right-handed already; a mirroring turns the other two and makes all three singular values negative.
+  // u2 makes the frame right-handed. For a mirroring m, u0 and u1 are negated and all singular values become negative.
   const double side = mirrored ? -1.0 : 1.0;
   const Mat u(u0 * side, u1 * side, u2);
   const Vec d(sigma.x * side, sigma.y * side, sigma.z);
@@ -115,8 +115,8 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   return out;
 }
 
-/// Replaces the columns without length so that the three are a right-handed frame where possible. Without any they
-/// stay as they are.
+/// Replaces the columns of length zero, so that the three are a right-handed frame where possible. If all are zero
+/// they stay as they are.
 Mat complete_frame(Mat unit, const bool (&known)[3]) noexcept {
   const int count = known[0] + known[1] + known[2];
   for (int i = 0; i < 3; ++i) {
@@ -166,17 +166,18 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
   return out;
 }
 
-/// Singular values smaller than this part of the largest are rounding noise of T.
+/// Singular values smaller than this times the largest are rounding noise of T.
 template <class T>
 constexpr double kRounding = 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
-/// Rounding a singular stretch to T can turn the sign of its determinant, by which normals find the outside. Moves the
-/// eigenvalues by as much as that rounding, until the sign is that of the matrix; 0 of the matrix allows 1.
+/// Rounding a singular stretch to T can flip the sign of its determinant, which decides the side of normals. Moves the
+/// eigenvalues by the size of that rounding until the sign is that of the matrix. For sign 0 also a positive one is
+/// fine.
 template <class T>
 void keep_side(int sign, PolarT<T>& polar) noexcept {
   T* s = polar.stretch;
   const T step = std::max({std::abs(s[0]), std::abs(s[1]), std::abs(s[2])}) * std::numeric_limits<T>::epsilon();
-  constexpr int kMostSteps = 4;  // singular values above that many are not singular
+  constexpr int kMostSteps = 4;  // larger singular values do not count as singular
   for (int i = 0; i < kMostSteps; ++i) {
     const int found = determinant_sign(matrix_from_stretch(polar.stretch));
     if (found == sign || (sign == 0 && found > 0)) return;

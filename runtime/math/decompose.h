@@ -7,18 +7,18 @@
 
 namespace sinew {
 
-/// What a decomposition found; its parts are usable in every case.
+/// Result of a decomposition. The returned parts are usable in every case.
 enum class DecomposeStatus : std::uint8_t {
   ok,
-  mirrored,    ///< determinant negative: the sign is carried by the stretch, or by scale.x
-  sheared,     ///< trs only: the columns are not perpendicular, T * R * S is not the matrix
-  singular,    ///< rank below 3 within rounding: part of the rotation is free and chosen
+  mirrored,    ///< negative determinant: the stretch is negative, or scale.x is
+  sheared,     ///< decompose_trs only: the columns are not perpendicular, so T * R * S differs from the matrix
+  singular,    ///< rank below 3 within rounding: part of the rotation is arbitrary
   not_finite,  ///< NaN or infinite entries: the identity is returned
 };
 
-/// M = R S: R a rotation (determinant +1), S symmetric. For a mirroring M, S is negative (R = -U V^T).
-/// Where M has rank 2 or 3 within rounding, det S has exactly the sign of det M (determinant_sign.h); where det M = 0,
-/// det S may be positive.
+/// M = R S, with a rotation R (determinant +1) and a symmetric S. If M mirrors, S is negative definite (R = -U V^T).
+/// If M has rank 2 or 3 within rounding, det S has exactly the sign of det M (determinant_sign.h). If det M = 0, det S
+/// may be positive.
 template <class T>
 struct PolarT {
   Mat3<T> rotation{T(1)};
@@ -29,9 +29,8 @@ struct PolarT {
 
 /// Polar decomposition.
 /// eq   M = U D V^T by one-sided Jacobi (Hestenes), after scaling by the largest entry; R = U V^T, S = V D V^T, for
-///      det M < 0: R = -U V^T, S = -V D V^T   (Shoemake and Duff 1992; no inverse is formed, so rank 0..3 all work,
-///      N16)
-/// cost computed in double for float as well; about 3 sweeps of 3 rotations
+///      det M < 0: R = -U V^T, S = -V D V^T (Shoemake and Duff 1992; no inverse is formed, so every rank works)
+/// cost about 3 sweeps of 3 rotations, in double also for float matrices
 template <class T>
 PolarT<T> decompose_polar(const Mat3<T>& m) noexcept;
 
@@ -47,9 +46,9 @@ struct TrsT {
   DecomposeStatus status = DecomposeStatus::ok;
 };
 
-/// Translation, rotation and scale of a matrix without shear; scale = column lengths, scale.x takes the sign of a
-/// mirroring (N15). With shear, `rotation` is the nearest rotation to the normalised columns and the status says so;
-/// when the matrix is mirrored, sheared or singular at once, the worst is reported (singular, then sheared).
+/// Translation, rotation and scale of a matrix. The scale is the column lengths; scale.x is negative if the matrix
+/// mirrors. If the matrix shears, `rotation` is the rotation nearest to the normalised columns. The status is the
+/// worst that applies: singular, then sheared, then mirrored.
 /// err  status   cost O(1), no allocation
 template <class T>
 TrsT<T> decompose_trs(const AffineT<T>& m) noexcept;

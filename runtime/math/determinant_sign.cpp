@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-/// The exact result of one operation: a rounded value and its rounding error.
+/// The exact result of one operation, as the rounded value and its rounding error.
 struct TwoDoubles {
   double value, error;
 };
@@ -19,8 +19,8 @@ TwoDoubles exact_sum(double a, double b) noexcept {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-/// Two parts of half the digits, whose products are exact (Dekker). Without std::fma, which is slow where no
-/// instruction does it.
+/// Splits a number into two parts with half the digits, whose products are exact (Dekker). std::fma would be slow on
+/// processors without the instruction.
 TwoDoubles halves(double a) noexcept {
   const double scaled = a * 134217729.0;  // 2^27 + 1
   const double high = scaled - (scaled - a);
@@ -35,7 +35,7 @@ TwoDoubles exact_product(double a, double b) noexcept {
   return {product, error};
 }
 
-/// A sum kept without error, in parts of rising magnitude whose digits do not overlap.
+/// An exact sum, stored as parts of rising magnitude whose digits do not overlap.
 class ExactSum {
  public:
   /// (Shewchuk 1997, GROW-EXPANSION, without zeros)
@@ -63,7 +63,7 @@ class ExactSum {
   std::size_t count_ = 0;
 };
 
-/// in   entries of which no product of three leaves the range of double, nor do the digits of one
+/// in   entries whose products of three neither overflow nor lose digits to underflow
 int exact_sign(const Mat3<double>& m) noexcept {
   ExactSum sum;
   for (int i = 0; i < 3; ++i) {
@@ -83,8 +83,8 @@ int sign_in_range(const Mat3<double>& m) noexcept {
     determinant += m[0][i] * (forward - backward);
     magnitude += std::abs(m[0][i]) * (std::abs(forward) + std::abs(backward));
   }
-  // A product of three passes at most five roundings on its way into the sum, and into `magnitude`: the error is below
-  // (7 + 56 * 2^-53) * 2^-53 magnitudes (Shewchuk 1997, 4.3), which is less than half of this bound.
+  // Each product of three is rounded at most five times on its way into the sum, and into `magnitude`. The error is
+  // below (7 + 56 * 2^-53) * 2^-53 * magnitude (Shewchuk 1997, 4.3), which is less than half of this bound.
   constexpr double kBound = 0x1p-49;
   if (std::abs(determinant) > kBound * magnitude) return determinant > 0.0 ? 1 : -1;
   return exact_sign(m);
@@ -94,7 +94,7 @@ int sign_in_range(const Mat3<double>& m) noexcept {
 
 int determinant_sign(const Mat3<float>& m) noexcept { return sign_in_range(Mat3<double>(m)); }
 
-/// Columns are divided by powers of two, which changes no sign, so that products stay in range.
+/// Divides the columns by powers of two, so that products stay in range. This changes no sign.
 int determinant_sign(const Mat3<double>& m) noexcept {
   Mat3<double> scaled = m;
   for (int c = 0; c < 3; ++c) {

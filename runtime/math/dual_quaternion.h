@@ -36,8 +36,8 @@ DualQuatT<T> dual_quat_conjugate(const DualQuatT<T>& q) noexcept {
   return {quat_conjugate(q.real), quat_conjugate(q.dual)};
 }
 
-/// Unit dual quaternion: real part of length 1, dual part perpendicular to it. A real part without direction gives the
-/// identity motion.
+/// Unit dual quaternion: real part of length 1, dual part perpendicular to it. If the real part is zero or not finite,
+/// it is the identity.
 /// eq   r' = r / |r|;  d' = d / |r| - r' (r' . d / |r|)   (Kavan et al. 2008, eq. 4)
 template <class T>
 DualQuatT<T> normalised(const DualQuatT<T>& q) noexcept {
@@ -48,7 +48,7 @@ DualQuatT<T> normalised(const DualQuatT<T>& q) noexcept {
 }
 
 /// Translation of a unit dual quaternion.
-/// eq   t = 2 vec(d r*) = 2 (r.w d.v - d.w r.v + r.v x d.v)   for unit r; any part of d along r drops out
+/// eq   t = 2 vec(d r*) = 2 (r.w d.v - d.w r.v + r.v x d.v)   for unit r; a component of d along r cancels
 template <class T>
 Vec3<T> translation_of(const DualQuatT<T>& q) noexcept {
   const Vec3<T> r(q.real.x, q.real.y, q.real.z), d(q.dual.x, q.dual.y, q.dual.z);

@@ -41,8 +41,8 @@ Mat3<T> matrix_of(const EulerOrder& order, const Vec3<T>& angles_rad) noexcept {
   return order.fixed ? third * second * first : first * second * third;
 }
 
-/// R = Ra(outer) Rb(middle) Rc(inner). As for head, pitch and roll the outer angle is found first, from the column that
-/// Rc leaves alone, and taken out of the matrix; middle and inner angle then follow without dividing by anything.
+/// R = Ra(outer) Rb(middle) Rc(inner). The outer angle comes first, from the column that Rc leaves unchanged. Once it
+/// is taken out of the matrix, the middle and inner angles follow without a division.
 template <class T>
 Vec3<T> euler_of(const EulerOrder& order, const Mat3<T>& m) noexcept {
   const int a = order.fixed ? order.axes[2] : order.axes[0], b = order.axes[1];
@@ -56,8 +56,8 @@ Vec3<T> euler_of(const EulerOrder& order, const Mat3<T>& m) noexcept {
   const Mat3<T> rest = rotation_about_axis(a, -outer) * m;  // Rb(middle) Rc(inner)
   const T middle =
       repeated ? std::atan2(-even * rest[c][other], rest[c][a]) : std::atan2(even * rest[c][a], rest[c][other]);
-  // Row b of Rb Rc is row b of Rc: the middle rotation leaves it alone.
-  const int next = repeated ? other : a;              // completes (b, c): the axis Rc mixes with b
+  // Row b of Rb Rc is row b of Rc: the middle rotation leaves it unchanged.
+  const int next = repeated ? other : a;              // the axis that Rc mixes with b
   const T sign = (c + 1) % 3 == next ? T(1) : T(-1);  // Rc e_next = cos e_next + sign sin e_b
   const T inner = std::atan2(sign * rest[next][b], rest[b][b]);
   return order.fixed ? Vec3<T>(inner, middle, outer) : Vec3<T>(outer, middle, inner);

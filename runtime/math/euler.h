@@ -16,21 +16,22 @@ struct HeadPitchRollT {
 template <class T>
 Mat3<T> matrix_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept;
 
-/// The same rotation as the product of three half-angle quaternions.
+/// The same rotation, as a product of three quaternions.
 template <class T>
 Quat<T> quat_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept;
 
-/// Angles that rebuild the matrix, also at gimbal lock (N13): compare the rotations, never the angles.
-/// eq   r = atan2(-e01, e11);  h and p from the matrix with the roll taken out, Rz(-r) E:
+/// Angles that rebuild the matrix, also at gimbal lock. There many triples of angles give one rotation: never compare
+/// angles, compare rotations.
+/// eq   r = atan2(-e01, e11);  h and p from Rz(-r) E, the matrix without roll:
 ///      h = atan2(c e02 + s e12, c e00 + s e10), p = atan2(e21, c e11 - s e01), c = cos r, s = sin r
-///      (Real-Time Rendering, eqs. 4.24-4.26, without the arcsine, which loses half the digits near the lock)
+///      (Real-Time Rendering, eqs. 4.24-4.26, but without the arcsine, which loses half the digits near gimbal lock)
 /// in   m  a rotation up to rounding
 template <class T>
 HeadPitchRollT<T> head_pitch_roll_from_matrix(const Mat3<T>& m) noexcept;
 
-/// Order of three rotations about coordinate axes, the first applied first: `axes[0..2]` in 0..2 for x y z, neighbours
-/// differ. `fixed`: about the fixed frame (R = R3 R2 R1); otherwise about the moving frame (R = R1 R2 R3).
-/// 12 sequences of axes (6 with three axes, 6 with a repeated one) times 2 frames: the 24 orders of Shoemake.
+/// Order of three rotations about coordinate axes. `axes` are 0..2 for x y z, the first is applied first, and
+/// neighbours differ. `fixed`: about fixed axes (R = R3 R2 R1); otherwise about axes that move with the body (R = R1
+/// R2 R3). 12 sequences of axes times 2 frames are the 24 orders of Shoemake.
 struct EulerOrder {
   std::uint8_t axes[3] = {0, 1, 2};
   bool fixed = true;
@@ -49,8 +50,9 @@ inline constexpr EulerOrder kEulerOrders[24] = {
 template <class T>
 Mat3<T> matrix_from_euler(const EulerOrder& order, const Vec3<T>& angles_rad) noexcept;
 
-/// Angles that rebuild the matrix in the given order; at gimbal lock (middle angle +-pi/2, or 0 and pi with a repeated
-/// axis) the angle taken out first absorbs the whole turn.
+/// Angles that rebuild the matrix in the given order. Gimbal lock is a middle angle of +-pi/2, or of 0 or pi with a
+/// repeated axis. There only the sum or the difference of the outer and the inner angle is determined, and it may be
+/// split in any way.
 template <class T>
 Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept;
 

@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-/// Inverses by structure: the cheapest that the matrix allows is also the most accurate (Real-Time Rendering, 4.1.8).
+/// Inverses by the structure of the matrix. The most special one that applies is the cheapest and the most accurate
+/// (Real-Time Rendering, 4.1.8).
 
 /// Inverse of a rotation and translation.
 /// eq   (T(t) R)^-1 = R^T T(-t) = [R^T | -R^T t]   (Real-Time Rendering, eq. 4.17)
@@ -18,8 +19,9 @@ AffineT<T> inverse_rigid(const AffineT<T>& m) noexcept {
   return affine_from(transposed, -(transposed * translation_of(m)));
 }
 
-/// Inverse of translation * rotation * scale, as a matrix, since with non-uniform scale it is not of that form.
-/// eq   S^-1 R^T T(-t);  nothing where a scale is zero
+/// Inverse of translation * rotation * scale. It is a matrix, since with non-uniform scale the inverse is no T * R *
+/// S.
+/// eq   S^-1 R^T T(-t);  nullopt if a scale is zero
 template <class T>
 std::optional<AffineT<T>> inverse_of(const TransformT<T>& local) noexcept {
   const Vec3<T>& s = local.scale;
@@ -31,10 +33,10 @@ std::optional<AffineT<T>> inverse_of(const TransformT<T>& local) noexcept {
   return out;
 }
 
-/// Inverse of any affine matrix; nothing where its linear part is singular within rounding or not finite. An inverse
-/// mirrors exactly where the matrix does.
-/// eq   M^-1 = cof(M)^T / det M   (Real-Time Rendering, section 4.1.8), after each column was divided by its largest
-///      entry, so that scales of any size neither overflow nor look singular
+/// Inverse of any affine matrix; nullopt if its linear part is singular within rounding or not finite. The inverse
+/// mirrors exactly when the matrix does.
+/// eq   M^-1 = cof(M)^T / det M   (Real-Time Rendering, section 4.1.8), with each column first divided by its largest
+///      entry, so that no scale overflows or looks singular
 template <class T>
 std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
   Mat3<T> scaled = linear_part(m);
@@ -46,7 +48,8 @@ std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
   }
   const Mat3<T> cof = cofactor(scaled);
   const T det = glm::dot(scaled[0], cof[0]);
-  // Entries are 1 at the most, so that rounding changes the determinant by less than 6.5 epsilon: its sign is right.
+  // Entries are at most 1, so rounding changes the determinant by less than 6.5 epsilon: beyond this its sign is
+  // right.
   if (!(std::abs(det) > T(8) * std::numeric_limits<T>::epsilon())) return std::nullopt;
   const Mat3<T> inverse =
       glm::transpose(Mat3<T>(cof[0] / det / scale.x, cof[1] / det / scale.y, cof[2] / det / scale.z));

@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// A skinning matrix: four columns of four floats on one cache line, so that blending adds a joint with one fused
-/// multiply-add in vectors of 512 bits. The last row (0 0 0 1) is stored; a blend whose weights sum to 1 keeps it.
+/// A skinning matrix: four columns of four floats, aligned to one cache line. With 512-bit vectors, blending takes one
+/// fused multiply-add a joint. The last row (0 0 0 1) is stored; a blend keeps it if its weights sum to 1.
 struct alignas(64) JointMatrix {
   glm::vec4 column[4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 

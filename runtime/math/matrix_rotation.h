@@ -18,7 +18,8 @@ Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
 }
 
 /// Rotation matrix of a quaternion of any finite length; the identity for length zero.
-/// eq   Real-Time Rendering, eq. 4.45; the length enters only as s = 2 / |q|^2: nothing is rounded by normalising first
+/// eq   Real-Time Rendering, eq. 4.45; the length enters only as s = 2 / |q|^2, so the rounding of a normalisation is
+///      saved
 template <class T>
 Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
   const Quat<T> q = is_safe_square(square_of(any)) ? any : normalised(any);
@@ -34,11 +35,11 @@ Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
 }
 
 /// Unit quaternion of a rotation matrix.
-/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1,
-///      so that half turns lose no digits
-/// in   m  orthonormal with positive determinant up to rounding: take scale and mirroring out first (decompose.h).
-///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. The
-///      zero matrix gives the identity.
+/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor (at least 1), so half
+///      turns lose no digits
+/// in   m  orthonormal with positive determinant up to rounding: remove scale and mirroring first (decompose.h).
+///      An error d of the matrix gives an error of at most about 4 d of the quaternion. The zero matrix gives the
+///      identity.
 template <class T>
 Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   const T xx = m[0][0], yy = m[1][1], zz = m[2][2];

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// Cofactor matrix, the transpose of the adjugate. Exists for every matrix, also for singular ones, without division.
+/// Cofactor matrix, the transpose of the adjugate. It needs no division, so it also exists for singular matrices.
 /// eq   cof(M) = [c1 x c2, c2 x c0, c0 x c1], c the columns of M;  cof(M)(a x b) = M a x M b   (Real-Time Rendering,
 ///      4.1.7)
 template <class T>
@@ -19,10 +19,11 @@ Mat3<T> cofactor(const Mat3<T>& m) noexcept {
 /// Entry of largest absolute value; NaN entries count as 0.
 template <class T>
 T largest_entry(const Mat3<T>& m) noexcept {
-  return std::max(std::max(largest_component(m[0]), largest_component(m[1])), largest_component(m[2]));
+  return (std::max)((std::max)(largest_component(m[0]), largest_component(m[1])), largest_component(m[2]));
 }
 
-/// Cofactor matrix of M divided by its largest entry: the same directions, without overflow or underflow (N22).
+/// Cofactor matrix of M divided by its largest entry: transforms normals to the same directions, without overflow or
+/// underflow.
 template <class T>
 Mat3<T> normal_matrix(const Mat3<T>& m) noexcept {
   const T scale = largest_entry(m);
@@ -32,19 +33,19 @@ Mat3<T> normal_matrix(const Mat3<T>& m) noexcept {
   return cofactor(s);
 }
 
-/// Unit normal of a surface that was moved by M, on the side that the winding gives: that of the cross product of two
-/// moved edges. Where M leaves no normal (rank below 2) it is n.
+/// Unit normal of a surface that was moved by M. It points to the side that the winding gives: that of the cross
+/// product of two moved edges. If M leaves no normal (rank below 2) it is n.
 /// eq   normalise(cof(M) n)
 template <class T>
 Vec3<T> transform_normal(const Mat3<T>& m, const Vec3<T>& n) noexcept {
   return normalised_or(normal_matrix(m) * n, n);
 }
 
-/// As transform_normal, but pointing to the outside of a solid also when M mirrors (conventions.h; hard case G48).
-/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists. The sign is exact
-///      (determinant_sign.h); a singular M counts as not mirroring.
-///      For float the rest is computed in double, where products of two entries are exact and no scale overflows or
-///      vanishes: the normal is right for matrices of any condition.
+/// As transform_normal, but it points to the outside of a solid also when M mirrors (conventions.h).
+/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose where that exists. The sign is exact
+///      (determinant_sign.h); a singular M counts as not mirroring. For float matrices the rest is computed in double,
+///      where products of two entries are exact and nothing overflows. So the normal is accurate for any condition
+///      number.
 template <class T>
 Vec3<T> transform_normal_outward(const Mat3<T>& m, const Vec3<T>& n) noexcept {
   const Mat3<double> exact(m);

@@ -5,9 +5,8 @@
 namespace sinew {
 
 /// Logarithm of a rotation: phi u for q = (u sin phi, cos phi), phi in [0, pi].
-/// eq   log q = v atan2(|v|, w) / |v|   (Real-Time Rendering, eq. 4.42). No sign flip: log(-1) has length pi, along x.
-///      v / |v| is formed after scaling, so the relative accuracy holds for vector parts whose squares underflow (N10,
-///      N11).
+/// eq   log q = v atan2(|v|, w) / |v|   (Real-Time Rendering, eq. 4.42). The sign of q counts: log(-1) = (pi, 0, 0).
+///      v is scaled before it is normalised, so tiny rotations keep their relative accuracy.
 template <class T>
 Vec3<T> quat_log(const Quat<T>& q) noexcept {
   const Vec3<T> v(q.x, q.y, q.z);
@@ -19,7 +18,7 @@ Vec3<T> quat_log(const Quat<T>& q) noexcept {
 }
 
 /// Rotation of a logarithm.
-/// eq   exp(phi u) = (u sin phi, cos phi)   (Real-Time Rendering, eq. 4.41); exp(0) is the identity (N07)
+/// eq   exp(phi u) = (u sin phi, cos phi)   (Real-Time Rendering, eq. 4.41); exp(0) is the identity
 template <class T>
 Quat<T> quat_exp(const Vec3<T>& v) noexcept {
   const T m = largest_component(v);
@@ -32,7 +31,7 @@ Quat<T> quat_exp(const Vec3<T>& v) noexcept {
 }
 
 /// Power of a rotation.
-/// eq   q^t = exp(t log q)   (Real-Time Rendering, eq. 4.43), without sign flip: for -q it takes the long way round
+/// eq   q^t = exp(t log q)   (Real-Time Rendering, eq. 4.43), the sign of q counts: -q turns the long way round
 template <class T>
 Quat<T> quat_pow(const Quat<T>& q, T t) noexcept {
   return quat_exp(quat_log(q) * t);

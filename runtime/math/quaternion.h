@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Names differ from GLM's, which argument-dependent lookup finds for its types and which would make calls ambiguous.
-/// The product is GLM's plain `a * b` (b is applied first; Real-Time Rendering 4th ed., eq. 4.28).
+/// Names differ from GLM's, since argument-dependent lookup finds those too and calls would be ambiguous. The product
+/// is GLM's `a * b`: b is applied first (Real-Time Rendering 4th ed., eq. 4.28).
 
 /// Identity rotation.
 template <class T>
@@ -22,16 +22,16 @@ T quat_dot(const Quat<T>& q, const Quat<T>& r) noexcept {
   return (q.x * r.x + q.y * r.y) + (q.z * r.z + q.w * r.w);
 }
 
-/// Largest absolute value of the components: dividing by it keeps squares from overflow and underflow. NaN components
-/// may be ignored.
+/// Largest absolute value of the components. After division by it, squares neither overflow nor underflow. NaN
+/// components may be ignored.
 template <class T>
 T largest_component(const Quat<T>& q) noexcept {
-  return std::max(std::max(std::abs(q.x), std::abs(q.y)), std::max(std::abs(q.z), std::abs(q.w)));
+  return (std::max)((std::max)(std::abs(q.x), std::abs(q.y)), (std::max)(std::abs(q.z), std::abs(q.w)));
 }
 
 template <class T>
 T largest_component(const Vec3<T>& v) noexcept {
-  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+  return (std::max)((std::max)(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
 
 /// Sum of the squares of all components.
@@ -42,13 +42,13 @@ constexpr typename V::value_type square_of(const V& v) noexcept {
   return sum;
 }
 
-/// Whether a sum of squares lost no digits to underflow and is far from overflow.
+/// True if a sum of squares lost no digits to underflow and is far from overflow.
 template <class T>
 constexpr bool is_safe_square(T sum) noexcept {
   return sum >= T(1e-20) && sum <= T(1e30);
 }
 
-/// Length without overflow or underflow on the way, NaN if any component is. Works for Vec3 and Quat alike.
+/// Length of a Vec3 or Quat, without overflow or underflow of the squares. NaN if a component is NaN.
 template <class V>
 typename V::value_type safe_length(const V& v) noexcept {
   using T = typename V::value_type;
@@ -101,7 +101,7 @@ Quat<T> aligned_with(const Quat<T>& reference, const Quat<T>& q) noexcept {
   return quat_dot(reference, q) < T(0) ? -q : q;
 }
 
-/// A vector, rotated by a unit quaternion.
+/// Rotates a vector by a unit quaternion.
 /// eq   p' = q p q* = p + 2 w (v x p) + 2 v x (v x p)   for unit q   (Real-Time Rendering, eq. 4.36)
 template <class T>
 Vec3<T> rotate_vector(const Quat<T>& q, const Vec3<T>& p) noexcept {
@@ -111,7 +111,7 @@ Vec3<T> rotate_vector(const Quat<T>& q, const Vec3<T>& p) noexcept {
 }
 
 /// Rotation angle between q and r in [0, pi], signs ignored.
-/// eq   2 atan2(|v|, |w|) of q* r: keeps full relative accuracy for small angles, where acos floors at 3e-4 (N03)
+/// eq   2 atan2(|v|, |w|) of q* r: accurate for small angles, where acos resolves nothing below 3e-4
 template <class T>
 T rotation_angle_between(const Quat<T>& q, const Quat<T>& r) noexcept {
   const Quat<T> d = quat_conjugate(q) * r;

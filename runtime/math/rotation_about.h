@@ -21,7 +21,7 @@ Mat3<T> rotation_about_axis(int axis, T angle_rad) noexcept {
 }
 
 /// Rotation about a point.
-/// eq   X = T(p) R T(-p)   (Real-Time Rendering, eq. 4.8): R with the point p held in place
+/// eq   X = T(p) R T(-p)   (Real-Time Rendering, eq. 4.8); p is the fixed point
 template <class T>
 AffineT<T> about_point(const Mat3<T>& rotation, const Vec3<T>& point) noexcept {
   return affine_from(rotation, point - rotation * point);

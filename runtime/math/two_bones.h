@@ -29,7 +29,7 @@ inline constexpr double kSoftReach = 0.01;
 template <class T>
 T free_reach(const TwoBonesT<T>& limb, T soft_reach = T(kSoftReach)) noexcept {
   const T straight = safe_length(limb.middle - limb.root) + safe_length(limb.tip - limb.middle);
-  return std::max((T(1) - soft_reach) * straight, safe_length(limb.tip - limb.root));
+  return (std::max)((T(1) - soft_reach) * straight, safe_length(limb.tip - limb.root));
 }
 
 namespace two_bones {
@@ -40,7 +40,7 @@ template <class T>
 T reached(T wanted, T free, T upper, T lower) noexcept {
   const T rest = upper + lower - free;
   if (wanted > free) wanted = rest > T(0) ? free + rest * (T(1) - std::exp((free - wanted) / rest)) : free;
-  return std::max(wanted, std::abs(upper - lower));
+  return (std::max)(wanted, std::abs(upper - lower));
 }
 
 /// Unit direction in which the middle joint lies off the line from root to tip. Where it is nearer to the line than 2 %
@@ -50,7 +50,7 @@ Vec3<T> bend_direction(const Vec3<T>& along, const Vec3<T>& to_middle, const Vec
   constexpr T kStraight = T(0.02);
   const Vec3<T> off = (to_middle - along * glm::dot(to_middle, along)) / length;
   const Vec3<T> wanted = normalised_or(bend - along * glm::dot(bend, along), perpendicular_to(along));
-  const T share = std::max(T(0), T(1) - safe_length(off) / kStraight);
+  const T share = (std::max)(T(0), T(1) - safe_length(off) / kStraight);
   return normalised_or(off + wanted * (kStraight * share * share), wanted);
 }
 
@@ -78,7 +78,7 @@ TwoBoneTurnsT<T> turn_two_bones(const TwoBonesT<T>& limb, const Vec3<T>& goal, c
   const Quat<T> turn = rotation_between(along, to_goal);
   const Vec3<T> axis = rotate_vector(turn, glm::cross(along, two_bones::bend_direction(along, upper, bend, a + b)));
   const T x = ((a + b) * r + d) / T(2);
-  const T y = std::sqrt((a + b + d) * std::max(T(0), a + b - d) * (T(1) + r) * (T(1) - r)) / T(2);
+  const T y = std::sqrt((a + b + d) * (std::max)(T(0), a + b - d) * (T(1) + r) * (T(1) - r)) / T(2);
   const auto turned = [&](const Vec3<T>& bone, T angle) {
     return normalised(quat_from_axis_angle(axis, angle) * turn * rotation_between(bone, along));
   };

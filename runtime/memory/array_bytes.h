@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// Bytes that strings and arrays hold beyond themselves; elements with arrays of their own count those by `of_each`.
+/// Heap bytes of strings and arrays, without the object itself. `of_each(element)` adds the heap bytes of elements.
 
 inline std::size_t bytes_of(const std::string& text) noexcept {
   const bool is_inside = text.capacity() == std::string{}.capacity();
@@ -21,7 +21,7 @@ std::size_t bytes_of(const std::vector<T>& array) noexcept {
 }
 inline std::size_t bytes_of(const std::vector<bool>& array) noexcept { return array.capacity() / 8; }
 
-/// What a shared array takes beside its elements: the vector, and the counts of those who share it.
+/// Heap bytes of a SharedArray besides its elements: the vector and the reference counts.
 inline constexpr std::size_t kSharedArrayBytes = sizeof(std::vector<int>) + 2 * sizeof(void*);
 
 template <class T>

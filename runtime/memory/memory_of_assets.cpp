@@ -22,7 +22,7 @@ std::size_t bytes_of_keys(const Animation& animation) {
          bytes_of(animation.properties, [](const PropertyTrack& track) { return bytes_of_track(track.values); });
 }
 
-/// Without the packed numbers, which copies share.
+/// Bytes of the tables, without the packed keys, which copies share.
 std::size_t bytes_of_tables(const PackedRows& rows) {
   return bytes_of(rows.first_byte) + bytes_of(rows.byte) + bytes_of(rows.mask) + bytes_of(rows.step) +
          bytes_of(rows.low) + bytes_of(rows.derived) + bytes_of(rows.kinds) + bytes_of(rows.power);

@@ -30,7 +30,8 @@ std::size_t bytes_of_sums(const MirroredSums& sums) {
   return bytes_of(sums.joints) + bytes_of(sums.sources) + bytes_of(sums.factors);
 }
 
-/// Tables of one pose, primitive or skin each; those that primitives share come extra.
+/// Bytes of the tables that each pose, primitive or skin has for itself. Tables that primitives share are counted
+/// separately.
 std::size_t bytes_of_tables(const CompiledPlan& plan) {
   const auto pairs = [](const PrimitiveSkinning& skinning) { return bytes_of(skinning.pairs); };
   return bytes_of(plan.clip_tracks) + bytes_of(plan.moved_joints) + bytes_of(plan.joint_scales) +
@@ -77,7 +78,7 @@ MemoryCount& MemoryCount::add(const Plan& handle) {
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
   for (const Clip& clip : assets.clips) add(clip);
   if (!assets.leaves_out()) return *this;
-  add(*assets.skeleton);  // the reduced copies
+  add(*assets.skeleton);  // reduced by the skeleton LOD
   for (const Skin* skin : assets.skins) bytes_.skins += bytes_of(skin->joints) + bytes_of(skin->inverse_bind);
   return *this;
 }

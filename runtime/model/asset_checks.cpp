@@ -3,8 +3,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "runtime/model/clip_checks.h"
 #include "runtime/model/mesh_checks.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {
@@ -26,7 +26,7 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
     f.require(s.joint_of_node[s.node_of_joint[j]] == j, ErrorCode::index_out_of_range);
 }
 
-/// Levels are contiguous, and each joint's parent lies one level up: no joint is above itself.
+/// Requires contiguous levels, and that the parent of each joint is in the level above. This excludes cycles.
 void check_levels(const Skeleton& s, Findings& f) noexcept {
   const auto& begin = s.level_begin;
   if (begin.empty() && s.joint_count() == 0) return;
@@ -49,7 +49,7 @@ std::size_t things_with(const Scene& scene, PropertyKind kind) noexcept {
   return kind <= PropertyKind::light_outer_cone ? scene.lights.size() : scene.materials.size();
 }
 
-/// Entries by rising target, their numbers one after another.
+/// Requires entries that are sorted by target, and whose components are contiguous.
 void check_property_table(const Scene& scene, Findings& f) noexcept {
   const PropertyTable& table = scene.properties;
   std::size_t first = 0;
@@ -168,7 +168,7 @@ void check_appearance(const Scene& scene, Findings& f) noexcept {
   for (const Texture& t : scene.textures) f.require_optional_index(t.image, scene.images.size());
   for (const Image& i : scene.images)
     if (!i.rgba.empty())
-      f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // else only its header has been read
+      f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // empty pixels: only the header was read
   check_cameras_and_lights(scene, f);
   for (const SceneRoots& roots : scene.scenes) f.require_indices(roots.joints, scene.skeleton.joint_count());
   f.require_optional_index(scene.default_scene, scene.scenes.size());

@@ -23,16 +23,16 @@ struct Sampler {
   Wrap wrap_v = Wrap::repeat;
 };
 
-/// Decoded pixels, or an empty image with the reason why the file's image is missing or unreadable. The rest of the
-/// file still loads, and a visible placeholder is drawn (G66).
+/// Decoded pixels, or the reason why the image is missing or unreadable. A missing image does not fail the import; a
+/// visible placeholder is drawn instead.
 struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty where only the header was read
+  std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty if only the header was read
   std::string missing_reason;      ///< not empty = draw the placeholder
-  std::string mime_type;           ///< by content, such as "image/png"; empty when missing
+  std::string mime_type;           ///< from the content, such as "image/png"; empty if missing
   std::uint64_t encoded_size = 0;  ///< bytes in the file
-  std::vector<std::byte> encoded;  ///< these bytes, if the importer was asked to keep them
+  std::vector<std::byte> encoded;  ///< the bytes of the file, if the importer was asked to keep them
 };
 
 struct Texture {
@@ -40,7 +40,8 @@ struct Texture {
   Sampler sampler;
 };
 
-/// A use of a texture by a material. KHR_texture_transform: uv' = T(offset) * R(rotation) * S(scale) * uv (G60).
+/// A texture as a material uses it.
+/// eq   uv' = T(offset) * R(rotation) * S(scale) * uv   (KHR_texture_transform)
 struct TextureUse {
   std::uint32_t texture = kNone;
   std::uint32_t texcoord = 0;
@@ -51,13 +52,13 @@ struct TextureUse {
   bool used() const noexcept { return texture != kNone; }
 };
 
-/// How much a surface that is no metal reflects (KHR_materials_ior, KHR_materials_specular).
+/// Specular reflection of dielectric (non-metal) surfaces (KHR_materials_ior, KHR_materials_specular).
 /// eq   f0 = min(((ior - 1) / (ior + 1))^2 * color, 1) * factor along the normal; `factor` at grazing angles
 struct Specular {
   float ior = 1.5f;  ///< 0, or at least 1
   float factor = 1.0f;
-  TextureUse texture;     ///< A, linear, times the factor
-  glm::vec3 color{1.0f};  ///< above 1 too
+  TextureUse texture;     ///< channel A, linear; multiplies the factor
+  glm::vec3 color{1.0f};  ///< may exceed 1
   TextureUse color_texture;
 
   bool has_effect() const noexcept {
@@ -65,17 +66,17 @@ struct Specular {
   }
 };
 
-/// A clear layer of lacquer over the surface (KHR_materials_clearcoat). It is there where the factor is above 0.
+/// A clear coating over the surface (KHR_materials_clearcoat); none if the factor is 0.
 struct Clearcoat {
   float factor = 0.0f;
   TextureUse texture;  ///< R, linear, times the factor
   float roughness = 0.0f;
   TextureUse roughness_texture;  ///< G, linear
-  TextureUse normal_texture;     ///< without it, the layer has the normals of the mesh
+  TextureUse normal_texture;     ///< if unused, the coating has the normals of the mesh
   float normal_scale = 1.0f;
 };
 
-/// Fibres on the surface (KHR_materials_sheen). They are there where the colour is not black.
+/// Reflection of fibres on the surface (KHR_materials_sheen); none if the colour is black.
 struct Sheen {
   glm::vec3 color{0.0f};
   TextureUse color_texture;
@@ -83,7 +84,7 @@ struct Sheen {
   TextureUse roughness_texture;  ///< A, linear
 };
 
-/// Light that passes through a thin surface that is no metal (KHR_materials_transmission).
+/// Transmission of light through a thin dielectric surface (KHR_materials_transmission).
 struct Transmission {
   float factor = 0.0f;
   TextureUse texture;  ///< R, linear, times the factor
@@ -114,7 +115,7 @@ struct Material {
   Transmission transmission;
 };
 
-/// Every use of a texture, those of the layers too. Pointers to const for a const material.
+/// Pointers to all texture uses of a material; pointers to const if the material is const.
 template <class M>
 auto texture_uses(M& m) noexcept {
   return std::array{&m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// Topology of an index list. The importer unrolls strips, fans and loops to plain lists.
+/// Topology of an index list. The importer converts strips, fans and loops to plain lists.
 enum class Topology : std::uint8_t { points, lines, triangles };
 
 /// Axis-aligned box; empty while lower > upper.
@@ -24,7 +24,12 @@ struct Aabb {
   }
 };
 
-/// The material of a primitive in one of Scene::variants.
+/// [clips][instances] Bounds of each mesh instance over the whole of each clip, computed by clip_boxes
+/// (lod/clip_bounds.h) when the clips were compiled. An empty or missing list means that the bounds of that clip were
+/// not computed. An empty box means that the bounds of that instance are unknown.
+using ClipBoxes = std::vector<std::vector<Aabb>>;
+
+/// The material of a primitive in one of the Scene::variants.
 struct VariantMaterial {
   std::uint32_t variant = 0, material = 0;
 
@@ -35,9 +40,9 @@ struct VariantMaterial {
 /// material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
 struct Primitive {
   Topology topology = Topology::triangles;
-  std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per element, always present, always < V
+  std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per point, line or triangle; always present, always < V
   std::vector<glm::vec3> positions;    ///< [V] metres, mesh space
-  std::vector<glm::vec3> normals;      ///< [V] unit; the importer makes them for triangles without
+  std::vector<glm::vec3> normals;      ///< [V] unit; the importer computes missing ones for triangles
   std::vector<glm::vec4> tangents;     ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
   std::vector<std::vector<glm::vec2>> texcoords;
   std::vector<glm::vec4> colors;  ///< [V] COLOR_0, linear
@@ -46,15 +51,15 @@ struct Primitive {
   std::vector<glm::vec3> centers_of_rotation;
   MorphSet morphs;
   std::uint32_t material = kNone;
-  std::vector<VariantMaterial> variant_materials;  ///< by rising variant; a variant not listed uses `material`
+  std::vector<VariantMaterial> variant_materials;  ///< sorted by variant; other variants use `material`
   std::vector<std::uint32_t> source_vertex;        ///< [V] vertex index in the file; empty = unchanged
-  bool flat_normals = false;                       ///< the file has no normals: faces stay flat when morphed (G46)
-  Aabb bounds;                                     ///< contains all positions
+  bool flat_normals = false;  ///< the file has no normals: they are those of the faces, also after morphing
+  Aabb bounds;                ///< contains all positions
 
   std::size_t vertex_count() const noexcept { return positions.size(); }
 };
 
-/// The material of a primitive in one of the scene's variants; kNone as variant = the primitive's own.
+/// The material of a primitive in a variant. variant = kNone gives Primitive::material.
 inline std::uint32_t material_of(const Primitive& primitive, std::uint32_t variant) noexcept {
   for (const VariantMaterial& other : primitive.variant_materials)
     if (other.variant == variant) return other.material;
@@ -65,7 +70,7 @@ struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
   std::vector<float> default_weights;     ///< [T] mesh.weights of the file, else zeros
-  std::vector<std::string> target_names;  ///< [T] or empty; extras.targetNames, a common practice
+  std::vector<std::string> target_names;  ///< [T] or empty; from extras.targetNames, a common practice
 
   std::size_t target_count() const noexcept { return default_weights.size(); }
 };

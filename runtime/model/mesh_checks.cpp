@@ -7,11 +7,12 @@
 namespace sinew {
 namespace {
 
-/// Whether the weights of every vertex of a group fall from the first on, are not negative and sum to 1: jobs take the
-/// first joint for the heaviest one, and never divide by the sum. in  kCount  per vertex, 0 = known at run time only
+/// True if the weights of every vertex are not negative, never increase from one to the next, and sum to 1. Jobs rely
+/// on it: they take the first joint as the heaviest, and never divide by the sum.
+/// in   kCount  influences per vertex; 0 = use runtime_count
 template <std::size_t kCount>
 bool are_shares(std::span<const float> weights, std::size_t runtime_count) noexcept {
-  constexpr float kTolerance = 1e-4f;  // of sums of floats that were rounded one by one
+  constexpr float kTolerance = 1e-4f;  // weights are rounded to float one by one
   const std::size_t count = kCount > 0 ? kCount : runtime_count;
   bool good = true;
   for (const float* w = weights.data(); w != weights.data() + weights.size(); w += count) {
@@ -36,7 +37,7 @@ bool are_shares(std::span<const float> weights, std::uint32_t count) noexcept {
   }
 }
 
-/// What is wrong with the weights of a group that are no shares.
+/// The error code for weights that failed are_shares.
 ErrorCode fault_of(std::span<const float> weights, std::uint32_t count) noexcept {
   if (!all_finite(weights)) return ErrorCode::not_finite;
   for (std::size_t i = 0; i < weights.size(); ++i)
@@ -44,7 +45,7 @@ ErrorCode fault_of(std::span<const float> weights, std::uint32_t count) noexcept
   return ErrorCode::not_normalised;
 }
 
-/// Groups cover the vertices in order, and the joints and weights too.
+/// Requires that groups cover all vertices and all influences in order.
 void check_influences(const VertexInfluences& influences, std::size_t vertex_count, Findings& f) noexcept {
   f.require_size(influences.weights.size(), influences.joints.size());
   if (influences.empty()) return f.require_size(influences.joints.size(), 0);
@@ -86,8 +87,8 @@ void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t 
   }
 }
 
-/// Whether all points are finite and none is outside of a box. Looks at all without a branch, twelve numbers at a time,
-/// which are the coordinates of four points.
+/// True if all points are finite and inside of the box. The loop has no branch, and takes four points (twelve floats)
+/// at a time, so compilers vectorise it.
 bool are_within(std::span<const glm::vec3> points, const Aabb& box) noexcept {
   constexpr std::size_t kFour = 12;
   float lower[kFour], upper[kFour];
@@ -148,7 +149,7 @@ void check_variants(const Primitive& p, const Scene& scene, Findings& f) noexcep
   f.require(std::adjacent_find(all.begin(), all.end(), not_rising) == all.end(), ErrorCode::unsupported);
 }
 
-/// How many joints a skin must have at least for its vertices: one mesh may hang on several skins (G36).
+/// The least number of joints that every skin of this mesh must have. A mesh may be used with several skins.
 std::size_t joints_needed(const Mesh& mesh) noexcept {
   std::uint32_t end = 0;
   for (const Primitive& p : mesh.primitives)

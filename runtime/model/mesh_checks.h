@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// Keeps the first broken rule.
+/// Collects the results of checks; only the first broken rule is kept.
 class Findings {
  public:
   void require(bool holds, ErrorCode otherwise) noexcept {
@@ -34,7 +34,7 @@ class Findings {
   void require_finite(const std::vector<Element>& elements) noexcept {
     require(all_finite(std::span<const Element>(elements)), ErrorCode::not_finite);
   }
-  /// Rotations are used without dividing by their length.
+  /// Requires unit rotations, since jobs never divide by their length.
   void require_unit(const std::vector<Transform>& transforms) noexcept {
     bool unit = true;
     for (const Transform& t : transforms) unit &= is_unit(t.rotation);
@@ -50,7 +50,7 @@ class Findings {
   ErrorCode code_ = ErrorCode::ok;
 };
 
-/// The part of check(Scene) that looks at vertices: meshes, and what instances make of them.
+/// The part of check(Scene) for meshes and mesh instances.
 void check_meshes(const Scene& scene, Findings& f);
 
 }  // namespace sinew

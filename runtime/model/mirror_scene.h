@@ -5,8 +5,8 @@
 
 namespace sinew {
 
-/// How a scene is mirrored: make_mirror_map (mirror_map.h) of its skeleton, with morph targets paired by their names
-/// (side_names.h) within each mesh instance. Targets without a partner stay.
+/// The mirror map of a scene: that of its skeleton (mirror_map.h), with morph targets paired by names (side_names.h)
+/// within each mesh instance. Targets without a partner do not change.
 /// cost as make_mirror_map, and O(W log W)
 MirrorMap make_mirror_map(const Scene& scene, const MirrorOptions& options = {});
 

@@ -8,8 +8,7 @@
 
 namespace sinew {
 
-/// Displacements of one attribute by a morph target, for the vertices that it moves only. `vertices` strictly
-/// increases.
+/// Displacements of one attribute by a morph target, only for the vertices that it moves.
 template <class V>
 struct SparseDeltas {
   std::vector<std::uint32_t> vertices;
@@ -18,8 +17,8 @@ struct SparseDeltas {
   bool empty() const noexcept { return vertices.empty(); }
 };
 
-/// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets"; G42)
-/// Tangents change in x, y, z only (G45); colours are clamped to [0, 1] after the sum (G47).
+/// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets")
+/// Tangents change in x, y, z only; colours are clamped to [0, 1] after the sum.
 struct MorphTarget {
   SparseDeltas<glm::vec3> positions, normals, tangents;
   SparseDeltas<glm::vec4> colors;                  ///< COLOR_0

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 #include "runtime/math/swing_twist.h"
 
 namespace sinew {
@@ -29,9 +29,9 @@ std::size_t coordinate_count(const PoseDriver& driver) noexcept {
   return driver.measure == RotationMeasure::full ? 3 : driver.measure == RotationMeasure::swing ? 2 : 1;
 }
 
-/// Sines of the rotation that leads from `neutral` to q: smooth everywhere, and the same for q and -q. Angles or
-/// logarithms would jump at half a turn. eq   full  2 w v = sin(angle) u;   swing  the swung axis across itself; twist
-/// sin(twist)
+/// Sines of the rotation from `neutral` to q. They are smooth everywhere, and equal for q and -q, whereas angles or
+/// logarithms would jump at half a turn.
+/// eq   full   2 w v = sin(angle) u;   swing  components of the swung axis across the axis;   twist  sin(twist)
 Vec3d sines(const PoseDriver& driver, const Vec3d& axis, const Quatd& neutral, const Quatd& q) noexcept {
   const Quatd turn = quat_conjugate(neutral) * q;
   if (driver.measure == RotationMeasure::full) return Vec3d(turn.x, turn.y, turn.z) * (2.0 * turn.w);

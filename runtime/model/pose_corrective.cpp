@@ -14,7 +14,7 @@ namespace {
 constexpr double kCoincident_rad = 1e-6;
 constexpr double kSmallestReciprocalCondition = 1e-10;
 
-/// Squared distances and tail functions at each sample pose.
+/// The basis functions at each sample pose.
 Eigen::MatrixXd basis_at_samples(const PoseSamples& samples) {
   const std::size_t count = samples.sample_count(), drivers = samples.drivers.size();
   Eigen::MatrixXd basis =
@@ -34,7 +34,7 @@ bool any_coincide(const Eigen::MatrixXd& squared_distances, Eigen::Index count) 
   return false;
 }
 
-/// The system's matrix from the basis at the samples: [K + r I, P; P^T, 0].
+/// The matrix of the system, [K + r I, P; P^T, 0].
 Eigen::MatrixXd system_of(const Eigen::MatrixXd& basis, Eigen::Index count, double regularisation) {
   const Eigen::Index size = basis.rows();
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size, size);

@@ -10,37 +10,38 @@
 
 namespace sinew {
 
-/// Which part of a joint's rotation counts: all of it, only the direction in which it points an axis (swing), or only
-/// its turn about that axis (twist).
+/// The part of a joint's rotation that is measured: all of it, the direction of an axis (swing), or the turn about
+/// that axis (twist).
 enum class RotationMeasure : std::uint8_t { full, swing, twist };
 
-/// A joint whose local rotation drives corrective shapes.
+/// A joint whose local rotation drives a corrective.
 struct PoseDriver {
   std::uint32_t joint = 0;
-  float weight = 1.0f;  ///< factor of its angle in the distance of two poses, >= 0
+  float weight = 1.0f;  ///< factor of its angle in the distance between two poses, >= 0
   RotationMeasure measure = RotationMeasure::full;
   glm::vec3 axis{0.0f, 1.0f, 0.0f};  ///< joint space, any length; for swing and twist
 };
 
-/// Radial functions of the distance d of two poses, x = d / radius.
+/// Radial functions of the distance d between two poses, x = d / radius.
 enum class RadialKernel : std::uint8_t {
   linear,      ///< -x: no overshoot along a line of poses, with a kink at each sample
   gaussian,    ///< exp(-x^2): smooth, fades to nothing beyond about 2.5 radii
   thin_plate,  ///< x^2 ln x: biharmonic, least bending, grows far away; use with the affine tail
 };
 
-/// A polynomial that is fitted besides the radial functions, so that results far away need not fade to zero.
+/// A polynomial that is fitted together with the radial functions, so results far from all samples need not fade to
+/// zero.
 enum class PolynomialTail : std::uint8_t {
   none,
   constant,
   affine,  ///< 1 and, per driver, the sines of its rotation from the first sample: full 3, swing 2, twist 1
 };
 
-/// Corrective shapes as an artist gives them: sample poses of some joints, and the morph weights wanted there.
+/// The input of a corrective: sample poses of some joints, and the morph weights wanted in each.
 ///
 /// in   rotations[S * D]  local rotations, sample by sample, any length but zero; the first sample is the neutral
 ///      weights[M]        indices into the scene's flat array of morph weights (Scene::first_weight)
-///      values[S * M]     what is added to each of these weights in each sample, of any sign and size
+///      values[S * M]     added to each of these weights in each sample; any sign and size
 struct PoseSamples {
   std::string name;
   std::vector<PoseDriver> drivers;  ///< [D]
@@ -50,9 +51,9 @@ struct PoseSamples {
   RadialKernel kernel = RadialKernel::gaussian;
   float radius_rad = 1.0f;
   PolynomialTail tail = PolynomialTail::none;
-  float regularisation = 0.0f;  ///< added to the diagonal: smooths, and allows samples close to each other
-  bool partition = false;       ///< makes the shares of the samples non-negative, with sum 1
-  bool clamp = false;           ///< results stay within the range of the samples' values
+  float regularisation = 0.0f;  ///< added to the diagonal: smooths, and allows samples that are close to each other
+  bool partition = false;       ///< weighs samples by shares that are not negative and sum to 1
+  bool clamp = false;           ///< limits results to the range of the samples' values
 
   std::size_t sample_count() const noexcept { return drivers.empty() ? 0 : rotations.size() / drivers.size(); }
 };

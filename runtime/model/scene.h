@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/shared_name.h"
 #include "runtime/clip/clip.h"
+#include "runtime/math/quaternion.h"
+#include "runtime/math/transform.h"
 #include "runtime/model/material.h"
 #include "runtime/model/mesh.h"
 #include "runtime/model/pose_corrective.h"
@@ -15,21 +18,31 @@
 
 namespace sinew {
 
-/// A mesh on a joint, with or without a skin. Morph weights belong to the instance, not to the mesh (G43).
+/// A mesh attached to a joint, with or without a skin. Morph weights belong to the instance, not to the mesh.
 struct MeshInstance {
   std::uint32_t joint = 0;
   std::uint32_t mesh = 0;
   std::uint32_t skin = kNone;
   std::vector<float> rest_weights;  ///< [T] node.weights, else mesh.weights, else zeros
-  /// Places of copies of the mesh in the joint's space; empty = one, at the joint itself. Never with a skin
-  /// (EXT_mesh_gpu_instancing).
+  /// Transforms of copies of the mesh in the joint's space (EXT_mesh_gpu_instancing); empty = one copy at the joint.
+  /// Always empty with a skin.
   std::vector<Transform> copies = {};
 };
 
-/// One of them for each node that places a camera of the file, with the name of that camera.
+/// Calls `use(world_from_copy)` for every copy of an instance; once, with `world_from_mesh`, if it has no copies.
+/// in   world_from_mesh   InstanceResult::world_from_mesh; products are computed in its precision T
+template <class T, class Use>
+void for_each_copy(const MeshInstance& instance, const AffineT<T>& world_from_mesh, Use&& use) {
+  if (instance.copies.empty()) return use(world_from_mesh);
+  for (const Transform& copy : instance.copies)
+    use(world_from_mesh * affine_from_transform(TransformT<T>{Vec3<T>(copy.translation), quat_cast<T>(copy.rotation),
+                                                              Vec3<T>(copy.scale)}));
+}
+
+/// A camera at a joint. A camera of the file that several nodes use becomes one Camera for each, with the same name.
 struct Camera {
   SharedName name;
-  std::uint32_t joint = kNone;  ///< kNone = no node places it
+  std::uint32_t joint = kNone;  ///< kNone = no node uses it
   bool perspective = true;
   float fov_y_rad = 0.8f;                       ///< perspective
   float aspect = 0.0f;                          ///< 0 = use the window's
@@ -38,7 +51,8 @@ struct Camera {
   float far_m = 0.0f;  ///< 0 = infinite
 };
 
-/// KHR_lights_punctual. One of them for each node that places a light of the file, with the name of that light.
+/// A light at a joint (KHR_lights_punctual). A light of the file that several nodes use becomes one Light for each,
+/// with the same name.
 struct Light {
   enum class Kind : std::uint8_t { directional, point, spot };
   SharedName name;
@@ -50,54 +64,65 @@ struct Light {
   float inner_cone_rad = 0.0f, outer_cone_rad = 0.785398163f;
 };
 
-/// One of the file's scenes: the root joints that it shows.
+/// One of the scenes in a glTF file: the root joints that it shows.
 struct SceneRoots {
   std::string name;
   std::vector<std::uint32_t> joints;
 };
 
-/// Everything of one file. Assets are immutable after import; each character's state lies in its FrameBuffer
+/// All assets of one file. They never change after import; the state of each character is in its FrameBuffer
 /// (plan/frame_buffer.h).
 struct Scene {
   Skeleton skeleton;
-  std::vector<Animation> animations;  ///< authoring form, the truth
+  std::vector<Animation> animations;  ///< authoring form, which compiled clips are compared with
   std::vector<Clip> clips;            ///< compiled, parallel to `animations`
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> first_weight;   ///< [instances + 1] into the scene's flat array of morph weights
-  std::vector<PoseCorrective> correctives;   ///< add to morph weights what joint rotations call for
-  PropertyTable properties;                  ///< what clips move beside joints and weights
-  std::vector<std::uint32_t> hidden_joints;  ///< not shown at rest, with all below them (KHR_node_visibility)
+  std::vector<PoseCorrective> correctives;   ///< add to morph weights, depending on joint rotations
+  PropertyTable properties;                  ///< all animated properties besides joints and weights
+  std::vector<std::uint32_t> hidden_joints;  ///< hidden at rest, with all joints below them (KHR_node_visibility)
   std::vector<Material> materials;
-  std::vector<std::string> variants;  ///< names; each may give a primitive another material (KHR_materials_variants)
+  std::vector<std::string> variants;  ///< names of variants (KHR_materials_variants)
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<SceneRoots> scenes;
-  std::uint32_t default_scene = kNone;  ///< the scene to show; kNone = all roots (G56)
+  std::uint32_t default_scene = kNone;  ///< the scene to show; kNone = all roots
 
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
-/// Morph weights of all mesh instances at rest, one instance after another.
+/// Rest morph weights of all mesh instances, one instance after another.
 /// out  [W]     cost O(W), allocates
 std::vector<float> rest_weights_of(const Scene& scene);
 
-/// Fills `first_weight`, `properties` and the bounds of primitives that have none, and compiles every animation into
-/// `clips`. Call once when the rest of the scene is complete.
+/// Fills `first_weight`, `properties` and missing bounds of primitives, and compiles every animation into `clips`.
+/// Call it once, when everything else is complete.
 void finish_scene(Scene& scene);
 
-/// Proves once what jobs and plans rely on; they check the shapes of buffers only. Call it for scenes that are not from
-/// the importer, after finish_scene. What it proves:
-///   numbers     all are finite; rest, key and copy rotations are unit (values of cubic keys have a length);
-///   indices     all are in range, morph displacements and variants rise, positions are within their bounds;
-///   skeleton    parents come before children, levels are contiguous;
-///   influences  groups cover the vertices in order and share no entry; weights of a vertex fall and sum to 1;
-///   tables      parallel arrays are of one length; clips, `first_weight` and `properties` fit the rest of the scene.
-/// What a clip holds inside is proven where clips are made (compile_clip, load_clips), what masks hold by compile_plan.
+/// Checks once everything that jobs and plans rely on; they check only the sizes of buffers. Call it after
+/// finish_scene for scenes that do not come from the importer. It checks:
+///
+///     numbers     all are finite; rest, key and copy rotations are unit (values of cubic keys are not zero);
+///     indices     all are in range; morph displacements and variants are sorted; positions are within their bounds;
+///     skeleton    parents come before children, levels are contiguous;
+///     influences  groups cover the vertices in order without overlap; weights of a vertex fall and sum to 1;
+///     tables      parallel arrays have equal lengths; clips, `first_weight` and `properties` fit the scene.
+///
+/// The inside of clips is checked when they are made (compile_clip, load_clips), and masks by compile_plan.
 /// err  the first broken rule;  cost O(size of the scene), allocates O(meshes)
 ErrorCode check(const Scene& scene);
+
+/// Shows one of Scene::scenes: adds to `hidden_joints` all root joints that are neither roots of it nor above one.
+/// Hidden joints are still evaluated, since skins may use them. Call it before plans are compiled.
+/// in   index  into Scene::scenes; kNone = all roots are shown, nothing changes
+/// cost O(J)
+void show_scene(Scene& scene, std::uint32_t index);
+
+/// The part of check(Scene) for animations, here of ones that are not in the scene yet.
+ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
 
 }  // namespace sinew

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// One character's copy of what property tracks change; the scene itself never changes.
+/// One character's copy of the assets that property tracks change, since the scene itself never changes.
 struct SceneLook {
   std::vector<Material> materials;
   std::vector<Light> lights;
@@ -19,8 +19,8 @@ struct SceneLook {
 
 TextureUse& texture_of(Material& material, TextureSlot slot) noexcept;
 
-/// The numbers of a property in the look; empty for node_visible, which FrameResult::hidden answers.
-/// in   target   its index is in range
+/// The components of a property in the look; empty for node_visible, for which see FrameResult::hidden.
+/// in   target   with its index in range
 std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept;
 
 /// Writes the property values of a frame into the look.
@@ -28,7 +28,7 @@ std::span<float> components_of(SceneLook& look, const PropertyTarget& target) no
 /// cost O(P), no allocation
 void apply_properties(const Scene& scene, std::span<const float> values, SceneLook& look) noexcept;
 
-/// Every property that some animation of the scene animates, with its rest value.
+/// Every property that an animation of the scene animates, with its rest value.
 PropertyTable make_property_table(const Scene& scene);
 
 }  // namespace sinew

@@ -12,21 +12,21 @@
 namespace sinew {
 namespace {
 
-/// The last key at or before a time, of equal ones the last; the first key where all are later.
+/// The last key at or before a time (with equal times the last of them); the first key if all are later.
 std::size_t last_key_until(std::span<const float> times_s, double time_s) noexcept {
   const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s,
                                       [](double t, float key) { return t < static_cast<double>(key); });
   return after == times_s.begin() ? 0 : static_cast<std::size_t>(after - times_s.begin()) - 1;
 }
 
-/// A time on a key needs no later key: of equal keys the last one counts.
+/// The keys needed for times from first_s to last_s. If a key is exactly at last_s, none after it is needed.
 KeyRange keys_between(std::span<const float> times_s, double first_s, double last_s) noexcept {
   const std::size_t first = last_key_until(times_s, first_s), last = last_key_until(times_s, last_s);
   const bool is_between_keys = static_cast<double>(times_s[last]) < last_s && last + 1 < times_s.size();
   return {first, last + 1 + (is_between_keys ? 1 : 0)};
 }
 
-/// `keys_of(group)` are the keys that stay.
+/// The clip with only the keys `keys_of(group)` of each group.
 template <class KeysOf>
 Clip with_keys(const Clip& clip, const KeysOf& keys_of) {
   ClipLayout part = clip.layout();

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// The same numbers of a row stand for the same values.
+/// True if equal bits of a row mean equal values.
 bool are_packed_alike(const PackedRows& a, const PackedRows& b) noexcept {
   return a.row_bytes == b.row_bytes && a.mask == b.mask && a.step == b.step && same_bits<float>(a.low, b.low) &&
          a.derived == b.derived;
@@ -26,8 +26,7 @@ bool are_alike(const TimeGroup& a, const TimeGroup& b) noexcept {
                     [](const TrackBlock& p, const TrackBlock& q) { return are_alike(p, q); });
 }
 
-/// The numbers that a sample starts from, without those that tracks write: a clip that was loaded has the identity
-/// there.
+/// The base pose, with 0 for animated values: those are unused, and a loaded clip has other ones than a compiled clip.
 std::vector<float> resting_pose(const ClipLayout& clip) {
   std::vector<float> pose = clip.base_pose.all();
   const std::size_t stride = BasePose::stride_for(clip.joint_count);
@@ -43,7 +42,8 @@ std::vector<float> resting_pose(const ClipLayout& clip) {
 
 bool are_alike(const BaseNumbers& a, const BaseNumbers& b) { return same_bits<float>(a.all(), b.all()); }
 
-/// Parts meet on a key, or between two keys: both have them.
+/// The number of keys, 0 to 2, that the next part repeats. Parts that meet on a key share it; parts that meet between
+/// two keys share both.
 std::size_t shared_keys(std::span<const float> before, std::span<const float> after) noexcept {
   for (std::size_t count = std::min({before.size(), after.size(), std::size_t{2}}); count > 0; --count)
     if (same_bits<float>(before.last(count), after.first(count))) return count;
@@ -75,7 +75,7 @@ bool ClipJoiner::add(const Clip& part) {
     times_s_[g].resize(times_s_[g].size() - shared);
     add_slice(added, 0, added.size(), times_s_[g]);
     for (std::size_t b = 0; b < keys_[g].size(); ++b) {
-      keys_[g][b].drop_last(group.blocks[b], shared);  // a last key does not know how far it is to the next one
+      keys_[g][b].drop_last(group.blocks[b], shared);  // the last key of a part lacks the arc to the next key
       keys_[g][b].add(group.blocks[b], {0, added.size()});
     }
   }

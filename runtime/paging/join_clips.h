@@ -6,23 +6,24 @@
 
 namespace sinew {
 
-/// Whether two clips move the same with tracks of the same kinds and ranges, and rest alike where they move nothing:
-/// whether they may be parts of one clip.      cost O(tracks + joints)
+/// True if two clips may be parts of one clip: they have the same tracks in all but their keys, and the same
+/// constants.
+/// cost O(tracks + joints)
 bool moves_alike(const Clip& a, const Clip& b);
 
-/// Puts parts that cut_clip made together again. They are given one after another, in time, and may be freed in
-/// between.
+/// Reassembles a clip from the parts that cut_clip made, added in the order of time. A part may be freed once it was
+/// added.
 class ClipJoiner {
  public:
-  /// in   head  first_keys of the clip: its name, duration and certificate are those of the clip
+  /// in   head  first_keys() of the clip; the result has its name, duration and certificate
   explicit ClipJoiner(const Clip& head);
 
-  /// False where a part does not move what the head moves, or does not begin where the one before it ends; the joiner
-  /// is of no use any more then.
+  /// False if the part does not have the tracks of the head, or does not begin where the previous part ends. The
+  /// joiner cannot be used any more then.
   /// cost O(keys of the part + tracks)
   bool add(const Clip& part);
 
-  /// The clip that was cut: it samples the same bits. Once, after at least one part.
+  /// The reassembled clip; it samples the same bits as the one that was cut. Call it once, after at least one part.
   Clip clip();
 
  private:

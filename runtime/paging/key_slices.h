@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// Keys first to end - 1 of a group.
+/// The keys first to end - 1 of a group.
 struct KeyRange {
   std::size_t first, end;
 };
@@ -23,7 +23,7 @@ void add_slice(std::span<const T> from, std::size_t first, std::size_t end, std:
             from.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
-/// The keys of one block, put together from slices of blocks that are alike but for their keys.
+/// Assembles the keys of one block from slices of other blocks. All blocks are equal except for their keys.
 class KeySlices {
  public:
   void add(const TrackBlock& block, KeyRange keys) {
@@ -38,7 +38,7 @@ class KeySlices {
       power_.push_back(packed.power[std::min(key, packed.power.size() - 1)]);
   }
 
-  /// in   block  as those that were added
+  /// in   block  one of those that were added
   void drop_last(const TrackBlock& block, std::size_t count) {
     rows_.resize(rows_.size() - (block.packed.empty() ? count * block.plane_count * block.lane_count : 0));
     bits_.resize(bits_.size() - count * block.packed.row_bytes);
@@ -53,7 +53,7 @@ class KeySlices {
     }
     bits_.resize(bits_.size() + kReadAhead, 0);
     block.packed.bits = SharedArray<std::uint8_t>(std::move(bits_));
-    // As packed_rows has them: one for all keys where they are the usual one.
+    // A single entry if all are kUsualSlerpPower, as in PackedRows::power.
     if (std::all_of(power_.begin(), power_.end(), [](std::uint8_t power) { return power == kUsualSlerpPower; }))
       power_.resize(std::min(power_.size(), std::size_t{1}));
     block.packed.power = std::move(power_);

@@ -17,7 +17,7 @@ tl::unexpected<ClipFileError> refuse(std::string detail) {
   return tl::unexpected(ClipFileError{"clip-page", kClipFileHead, std::move(detail)});
 }
 
-/// The page, with the numbers at rest that the head has.
+/// The page with the base values of the head, so that they exist once.
 Clip sharing_rest(const Clip& page, const Clip& head) {
   ClipLayout layout = page.layout();
   layout.base_pose = head.layout().base_pose;
@@ -42,7 +42,7 @@ PagedClip::PagedClip(Clip head, double page_s, std::size_t page_count, const Opt
   slots_.reserve(options_.window);
 }
 
-/// Pages of the window in the order in which they are needed: the one that plays, those after it, the one before it.
+/// The page at a place of the window, in order of urgency: the playing page, those after it, last the one before it.
 std::optional<std::size_t> PagedClip::page_of_window(std::size_t place) const noexcept {
   const auto count = static_cast<std::ptrdiff_t>(page_count_);
   const bool is_before = place > 1 && place + 1 == options_.window;
@@ -64,7 +64,7 @@ const PagedClip::Slot* PagedClip::find(std::size_t page) const noexcept {
   return found == slots_.end() ? nullptr : &*found;
 }
 
-/// Of two as near the first loaded.
+/// The loaded page nearest to a time, or null.
 const PagedClip::Slot* PagedClip::nearest(double time_s) const noexcept {
   const auto distance = [&](const Slot& slot) {
     return std::abs(times_of_page(slot.page, page_s_, page_count_).nearest(time_s) - time_s);
@@ -91,7 +91,7 @@ std::optional<std::size_t> PagedClip::next_page() const noexcept {
   return std::nullopt;
 }
 
-/// A page of the window that is not there has either an empty slot or the slot of a page that is not of the window.
+/// If a page of the window is not loaded, there is a free slot or a slot with a page outside of the window.
 tl::expected<bool, ClipFileError> PagedClip::load_page(std::size_t page, std::span<const std::byte> bytes) {
   CONTRACT(page < page_count_);
   auto clips = load_clips(bytes);
@@ -111,7 +111,7 @@ tl::expected<bool, ClipFileError> PagedClip::load_page(std::size_t page, std::sp
   }
   const auto left =
       std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) { return !is_in_window(slot.page); });
-  std::swap(*left, loaded);  // whose memory is freed when the lock is not held any more
+  std::swap(*left, loaded);  // the old page is freed after the lock is released
   return true;
 }
 

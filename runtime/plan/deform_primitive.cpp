@@ -55,7 +55,7 @@ struct Deformation {
                                .scratch = memory.array<glm::vec3>(plan.layout.scratch_at, count),
                                .normalise = !in_between};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.vertices_morphed += count;
     replace(out);
     work.spent_on(Stage::morph);
@@ -88,9 +88,9 @@ struct Deformation {
   }
 
   template <class Job>
-  void run_checked(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
+  void run_counted(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     counter += primitive.vertex_count();
     work.spent_on(stage);
   }
@@ -105,7 +105,7 @@ struct Deformation {
         .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear,
         .past_caches = past_caches};
     if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
-    run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
+    run_counted(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
 
   void skin_dual_quaternion(const VertexOutput& out) noexcept {
@@ -116,7 +116,7 @@ struct Deformation {
                                     .out = out,
                                     .pairs = skinning.pairs,
                                     .palette = palette()};
-    run_checked(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
+    run_counted(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
   void skin_center_of_rotation(const VertexOutput& out) noexcept {
@@ -128,7 +128,7 @@ struct Deformation {
                                       .vertices = now,
                                       .out = out,
                                       .pairs = skinning.pairs};
-    run_checked(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
+    run_counted(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
   }
 
   void replace(const VertexOutput& written) noexcept {
@@ -154,11 +154,11 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
   const FlatFaces& faces = *plan.flat_faces[p];
   const std::span<glm::vec3> normals =
       memory.array<glm::vec3>(plan.layout.primitives[p].normals_at, primitive.vertex_count());
-  run(FlatNormalsJob{.faces = &faces,
-                     .positions = positions,
-                     .rest_normals = primitive.normals,
-                     .turned = turned,
-                     .normals = normals});
+  run_unchecked(FlatNormalsJob{.faces = &faces,
+                               .positions = positions,
+                               .rest_normals = primitive.normals,
+                               .turned = turned,
+                               .normals = normals});
   work.flat_triangles += faces.count;
   work.spent_on(Stage::flat_normals);
   return normals;

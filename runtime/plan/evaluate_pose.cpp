@@ -47,7 +47,7 @@ void mirror_weights(const CompiledPlan& plan, std::span<const float> from, std::
 void mirror(const CompiledPlan& plan, const PoseSpan& from, const PoseSpan& to, FrameWork& work) noexcept {
   const MirrorPoseJob job{.tables = &plan.mirror_tables, .pose = from, .mirrored = to};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.poses_mirrored += 1;
 }
 
@@ -60,7 +60,7 @@ void sample_plainly(const CompiledPlan& plan, const ClipLayer& layer, LayerOutpu
                           .properties = output.properties,
                           .holds_clip = same_clip};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   const ClipTracks& tracks = plan.clip_tracks[layer.clip];
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
   if (!output.properties.empty()) work.properties_sampled += tracks.properties;
@@ -106,7 +106,7 @@ PoseSpan blend(const CompiledPlan& plan, std::span<const ClipLayer> input, Frame
 
   const BlendPosesJob job{.layers = layers.first(count), .rest = rest, .pose = first.pose};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.poses_blended += count;
   if (own_weights)
     blend_weights(layers.first(count), plan.rest_weights, first.weights,
@@ -157,7 +157,7 @@ void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, b
                        .joint_weights = mask_of(plan, layer),
                        .pose = own.pose};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.poses_added += 1;
   if (own_weights)
     for (std::size_t i = 0; i < weights; ++i)

@@ -82,7 +82,7 @@ void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float interp
   const BlendLayer shares[2] = {{first.pose, 1.0f - interpolation_factor, {}}, {second.pose, interpolation_factor, {}}};
   const BlendPosesJob job{.layers = shares, .rest = first.pose, .pose = out.pose};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   blend_weights(shares, first.weights, out.weights, second.weights);
   blend_weights(shares, first.properties, out.properties, second.properties);
 }

@@ -18,7 +18,7 @@ void split(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatr
                             .any_stretch = &memory.array<bool>(plan.layout.stretch_at, plan.split.size())[skin],
                             .follow = plan.hemisphere_edges[skin]};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.palette_entries_split += palette.size();
   work.spent_on(Stage::split_palette);
 }
@@ -33,7 +33,7 @@ void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMa
     const BlendCombinationsJob job{
         .combinations = &combined.combinations, .palette = palette, .blended = all.subspan(combined.first_matrix)};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.combinations_blended += combined.combination_count;
     work.spent_on(Stage::combinations);
   }
@@ -56,7 +56,7 @@ bool compute(const CompiledPlan& plan, std::size_t s, std::span<const Affine> mo
                             .before = palette_before(plan, s, step),
                             .unchanged = &unchanged};
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.palette_entries += palette.size();
   work.spent_on(Stage::palette);
   return unchanged;

@@ -39,14 +39,14 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
   }
   const bool derives_normals = !has_normals && !out.normals.empty();
   if (derives_normals)
-    run(SurfaceNormalsJob{.faces = faces,
-                          .positions = out.positions,
-                          .rest_normals = primitive.normals,
-                          .turned = turned,
-                          .sums = memory.array<glm::vec4>(plan.layout.surface_sums_at, surface_sums(*faces)),
-                          .normals = out.normals});
+    run_unchecked(SurfaceNormalsJob{.faces = faces,
+                                    .positions = out.positions,
+                                    .rest_normals = primitive.normals,
+                                    .turned = turned,
+                                    .sums = memory.array<glm::vec4>(plan.layout.surface_sums_at, surface_sums(*faces)),
+                                    .normals = out.normals});
   if (!out.tangents.empty())
-    run(SurfaceTangentsJob{
+    run_unchecked(SurfaceTangentsJob{
         .faces = faces, .positions = out.positions, .rest_tangents = primitive.tangents, .tangents = out.tangents});
   if (derives_normals || !out.tangents.empty()) work.smooth_triangles += faces->count();
 }

@@ -106,7 +106,7 @@ std::span<const float> correct_weights(const CompiledPlan& plan, const PoseSpan&
         .scratch = memory.array<double>(plan.layout.corrective_scratch_at, plan.layout.corrective_scratch_count),
         .weights = weights};
     assert(check(job) == ErrorCode::ok);
-    run(job);
+    run_unchecked(job);
     work.poses_compared += corrective.samples.sample_count();
   }
   work.spent_on(Stage::correctives);
@@ -142,7 +142,7 @@ std::span<const Affine> compose(const CompiledPlan& plan, const PoseSpan& local,
   else if (step.changes.mixes_poses)
     job.local = with_unmoved_at_rest(plan, local, step.memory);
   assert(check(job) == ErrorCode::ok);
-  run(job);
+  run_unchecked(job);
   work.joints_composed += job.only.empty() ? joints : job.only.size();
   work.spent_on(Stage::local_to_model);
   return model;

@@ -6,7 +6,7 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/deform/grow_bounds.h"
 #include "runtime/math/determinant_sign.h"
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/play_geometry.h"
 
 namespace sinew {

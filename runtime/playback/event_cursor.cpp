@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-/// A number of rounds as an integer, at most 2^63; NaN, which no clock answers, counts as 0.
+/// A number of rounds as an integer, at most 2^63. NaN, which no clock returns, becomes 0.
 std::uint64_t whole(double rounds) noexcept {
   constexpr double kMost = 0x1p63;
   return rounds > 0.0 ? static_cast<std::uint64_t>(std::min(rounds, kMost)) : 0;
@@ -21,7 +21,8 @@ EventCursor::EventCursor(const PlaybackStep& step, std::span<const double> event
   slots_ = step.mode == PlayMode::ping_pong ? 2 * times_s_.size() : times_s_.size();
   first_on_seam_ =
       static_cast<std::size_t>(std::lower_bound(times_s_.begin(), times_s_.end(), step.duration_s) - times_s_.begin());
-  const std::uint64_t touched = whole(std::fabs(step.to_turns - step.from_turns)) + 1;  // both ends included
+  const std::uint64_t touched =
+      whole(std::fabs(step.to_turns - step.from_turns)) + 1;  // including the first and the last
   round_count_ = std::min(touched, kMostRounds);
   rounds_left_out_ = touched - round_count_;
 }
@@ -42,7 +43,7 @@ EventCursor::Stop EventCursor::stop_at(std::size_t slot) const noexcept {
   const std::size_t count = times_s_.size();
   const double end_s = step_.duration_s;
   if (step_.mode == PlayMode::loop && end_s > 0.0) {
-    // The seam is phase 0 of the next round: the events of the end come first, then those of the start.
+    // The seam is phase 0 of the next round. There the events at the end of the clip come first, then those at time 0.
     const std::size_t event = (slot + first_on_seam_) % count;
     return {event, event >= first_on_seam_ ? 0.0 : times_s_[event], true};
   }

@@ -10,17 +10,17 @@ namespace sinew {
 namespace {
 
 /// eq   sum + error = a + b exactly   (Knuth, TAOCP 2, 4.2.2, theorem B)
-struct ExactSum {
+struct SumAndRest {
   double sum, error;
 };
 
-ExactSum add(double a, double b) noexcept {
+SumAndRest add(double a, double b) noexcept {
   const double sum = a + b;
   const double b_kept = sum - a;
   return {sum, (a - (sum - b_kept)) + (b - b_kept)};
 }
 
-/// False for NaN.
+/// True for finite numbers up to kMost; false for NaN.
 bool is_usable(double number) noexcept { return std::fabs(number) <= PlaybackClock::kMost; }
 
 }  // namespace
@@ -44,8 +44,8 @@ PlaybackStep PlaybackClock::advance(double dt_s) noexcept {
     step.error = ErrorCode::not_finite;
     return step;
   }
-  const ExactSum moved = add(phase_s_, delta_s);
-  const ExactSum tidy = add(moved.sum, moved.error + phase_rest_s_ + std::fma(speed_, dt_s, -delta_s));
+  const SumAndRest moved = add(phase_s_, delta_s);
+  const SumAndRest tidy = add(moved.sum, moved.error + phase_rest_s_ + std::fma(speed_, dt_s, -delta_s));
   phase_s_ = tidy.sum;
   phase_rest_s_ = tidy.error;
   if (mode_ == PlayMode::loop)
@@ -68,12 +68,12 @@ void PlaybackClock::wrap_around(double period_s) noexcept {
   const double total_s = phase_s_;
   double phase_s = std::fmod(total_s, period_s);
   if (phase_s < 0.0) {
-    const ExactSum lifted = add(phase_s, period_s);
-    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it, which is 0
+    const SumAndRest lifted = add(phase_s, period_s);
+    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a time just before the seam may round to it
     phase_rest_s_ += lifted.error;
   }
   turns_ = std::clamp(turns_ + std::nearbyint((total_s - phase_s) / period_s), -kMost, kMost);
-  phase_s_ = phase_s + 0.0;  // no negative zero
+  phase_s_ = phase_s + 0.0;  // turns -0 into 0
 }
 
 void PlaybackClock::stop_at_ends(double direction) noexcept {

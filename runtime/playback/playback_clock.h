@@ -6,62 +6,62 @@
 
 namespace sinew {
 
-/// What a clock does at the ends of its clip.
+/// Behaviour of a clock at the ends of its clip.
 enum class PlayMode : std::uint8_t {
-  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once
-              ///< (G12). Nothing is interpolated across the seam, unless the clip was closed (animation/close_loop.h).
+  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once.
+              ///< Nothing is interpolated across the seam, unless the clip was closed (animation/close_loop.h).
   clamp,      ///< holds the end; turns back at once when the direction changes
-  ping_pong,  ///< forth and back, each end shown once
+  ping_pong,  ///< plays forward, then backward; each end is shown once
   once,       ///< as clamp, and the clock is finished at the end until it is sought or turned back
 };
 
-/// A stretch of play between two looks at the clock, for EventCursor and root_motion. Phases are clip times for loop,
-/// clamp and once; for ping-pong the distance along the way forth and back, in [0, 2 * duration). `turns` counts whole
-/// periods apart from the phase, so that hours of play keep every digit (N24).
+/// The time that one call of advance played, for EventCursor and root_motion. Phases are clip times; in ping-pong they
+/// run on to 2 * duration for the way back. Whole periods are counted separately, so hours of play lose no digits.
 struct PlaybackStep {
   PlayMode mode = PlayMode::loop;
   double duration_s = 0.0;
   double from_turns = 0.0, from_s = 0.0;
   double to_turns = 0.0, to_s = 0.0;
-  bool from_included = false;       ///< the first step after a start or seek also owns the place where it starts
-  ErrorCode error = ErrorCode::ok;  ///< not ok: the step was refused, the clock stands where it was, nothing is crossed
+  bool from_included = false;       ///< the first step after a start or seek includes the time where it starts
+  ErrorCode error = ErrorCode::ok;  ///< if not ok, the clock did not move and no event is crossed
 };
 
-/// The clock of one clip of one character, in double seconds (N24).
+/// The clock of one clip of one character, in double seconds.
 ///
-/// Sums are compensated, so that a million steps of 1/60 s end where their exact sum ends, and wrapping is exact
-/// (std::fmod). Any speed is good, also zero or negative. Numbers that are NaN, infinite or beyond kMost answer
-/// not_finite and change nothing: a bad time step of one frame does not break the clock.
+/// Sums are compensated: a million steps of 1/60 s end where their exact sum ends. Wrapping is exact (std::fmod). The
+/// speed may be zero or negative. Numbers that are NaN, infinite or beyond kMost return not_finite and change nothing,
+/// so a bad time step of one frame does not break the clock.
 class PlaybackClock {
  public:
-  static constexpr double kMost = 1e300;  ///< seconds and speed: all sums and products of the clock stay finite
+  /// Limit of seconds and speeds. Up to it all sums and products of the clock stay finite.
+  static constexpr double kMost = 1e300;
 
-  /// A clock for numbers that the caller does not know to be good.
+  /// Makes a clock from untrusted numbers.
   /// err  not_finite (a number is NaN, infinite or beyond kMost);  unsupported (a negative duration)
   static Result<PlaybackClock> make(double duration_s, PlayMode mode = PlayMode::loop, double speed = 1.0) noexcept;
 
-  /// in   numbers that make() takes, as durations of clips are; others break a contract
+  /// in   numbers that make() accepts, such as the duration of a clip; others break a contract
   explicit PlaybackClock(double duration_s, PlayMode mode = PlayMode::loop, double speed = 1.0) noexcept;
 
-  /// Moves on by `dt_s` of the world's time, that is speed() * dt_s of clip time. Answers the stretch that was played.
+  /// Advances by `dt_s` of world time, which is speed() * dt_s of clip time. Returns the step that was played.
   /// err  PlaybackStep::error = not_finite: dt_s, or its product with the speed, is NaN, infinite or beyond kMost
   PlaybackStep advance(double dt_s) noexcept;
 
-  /// Jumps to a clip time (clamped to the clip) and starts counting rounds anew; events in between are not crossed.
-  /// err  not_finite: the clock stands where it was
+  /// Jumps to a clip time (clamped to the clip) and resets rounds(). Events in between are not crossed.
+  /// err  not_finite: the clock does not change
   ErrorCode seek(double time_s) noexcept;
 
-  /// err  not_finite (NaN, infinite or beyond kMost): the speed stays
+  /// err  not_finite (NaN, infinite or beyond kMost): the speed does not change
   ErrorCode set_speed(double speed) noexcept;
 
   double time_s() const noexcept;  ///< clip time in [0, duration], for ClipLayer::time_s
   double duration_s() const noexcept { return duration_s_; }
   double speed() const noexcept { return speed_; }
   PlayMode mode() const noexcept { return mode_; }
-  bool finished() const noexcept { return finished_; }  ///< PlayMode::once stands at its end
+  bool finished() const noexcept { return finished_; }  ///< PlayMode::once has reached its end
 
-  /// Whole rounds since the start or seek, negative backwards; for ping-pong forth and back is one round. Exact up to
-  /// 2^53 rounds.
+  /// Whole rounds since the start or seek, negative for backward play. In ping-pong, forward and backward is one
+  /// round. Exact up to 2^53 rounds.
   std::int64_t rounds() const noexcept;
 
  private:
@@ -70,7 +70,7 @@ class PlaybackClock {
 
   double duration_s_ = 0.0, speed_ = 1.0;
   double turns_ = 0.0;
-  double phase_s_ = 0.0, phase_rest_s_ = 0.0;  // the rest is what rounding took from the phase
+  double phase_s_ = 0.0, phase_rest_s_ = 0.0;  // phase + rest is the compensated sum
   PlayMode mode_ = PlayMode::loop;
   bool finished_ = false, fresh_ = true;
 };

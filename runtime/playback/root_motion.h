@@ -8,38 +8,38 @@
 
 namespace sinew {
 
-/// How much of a root joint's turning carries the character.
+/// The part of a root joint's rotation that moves the character.
 enum class RootTurn : std::uint8_t {
   none,
   heading,  ///< about +Y only
   full,
 };
 
-/// The part of a root joint's movement that carries the character through the world; the rest stays in its pose.
+/// The parts of a root joint's transform that move the character through the world. The others stay in its pose.
 struct RootMotionParts {
   bool x = true, y = false, z = true;  ///< translation along the axes of the joint's parent space
   RootTurn turn = RootTurn::heading;
 };
 
-/// Where the animation carries the character to at a clip time: the named parts of the root joint's local transform.
-/// eq   E(t) = T(named axes of the translation) * H(t),  H = R(t) R_rest^-1, for a heading only its twist about +Y
-/// in   rest  of the root joint, for what the animation leaves alone and as the direction of heading 0
+/// Position and rotation of the character at a clip time: the given parts of the root joint's local transform.
+/// eq   E(t) = T(given axes of the translation) * H(t),  H = R(t) R_rest^-1; for RootTurn::heading its twist about +Y
+/// in   rest  of the root joint: used for properties without a track, and as the direction of heading 0
 /// out  rigid, unit.  cost O(log K), no allocation
 DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                      double time_s) noexcept;
 
-/// How far the character moves in a step of the clock, in its own space.
-/// eq   D = E(from)^-1 E(to) within a round. Over rounds of a loop each goes on where the last one ended:
-///      D = E(from)^-1 (E(end) E(0)^-1)^turns E(to), the power by repeated squaring. Forth and back moves nothing.
-///      Deltas telescope: their product over any frames from a to b is that of one step from a to b. So neither the
-///      frame rate nor the number of rounds matters.
+/// The movement of the character in a step of the clock, in its own space.
+/// eq   D = E(from)^-1 E(to) within a round;  over rounds of a loop, each continues where the last one ended:
+///      D = E(from)^-1 (E(end) E(0)^-1)^turns E(to), the power by repeated squaring;  a whole round of ping-pong moves
+///      nothing.
+///      The product of the movements of several steps equals that of one long step, so the frame rate does not matter.
 ///
 ///     const PlaybackStep step = clock.advance(dt_s);
 ///     world = normalised(world * root_motion(root, rest, parts, step));
-///     frame.root = world * inverse of root_place(root, rest, parts, clock.time_s());   // takes it out of the pose
+///     frame.root = world * inverse of root_place(root, rest, parts, clock.time_s());   // removes it from the pose
 ///
-/// With several clips, both what moves and what is taken out are blended: blend_root_motion. RootTrack (root_track.h)
-/// answers the same without the authoring keys.
+/// With several clips, both what moves and what is removed are blended: blend_root_motion. RootTrack (root_track.h)
+/// gives the same without the authoring keys.
 /// out  rigid, unit.  cost O(log K + log turns), no allocation
 DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                       const PlaybackStep& step) noexcept;
@@ -66,7 +66,7 @@ struct BlendedRoot {
 /// in   weights at least 0, of the layers that blend.   out  identities where no weight is above 0
 BlendedRoot blend_root_motion(std::span<const RootShare> shares) noexcept;
 
-/// The motion of a mirrored clip: that of the clip, reflected at the plane through the origin.
+/// The root motion of a mirrored clip: the motion of the clip, reflected at a plane through the origin.
 /// eq   S D S:  q' = n q n^-1,  t' = t - 2 n (n . t), n the normal as a pure quaternion
 /// in   plane_normal  unit, in the space of the motion (MirrorMap::plane_normal for a root joint without parents)
 DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept;

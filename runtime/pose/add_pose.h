@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
@@ -22,6 +22,6 @@ struct AddPoseJob {
 };
 
 ErrorCode check(const AddPoseJob& job) noexcept;
-void run(const AddPoseJob& job) noexcept;
+void run_unchecked(const AddPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #include "runtime/pose/blend_poses.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -325,12 +326,10 @@ bool is_weight(float w) noexcept { return std::isfinite(w) && w >= 0.0f; }
 
 ErrorCode check(const BlendPosesJob& job) noexcept {
   const std::size_t joints = job.pose.joint_count;
-  const auto fits = [&](const PoseSpan& p) {
-    return p.joint_count == joints && p.stride == PoseSpan::stride_for(joints) && (joints == 0 || p.planes != nullptr);
-  };
-  if (!fits(job.pose) || !fits(job.rest)) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, joints) || !is_pose_of(job.rest, joints)) return ErrorCode::size_mismatch;
+  if (!have_memory(job.layers)) return ErrorCode::size_mismatch;
   for (const BlendLayer& layer : job.layers) {
-    if (!fits(layer.pose)) return ErrorCode::size_mismatch;
+    if (!is_pose_of(layer.pose, joints) || !have_memory(layer.joint_weights)) return ErrorCode::size_mismatch;
     if (!layer.joint_weights.empty() && layer.joint_weights.size() != joints) return ErrorCode::size_mismatch;
     if (!is_weight(layer.weight)) return ErrorCode::not_finite;
     if (!std::all_of(layer.joint_weights.begin(), layer.joint_weights.end(), is_weight)) return ErrorCode::not_finite;
@@ -338,7 +337,10 @@ ErrorCode check(const BlendPosesJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const BlendPosesJob& job) noexcept { HWY_DYNAMIC_DISPATCH(blend_all)(job); }
+void run_unchecked(const BlendPosesJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  HWY_DYNAMIC_DISPATCH(blend_all)(job);
+}
 
 }  // namespace sinew
 #endif  // HWY_ONCE

@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
@@ -32,6 +32,6 @@ struct BlendPosesJob {
 };
 
 ErrorCode check(const BlendPosesJob& job) noexcept;
-void run(const BlendPosesJob& job) noexcept;
+void run_unchecked(const BlendPosesJob& job) noexcept;
 
 }  // namespace sinew

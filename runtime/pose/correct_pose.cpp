@@ -2,6 +2,7 @@
 #include "runtime/pose/correct_pose.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "runtime/math/negligible.h"
 #include "runtime/model/pose_basis.h"
@@ -48,10 +49,13 @@ std::size_t scratch_size(const PoseCorrective& corrective) noexcept {
 
 ErrorCode check(const CorrectPoseJob& job) noexcept {
   if (!job.corrective || job.scratch.size() < scratch_size(*job.corrective)) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, job.pose.joint_count) || !have_memory(job.scratch, job.weights))
+    return ErrorCode::size_mismatch;
   return check(*job.corrective, job.pose.joint_count, job.weights.size());
 }
 
-void run(const CorrectPoseJob& job) noexcept {
+void run_unchecked(const CorrectPoseJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const PoseSamples& samples = job.corrective->samples;
   const std::size_t count = samples.sample_count(), weights = samples.weights.size();
   const std::span<double> basis = job.scratch.first(basis_size(samples));

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "runtime/base/run_job.h"
 #include "runtime/model/pose_corrective.h"
 #include "runtime/pose/pose.h"
 
@@ -28,6 +29,6 @@ struct CorrectPoseJob {
 std::size_t scratch_size(const PoseCorrective& corrective) noexcept;
 
 ErrorCode check(const CorrectPoseJob& job) noexcept;
-void run(const CorrectPoseJob& job) noexcept;
+void run_unchecked(const CorrectPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -298,24 +299,28 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
   const std::size_t count = job.skin->joints.size();
   if (job.skin->inverse_bind.size() != count || job.palette.size() < count) return ErrorCode::size_mismatch;
   if (!job.before.empty() && job.before.size() < count) return ErrorCode::size_mismatch;
+  if (!have_memory(job.model, job.palette, job.before)) return ErrorCode::size_mismatch;
   for (const std::uint32_t joint : job.skin->joints)
     if (joint >= job.model.size()) return ErrorCode::index_out_of_range;
   return ErrorCode::ok;
 }
 
-void run(const JointPaletteJob& job) noexcept {
+void run_unchecked(const JointPaletteJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const bool unchanged = HWY_DYNAMIC_DISPATCH(skinning_matrices)(job);
   if (job.unchanged) *job.unchanged = unchanged;
 }
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
+  if (!have_memory(job.palette, job.split, job.follow)) return ErrorCode::size_mismatch;
   const std::size_t count = job.palette.size();
   const auto outside = [count](const JointPair& pair) { return pair.first >= count || pair.second >= count; };
   if (std::any_of(job.follow.begin(), job.follow.end(), outside)) return ErrorCode::index_out_of_range;
   return job.split.size() < count ? ErrorCode::size_mismatch : ErrorCode::ok;
 }
 
-void run(const SplitPaletteJob& job) noexcept {
+void run_unchecked(const SplitPaletteJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const bool any_stretch = HWY_DYNAMIC_DISPATCH(split_palette)(job);
   for (const JointPair& pair : job.follow) {
     DualQuat& motion = job.split[pair.second].rigid;

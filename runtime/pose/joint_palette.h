@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/skin.h"
@@ -24,7 +24,7 @@ struct JointPaletteJob {
 };
 
 ErrorCode check(const JointPaletteJob& job) noexcept;
-void run(const JointPaletteJob& job) noexcept;
+void run_unchecked(const JointPaletteJob& job) noexcept;
 
 /// A skinning matrix J split for dual-quaternion skinning: a stretch in bind space, then a rigid motion (N19).
 /// eq   J = [R S | t]: R the rotation of the polar decomposition, S = stretch, symmetric (xx yy zz xy xz yz);
@@ -59,6 +59,6 @@ struct SplitPaletteJob {
 };
 
 ErrorCode check(const SplitPaletteJob& job) noexcept;
-void run(const SplitPaletteJob& job) noexcept;
+void run_unchecked(const SplitPaletteJob& job) noexcept;
 
 }  // namespace sinew

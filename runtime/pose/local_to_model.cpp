@@ -247,8 +247,8 @@ ErrorCode check(const LocalToModelJob& job) noexcept {
   if (!job.skeleton) return ErrorCode::size_mismatch;
   const std::size_t count = job.skeleton->joint_count();
   if (job.local.joint_count < count || job.model.size() < count) return ErrorCode::size_mismatch;
-  if (job.local.stride != PoseSpan::stride_for(job.local.joint_count)) return ErrorCode::size_mismatch;
-  if (count > 0 && !job.local.planes) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.local, job.local.joint_count) || !have_memory(job.model, job.only))
+    return ErrorCode::size_mismatch;
   if (!job.only.empty() && job.only.back() >= count) return ErrorCode::index_out_of_range;
   const auto* pose_begin = reinterpret_cast<const std::byte*>(job.local.planes);
   const auto* pose_end = pose_begin + PoseSpan::plane_count * job.local.stride * sizeof(float);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "runtime/animation/skeleton.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
@@ -25,6 +25,6 @@ struct LocalToModelJob {
 };
 
 ErrorCode check(const LocalToModelJob& job) noexcept;
-void run(const LocalToModelJob& job) noexcept;
+void run_unchecked(const LocalToModelJob& job) noexcept;
 
 }  // namespace sinew

@@ -149,10 +149,8 @@ MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints) {
 
 ErrorCode check(const MirrorPoseJob& job) noexcept {
   if (job.tables == nullptr) return ErrorCode::size_mismatch;
-  const std::size_t joints = job.tables->joint_count, stride = PoseSpan::stride_for(joints);
-  for (const PoseSpan* pose : {&job.pose, &job.mirrored})
-    if (pose->joint_count != joints || pose->stride != stride || (joints > 0 && pose->planes == nullptr))
-      return ErrorCode::size_mismatch;
+  const std::size_t joints = job.tables->joint_count;
+  if (!is_pose_of(job.pose, joints) || !is_pose_of(job.mirrored, joints)) return ErrorCode::size_mismatch;
   return joints > 0 && job.pose.planes == job.mirrored.planes ? ErrorCode::size_mismatch : ErrorCode::ok;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/animation/mirror_map.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
@@ -42,6 +42,6 @@ struct MirrorPoseJob {
 };
 
 ErrorCode check(const MirrorPoseJob& job) noexcept;
-void run(const MirrorPoseJob& job) noexcept;
+void run_unchecked(const MirrorPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -46,6 +46,12 @@ struct PoseSpan {
   }
 };
 
+/// True if `pose` is a usable view of `joint_count` joints: it has memory and the stride of that count.
+inline bool is_pose_of(const PoseSpan& pose, std::size_t joint_count) noexcept {
+  return pose.joint_count == joint_count && pose.stride == PoseSpan::stride_for(joint_count) &&
+         (joint_count == 0 || pose.planes != nullptr);
+}
+
 /// A view over `memory`, which must be 64-byte aligned and hold PoseSpan::floats_for(joint_count) floats.
 inline PoseSpan pose_over(std::span<float> memory, std::size_t joint_count) noexcept {
   return {memory.data(), joint_count, PoseSpan::stride_for(joint_count)};

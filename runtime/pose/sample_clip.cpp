@@ -124,12 +124,9 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
 
 ErrorCode check(const SampleClipJob& job) noexcept {
   if (job.clip == nullptr) return ErrorCode::size_mismatch;
-  const std::size_t joints = job.clip->joint_count();
-  if (job.pose.joint_count != joints || job.pose.stride != PoseSpan::stride_for(joints))
-    return ErrorCode::size_mismatch;
-  if (joints > 0 && job.pose.planes == nullptr) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, job.clip->joint_count())) return ErrorCode::size_mismatch;
   const auto fits = [](std::span<float> numbers, std::size_t count) {
-    return numbers.empty() || numbers.size() == count;
+    return numbers.empty() || (numbers.size() == count && have_memory(numbers));
   };
   const bool numbers_fit =
       fits(job.weights, job.clip->weight_count()) && fits(job.properties, job.clip->property_count());

@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
 #include "runtime/pose/pose.h"
 
@@ -27,6 +27,6 @@ struct SampleClipJob {
 };
 
 ErrorCode check(const SampleClipJob& job) noexcept;
-void run(const SampleClipJob& job) noexcept;
+void run_unchecked(const SampleClipJob& job) noexcept;
 
 }  // namespace sinew

@@ -87,7 +87,7 @@ class Machine {
                                .weights = to.weights,
                                .properties = to.properties};
     assert(check(sample) == ErrorCode::ok);
-    sinew::run(sample);
+    run_unchecked(sample);
     ++work_.clips_sampled;
     ++depth_;
   }
@@ -95,7 +95,7 @@ class Machine {
   void mirror(const PoseSpan& from, std::span<const float> weights, const PoseSlot& to) noexcept {
     const MirrorPoseJob mirrored{.tables = assets_.mirror, .pose = from, .mirrored = to.pose};
     assert(check(mirrored) == ErrorCode::ok);
-    sinew::run(mirrored);
+    run_unchecked(mirrored);
     const std::span<const std::uint32_t> source = assets_.mirrored_weight_source;
     for (std::size_t w = 0; w < to.weights.size(); ++w) to.weights[w] = weights[source.empty() ? w : source[w]];
     ++work_.poses_mirrored;
@@ -132,7 +132,7 @@ class Machine {
     if (operands == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return;
     const BlendPosesJob blend{.layers = layers, .rest = assets_.rest, .pose = to.pose};
     assert(check(blend) == ErrorCode::ok);
-    sinew::run(blend);
+    run_unchecked(blend);
     blend_weights(layers, assets_.rest_weights, to.weights, slots_.weights_above(depth_ - 1));
     blend_weights(layers, assets_.rest_properties, to.properties, slots_.properties_above(depth_ - 1));
     work_.poses_blended += static_cast<std::uint32_t>(operands);
@@ -165,7 +165,7 @@ class Machine {
                            .joint_weights = mask(share.mask),
                            .pose = base.pose};
     assert(check(added) == ErrorCode::ok);
-    sinew::run(added);
+    run_unchecked(added);
     for (std::size_t i = 0; i < base.weights.size(); ++i)
       base.weights[i] = flushed(base.weights[i] + share.weight * (layer.weights[i] - reference_weights[i]));
     ++work_.poses_added;
@@ -195,10 +195,6 @@ class Machine {
   std::array<Share, kMostPoseOps> shares_;
   std::size_t depth_ = 0;
 };
-
-bool is_pose_of(const PoseSpan& pose, std::size_t joints) noexcept {
-  return pose.joint_count == joints && (pose.planes != nullptr || joints == 0);
-}
 
 bool has_size_or_none(std::span<const float> numbers, std::size_t count) noexcept {
   return numbers.empty() || numbers.size() == count;
@@ -280,11 +276,9 @@ ErrorCode check(const PoseProgramJob& job) noexcept {
   return check_poses_of_caller(job);
 }
 
-ErrorCode run(const PoseProgramJob& job) noexcept {
-  if (const ErrorCode error = check(job); error != ErrorCode::ok) return error;
+void run_unchecked(const PoseProgramJob& job) noexcept {
   PoseProgramWork uncounted;
   Machine(job, job.work != nullptr ? *job.work : uncounted).run();
-  return ErrorCode::ok;
 }
 
 }  // namespace sinew

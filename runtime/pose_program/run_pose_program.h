@@ -5,7 +5,7 @@
 #include <span>
 
 #include "runtime/animation/skeleton.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/pose.h"
@@ -80,6 +80,6 @@ struct PoseProgramJob {
 };
 
 ErrorCode check(const PoseProgramJob& job) noexcept;
-ErrorCode run(const PoseProgramJob& job) noexcept;
+void run_unchecked(const PoseProgramJob& job) noexcept;
 
 }  // namespace sinew

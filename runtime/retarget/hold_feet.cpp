@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -120,6 +121,8 @@ void hold_feet(const FeetMap& feet, double ground, std::span<const Transformd> p
 
 ErrorCode check(const HoldFeetJob& job) noexcept {
   if (job.feet == nullptr) return ErrorCode::size_mismatch;
+  if (!is_pose_of(job.pose, job.pose.joint_count) || !is_pose_of(job.held, job.held.joint_count))
+    return ErrorCode::size_mismatch;
   const auto fits = [](const LegChain& chain, const PoseSpan& pose) {
     return std::all_of(chain.joints.begin(), chain.joints.end(),
                        [&](const LegJoint& joint) { return joint.joint < pose.joint_count; });
@@ -127,10 +130,12 @@ ErrorCode check(const HoldFeetJob& job) noexcept {
   const bool all_fit = std::all_of(job.feet->legs.begin(), job.feet->legs.end(), [&](const LegPair& leg) {
     return fits(leg.source, job.pose) && fits(leg.target, job.held);
   });
-  return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
+  const bool hips_fit = job.feet->hips == kNone || job.feet->hips < job.held.joint_count;
+  return all_fit && hips_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
-void run(const HoldFeetJob& job) noexcept {
+void run_unchecked(const HoldFeetJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   const PoseSpan held = job.held;
   const FootPoses poses{[&](std::uint32_t j) { return job.pose.get(j); }, [&](std::uint32_t j) { return held.get(j); },
                         [&](std::uint32_t j, const glm::quat& rotation) { held.set_rotation(j, rotation); }};

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "runtime/animation/bone_animation.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/feet_map.h"
 
@@ -35,7 +35,7 @@ struct HoldFeetJob {
 };
 
 ErrorCode check(const HoldFeetJob& job) noexcept;
-void run(const HoldFeetJob& job) noexcept;
+void run_unchecked(const HoldFeetJob& job) noexcept;
 
 /// Height of the ground of an animation, above that on which the rest pose stands: the height of the lower foot that
 /// one time in twenty is below, so that a foot which dips through the floor for a moment does not count. 0 without

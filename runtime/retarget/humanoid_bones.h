@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"
 
 namespace sinew {

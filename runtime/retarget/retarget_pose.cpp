@@ -234,13 +234,9 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
 
 ErrorCode check(const RetargetPoseJob& job) noexcept {
   if (job.tables == nullptr) return ErrorCode::size_mismatch;
-  const auto fits = [](const PoseSpan& pose, std::size_t joints) {
-    return pose.joint_count == joints && pose.stride == PoseSpan::stride_for(joints) &&
-           (joints == 0 || pose.planes != nullptr);
-  };
-  const bool has_scratch = !job.tables->composes() || fits(job.scratch, job.tables->source_count);
-  const bool all_fit =
-      fits(job.pose, job.tables->source_count) && fits(job.retargeted, job.tables->target_count) && has_scratch;
+  const bool has_scratch = !job.tables->composes() || is_pose_of(job.scratch, job.tables->source_count);
+  const bool all_fit = is_pose_of(job.pose, job.tables->source_count) &&
+                       is_pose_of(job.retargeted, job.tables->target_count) && has_scratch;
   return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 

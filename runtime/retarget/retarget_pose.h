@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/skeleton_map.h"
 
@@ -62,6 +62,6 @@ struct RetargetPoseJob {
 };
 
 ErrorCode check(const RetargetPoseJob& job) noexcept;
-void run(const RetargetPoseJob& job) noexcept;
+void run_unchecked(const RetargetPoseJob& job) noexcept;
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #include "runtime/retarget/share_twist.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "runtime/animation/joint_tracks.h"
@@ -41,14 +42,15 @@ void share_twist(const TwistMap& twists, std::span<Transformd> pose) noexcept {
 }
 
 ErrorCode check(const ShareTwistJob& job) noexcept {
-  if (job.twists == nullptr) return ErrorCode::size_mismatch;
+  if (job.twists == nullptr || !is_pose_of(job.pose, job.pose.joint_count)) return ErrorCode::size_mismatch;
   const bool all_fit = std::all_of(job.twists->joints.begin(), job.twists->joints.end(), [&](const TwistJoint& twist) {
     return twist.joint < job.pose.joint_count && twist.driver < job.pose.joint_count;
   });
   return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
-void run(const ShareTwistJob& job) noexcept {
+void run_unchecked(const ShareTwistJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
   for (const TwistJoint& twist : job.twists->joints)
     job.pose.set_rotation(twist.joint,
                           quat_cast<float>(shared(twist, quat_cast<double>(job.pose.get(twist.driver).rotation))));

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "runtime/animation/bone_animation.h"
-#include "runtime/base/result.h"
+#include "runtime/base/run_job.h"
 #include "runtime/pose/pose.h"
 #include "runtime/retarget/twist_map.h"
 
@@ -27,7 +27,7 @@ struct ShareTwistJob {
 };
 
 ErrorCode check(const ShareTwistJob& job) noexcept;
-void run(const ShareTwistJob& job) noexcept;
+void run_unchecked(const ShareTwistJob& job) noexcept;
 
 /// The same for a retargeted animation: twist joints whose driver moves get rotation keys at its key times and, unless
 /// those step, 60 times a second between them.

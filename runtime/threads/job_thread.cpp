@@ -9,7 +9,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/threads/crowd.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
@@ -31,7 +31,7 @@ struct JobThread::State {
       run_one = [this](std::size_t) { run_next_task(); };
       return;
     }
-    if (!executor) executor = run_with_tbb;
+    if (!executor) executor = run_in_parallel;
     run_one = [this](std::size_t task) { (void)crowd.run_task(task); };
     worker = std::thread([this]() noexcept { work(); });
   }

@@ -23,7 +23,8 @@ using Ticket = std::uint64_t;
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
-  Executor executor;  ///< empty = oneTBB; without a thread of its own: the thread that polls
+  Executor executor;  ///< empty = oneTBB, or a pool of our own threads where the library was built without it; without
+                      ///< a thread of its own: the thread that polls
   /// A frame of all characters smaller than this is one task and is not handed to the executor (P16): the sum of
   /// Plan::frame_bytes, which grows with the time. Waking threads that slept takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/threads/tbb_executor.h"
-
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "runtime/threads/default_executor.h"
 
 // The thread sanitizer cannot see inside the system's libtbb. Its build leaves this file uninstrumented, so that TBB's
 // own templates do not look like races, and is told here the one thing that TBB guarantees: what the caller wrote is
@@ -23,12 +24,14 @@ void take_over(const void*) noexcept {}
 
 }  // namespace
 
-void run_with_tbb(std::size_t count, const std::function<void(std::size_t)>& body) {
+void run_in_parallel(std::size_t count, const std::function<void(std::size_t)>& body) {
   hand_over(&body);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    take_over(&body);
-    body(i);
-    hand_over(&body);
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      take_over(&body);
+      body(i);
+      hand_over(&body);
+    });
   });
   take_over(&body);
 }

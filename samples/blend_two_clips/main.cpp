@@ -57,6 +57,13 @@ std::optional<float> parse_weight(const char* text) {
   return error == std::errc{} && stop == end && weight >= 0.0f && weight <= 1.0f ? std::optional(weight) : std::nullopt;
 }
 
+/// Ends the program with the code's sentence, unless it is ok.
+void require(ErrorCode code) {
+  if (code == ErrorCode::ok) return;
+  std::fprintf(stderr, "%s\n", describe(code).data());
+  std::exit(1);
+}
+
 /// Blends the layers and returns the place of the foot.
 Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, PoseSpan rest) {
   alignas(64) PoseMemory memory{};
@@ -64,13 +71,8 @@ Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, 
   const PoseSpan mixed = pose_over(memory, kJoints);
   const BlendPosesJob blend{.layers = layers, .rest = rest, .pose = mixed};
   const LocalToModelJob to_model{.skeleton = &leg, .local = mixed, .root = {}, .model = world};
-  for (const ErrorCode code : {check(blend), check(to_model)})
-    if (code != ErrorCode::ok) {
-      std::fprintf(stderr, "%s\n", describe(code).data());
-      std::exit(1);
-    }
-  run(blend);
-  run(to_model);
+  require(run(blend));
+  require(run(to_model));
   return translation_of(world[1]);
 }
 
@@ -96,7 +98,7 @@ int main(int argc, char** argv) {
   const PoseSpan rest = pose_over(memory[2], kJoints);
   for (std::size_t j = 0; j < kJoints; ++j) rest.set(j, leg.rest[j]);
   for (std::size_t c = 0; c < 2; ++c)
-    run(SampleClipJob{.clip = &clips[c], .time_s = 1.0, .pose = poses[c], .weights = {}});
+    require(run(SampleClipJob{.clip = &clips[c], .time_s = 1.0, .pose = poses[c], .weights = {}}));
 
   const BlendLayer only_walk[] = {{.pose = poses[0], .weight = 1.0f, .joint_weights = {}}};
   const BlendLayer only_run[] = {{.pose = poses[1], .weight = 1.0f, .joint_weights = {}}};

@@ -53,11 +53,10 @@ int main(int argc, char** argv) {
                                .vertices = {.positions = kFace, .normals = {}, .tangents = {}},
                                .out = {.positions = moved, .normals = {}, .tangents = {}},
                                .scratch = scratch};
-  if (const ErrorCode code = check(morph); code != ErrorCode::ok) {
+  if (const ErrorCode code = run(morph); code != ErrorCode::ok) {
     std::fprintf(stderr, "%s\n", describe(code).data());
     return 1;
   }
-  run(morph);
 
   std::printf("smile %g, open %g\n", weights[0], weights[1]);
   for (std::size_t v = 0; v < kVertices; ++v)

@@ -29,9 +29,9 @@ double difference(const Scene& source, const Scene& target, const SkeletonMap& m
   double largest = 0.0;
   for (int f = 0; f < kFrames; ++f) {
     const double time_s = source.clips[0].duration_s() * f / kFrames;
-    run(SampleClipJob{.clip = &source.clips[0], .time_s = time_s, .pose = pose.span(), .weights = {}});
-    run(RetargetPoseJob{&tables, pose.span(), scratch.span(), live.span()});
-    run(SampleClipJob{.clip = &baked, .time_s = time_s, .pose = played.span(), .weights = {}});
+    run_unchecked(SampleClipJob{.clip = &source.clips[0], .time_s = time_s, .pose = pose.span(), .weights = {}});
+    run_unchecked(RetargetPoseJob{&tables, pose.span(), scratch.span(), live.span()});
+    run_unchecked(SampleClipJob{.clip = &baked, .time_s = time_s, .pose = played.span(), .weights = {}});
     for (std::uint32_t j = 0; j < kJoints; ++j)
       largest = std::max(largest, static_cast<double>(rotation_angle_between(live.span().get(j).rotation,
                                                                              played.span().get(j).rotation)));

@@ -76,20 +76,18 @@ int main(int argc, char** argv) {
   }
   const Clip clip = compile_clip(*wave, arm, {}, {});
 
-  // Buffers belong to the caller. A job is a struct of views: check() says whether they fit, run() does the work.
+  // Buffers belong to the caller. A job is a struct of views: run() does the work, or returns why the views do not fit.
   alignas(64) std::array<float, PoseSpan::floats_for(kJoints)> pose_memory{};
   std::array<Affine, kJoints> world{};
   const PoseSpan pose = pose_over(pose_memory, kJoints);
 
   const SampleClipJob sample{.clip = &clip, .time_s = *time_s, .pose = pose, .weights = {}};
   const LocalToModelJob to_model{.skeleton = &arm, .local = pose, .root = {}, .model = world};
-  for (const ErrorCode code : {check(sample), check(to_model)})
+  for (const ErrorCode code : {run(sample), run(to_model)})
     if (code != ErrorCode::ok) {
       std::fprintf(stderr, "%s\n", describe(code).data());
       return 1;
     }
-  run(sample);
-  run(to_model);
 
   std::printf("\"%s\" at %g s of %g s\n", clip.name().c_str(), *time_s, clip.duration_s());
   for (std::size_t j = 0; j < kJoints; ++j) {

@@ -80,27 +80,23 @@ Radii twist(const Tube& tube, float angle_rad) {
 
   std::array<JointMatrix, 2> palette;
   const JointPaletteJob to_palette{.skin = &skin, .model = world, .palette = palette};
-  require(check(to_palette));
-  run(to_palette);
+  require(run(to_palette));
 
   const VertexInput in{.positions = tube.positions, .normals = tube.normals, .tangents = {}};
   std::vector<glm::vec3> positions(tube.positions.size()), normals(positions.size());
   const VertexOutput out{.positions = positions, .normals = normals, .tangents = {}};
 
   const SkinLinearJob linear{.influences = &tube.influences, .palette = palette, .vertices = in, .out = out};
-  require(check(linear));
-  run(linear);
+  require(run(linear));
   const float linear_m = middle_radius_m(positions);
 
   std::array<RigidStretch, 2> split;
   bool any_stretch = false;
   const SplitPaletteJob to_split{.palette = palette, .split = split, .any_stretch = &any_stretch};
-  require(check(to_split));
-  run(to_split);
+  require(run(to_split));
   const SkinDualQuaternionJob dual{
       .influences = &tube.influences, .split = split, .any_stretch = any_stretch, .vertices = in, .out = out};
-  require(check(dual));
-  run(dual);
+  require(run(dual));
   return {linear_m, middle_radius_m(positions)};
 }
 

@@ -9,7 +9,6 @@
 #include "runtime/math/interpolate.h"
 #include "runtime/math/quat_log_exp.h"
 #include "runtime/math/rotation_between.h"
-#include "runtime/math/squad.h"
 #include "samples/where_float_ends/rows.h"
 
 namespace sinew::sample {

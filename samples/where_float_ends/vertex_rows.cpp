@@ -78,15 +78,15 @@ struct Crowd {
 void add_skinning(Rows& rows, double most_degrees, double bound) {
   Crowd c(most_degrees);
   Largest linear, dual, dual_normals, center;
-  run(SkinLinearJob{&c.influences, c.palette, c.in(), c.out()});
+  run_unchecked(SkinLinearJob{&c.influences, c.palette, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) linear.add_place(c.out_positions[v], c.true_linear(v, c.positions[v]));
-  run(SkinDualQuaternionJob{&c.influences, c.split, false, c.in(), c.out()});
+  run_unchecked(SkinDualQuaternionJob{&c.influences, c.split, false, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) {
     const DualQuatd motion = c.true_motion(v);
     dual.add_place(c.out_positions[v], transform_point(motion, Vec3<double>(c.positions[v])));
     dual_normals.add_direction(Vec3<double>(c.out_normals[v]), rotate_vector(motion.real, Vec3<double>(c.normals[v])));
   }
-  run(SkinCenterOfRotationJob{&c.influences, c.palette, c.split, false, c.centers, c.in(), c.out()});
+  run_unchecked(SkinCenterOfRotationJob{&c.influences, c.palette, c.split, false, c.centers, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) {
     const Vec3<double> from_center = Vec3<double>(c.positions[v]) - Vec3<double>(c.centers[v]);
     center.add_place(c.out_positions[v],
@@ -136,7 +136,7 @@ void add_morphs(Rows& rows, double distance) {
       truth += Vec3<double>(delta) * static_cast<double>(weights.back());
     }
     std::vector<glm::vec3> out(1), scratch(1);
-    run(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
+    run_unchecked(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
     job.add_place(out[0], truth);
     one_by_one.add_place(running, truth);
   }

@@ -161,7 +161,7 @@ TEST(bone_animation, agrees_with_the_reference_for_random_tracks) {
   for (const auto interpolation :
        {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline, Interpolation::squad}) {
     const auto times = test::random_times(random, 30, 3);
-    const bool squad = interpolation == Interpolation::squad;  // which is for rotations only
+    const bool squad = interpolation == Interpolation::squad;  // for rotations only
     BoneAnimation bone = moving(test::random_vectors(random, squad ? Interpolation::linear : interpolation, times));
     bone.rotation = test::random_rotations(random, interpolation, times);
     for (int i = 0; i < 500; ++i) {
@@ -195,7 +195,7 @@ TEST(bone_animation, N08_squad_does_not_depend_on_the_signs_of_its_keys) {
 }
 
 TEST(bone_animation, N09_squad_about_one_axis_is_smooth_across_uneven_keys) {
-  // Speed left and right of each inner key is the same.
+  // The angular speed is the same on both sides of each inner key.
   const auto bone = rotating({Interpolation::squad,
                               {0, 1, 1.25f, 3},
                               {about_x<float>(0), about_x<float>(0.4), about_x<float>(0.9), about_x<float>(1.2)}});

@@ -20,7 +20,7 @@ glm::quat about_y(double angle_rad) {
                    static_cast<float>(std::cos(angle_rad / 2)));
 }
 
-/// Two seconds: a linear translation over the whole time, rotations over the first second and a half.
+/// An animation of two seconds. The translation is linear over the whole time; rotations have keys up to 1.5 s.
 Animation two_tracks() {
   Animation animation;
   animation.duration_s = 2.0;
@@ -44,7 +44,7 @@ TEST(close_loop, G12_interpolates_from_the_last_pose_to_the_first_over_the_gap) 
   EXPECT_NEAR(pose_at(closed, 2.25).translation.x, 3.0, 1e-15);
   EXPECT_NEAR(pose_at(closed, 2.125).translation.x, 4.0, 1e-15);
   EXPECT_LT(test::angle_between(pose_at(closed, 2.25).rotation, about_y(0.6)), 1e-7);
-  EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(1.0)), 1e-7);  // held from 1.5 s on
+  EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(1.0)), 1e-7);  // constant from 1.5 s on
   double weights[2];
   sample_track(closed.weights[0].weights, 2.25, std::span<double>(weights));
   EXPECT_EQ(weights[0], 5.0);
@@ -58,7 +58,7 @@ TEST(close_loop, G12_the_end_of_the_gap_is_the_start_bit_for_bit_and_what_was_th
     open.bones[0].rotation.times_s = {0.0f, 2.0f};
     const Animation closed = close_loop(open, 0.25).value();
     EXPECT_EQ(closed.bones[0].interpolate<float>(closed.duration_s), closed.bones[0].interpolate<float>(0.0));
-    if (kind == Interpolation::squad) continue;  // its control points look one key ahead
+    if (kind == Interpolation::squad) continue;  // its control points depend on the next key
     for (double t = 0; t <= 2.0; t += 0.125) EXPECT_EQ(pose_at(closed, t), pose_at(open, t)) << t;
   }
 }
@@ -76,7 +76,7 @@ TEST(close_loop, G07_step_tracks_hold_through_the_gap) {
   EXPECT_EQ(pose_at(closed, 2.5).translation.x, 1.0);
 }
 
-/// x = sin(pi t) by cubic keys with exact speeds; its period is 2 s, of which the last half second is missing.
+/// x = sin(pi t) with cubic keys and exact tangents. The period is 2 s, and the last half second is missing.
 Animation sine() {
   Animation animation;
   animation.duration_s = 1.5;
@@ -89,7 +89,7 @@ Animation sine() {
     const glm::vec3 speed(static_cast<float>(kPi * std::cos(kPi * t)), 0, 0);
     track.times_s.push_back(static_cast<float>(t));
     const bool first = k == 0, last = k == 3;
-    const glm::vec3 unused(1e6f);  // the file's numbers there mean nothing
+    const glm::vec3 unused(1e6f);  // the outermost tangents have no effect
     track.values.insert(track.values.end(),
                         {first ? unused : speed, {static_cast<float>(std::sin(kPi * t)), 0, 0}, last ? unused : speed});
   }
@@ -111,7 +111,7 @@ TEST(close_loop, G03_a_cubic_spline_keeps_its_speed_across_the_seam) {
 TEST(close_loop, G03_a_cubic_track_that_ends_early_holds_and_then_leaves_at_rest) {
   Animation open = sine();
   open.duration_s = 3.0;
-  open.bones[0].translation.values[9].x = 2.0f;  // the speed at which the last key is reached
+  open.bones[0].translation.values[9].x = 2.0f;  // in-tangent of the last key
   const Animation closed = close_loop(open, 1.0).value();
   for (double t = 1.5; t <= 3.0; t += 0.125) EXPECT_NEAR(pose_at(closed, t).translation.x, -1.0, 1e-15) << t;
   const double h = 1e-4;
@@ -133,7 +133,7 @@ TEST(close_loop, G03_G13_a_cubic_track_that_jumps_at_its_end_leaves_at_rest) {
   Animation open = sine();
   Vec3Track& track = open.bones[0].translation;
   track.times_s.push_back(track.times_s.back());
-  const glm::vec3 speed(7, 0, 0);  // at which nothing reaches the second key
+  const glm::vec3 speed(7, 0, 0);  // in-tangent of the second key, which has no effect
   track.values.insert(track.values.end(), {speed, {3, 0, 0}, speed});
   const Animation closed = close_loop(open, 1.0).value();
   const double h = 1e-4;
@@ -145,7 +145,7 @@ TEST(close_loop, G03_G13_a_cubic_track_that_jumps_at_its_start_is_reached_at_res
   Animation open = sine();
   Vec3Track& track = open.bones[0].translation;
   track.times_s.insert(track.times_s.begin(), 0.0f);
-  const glm::vec3 speed(7, 0, 0);  // at which nothing leaves the first key
+  const glm::vec3 speed(7, 0, 0);  // out-tangent of the first key, which has no effect
   track.values.insert(track.values.begin(), {speed, {3, 0, 0}, speed});
   const Animation closed = close_loop(open, 0.5).value();
   const double h = 1e-4;
@@ -172,9 +172,9 @@ TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_changes_sides_with_its_
   open.bones[0].rotation = {Interpolation::cubic_spline, {0, 1}, {none, first, speed, speed, last, none}};
   const QuatTrack closed = close_loop(open, 1.0).value().bones[0].rotation;
   ASSERT_EQ(closed.values.size(), 9u);
-  EXPECT_EQ(closed.values[7], -first);  // on the side of the last key
-  EXPECT_EQ(closed.values[6], -speed);  // arrives as the first key leaves
-  EXPECT_EQ(closed.values[5], speed);   // the last key leaves as it was arrived at
+  EXPECT_EQ(closed.values[7], -first);  // negated, to be near the last key
+  EXPECT_EQ(closed.values[6], -speed);  // in-tangent: the negated out-tangent of the first key
+  EXPECT_EQ(closed.values[5], speed);   // out-tangent of the last key: its in-tangent
 }
 
 TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_stays_on_its_side_where_that_is_nearer) {
@@ -233,7 +233,7 @@ TEST(close_loop, G12_properties_close_as_other_tracks_do) {
 
 TEST(close_loop, G03_a_cubic_property_keeps_its_speed_across_the_seam) {
   Animation open;
-  open.duration_s = 1.0;  // from 1 with speed 3 to 2 with speed 5: what lies outside of the keys means nothing
+  open.duration_s = 1.0;  // from 1 with speed 3 to 2 with speed 5; outermost tangents have no effect
   open.properties.push_back(
       color_of_light(Interpolation::cubic_spline, {0, 1}, {9, 9, 9, 1, 1, 1, 3, 3, 3, 5, 5, 5, 2, 2, 2, 9, 9, 9}));
   const Animation closed = close_loop(open, 1.0).value();

@@ -15,7 +15,7 @@ BoneAnimation of_joint(std::uint32_t joint) {
 const Vec3Track kMoves{Interpolation::linear, {0.0f}, {{1, 2, 3}}};
 const QuatTrack kTurns{Interpolation::linear, {0.0f}, {{0, 1, 0, 0}}};
 
-/// Joint 2: first a translation and a rotation, then a scale of joint 0, then another rotation and a scale.
+/// Entries in this order: translation and rotation of joint 2, scale of joint 0, rotation and scale of joint 2.
 Animation joined() {
   Animation animation;
   animation.bones = {of_joint(2), of_joint(0), of_joint(2)};

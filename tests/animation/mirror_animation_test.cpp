@@ -16,7 +16,7 @@ using scenes::RightSide;
 using scenes::TwoSided;
 using Vec3d = Vec3<double>;
 
-/// Tracks of every kind of interpolation on all joints but a few, also on one arm alone.
+/// Tracks of every interpolation on most joints. For some pairs only one partner has tracks.
 Animation moving(const Skeleton& skeleton) {
   test::FixedRandom random(9);
   const std::vector<float> times = {0.0f, 0.4f, 0.9f, 2.0f};
@@ -113,7 +113,7 @@ TEST(mirror_animation, joints_without_a_track_get_a_constant_where_their_rest_is
   options.reference = body.skeleton.rest;
   const MirrorMap map = make_mirror_map(striding, options);
   const Animation mirrored = mirror_animation({}, map, striding);
-  ASSERT_EQ(mirrored.bones.size(), 2u);  // the leg that strides, and the one that does not
+  ASSERT_EQ(mirrored.bones.size(), 2u);  // the leg that strides, and its partner
   for (const BoneAnimation& bone : mirrored.bones) {
     EXPECT_TRUE(bone.joint == 2 || bone.joint == 3);
     const Transform expected = mirrored_transform(map, bone.joint, striding.rest[bone.joint == 2 ? 3 : 2]);

@@ -31,7 +31,7 @@ std::vector<Transform> mirrored(const MirrorMap& map, const std::vector<Transfor
   return out;
 }
 
-/// Places of all joints in model space.
+/// Model-space positions of all joints.
 std::vector<Vec3d> places(const Skeleton& skeleton, const std::vector<Transform>& local) {
   std::vector<Transformd> exact;
   for (const Transform& t : local) exact.push_back(in_double(t));
@@ -77,7 +77,7 @@ TEST(mirror_map, places_pair_joints_across_other_planes_that_do_not_run_through_
 TEST(mirror_map, a_persons_own_pairs_come_before_names) {
   const TwoSided body = scenes::two_sided(RightSide::any_axes);
   MirrorOptions options;
-  options.pairs = {{2, 6}, {13, 13}};  // parents of the first are no partners
+  options.pairs = {{2, 6}, {13, 13}};  // the parents of 2 and 6 are not partners
   const MirrorMap map = make_mirror_map(body.skeleton, options);
   EXPECT_EQ(map.joints[2].source, 2u);
   EXPECT_EQ(map.joints[6].source, 6u);
@@ -171,7 +171,7 @@ TEST(mirror_map, a_symmetric_body_comes_out_as_its_mirror_image) {
   }
 }
 
-/// A mirror that reflects local rotations, as if both sides had mirrored axes, moves this rest pose.
+/// Reflecting local rotations, which assumes mirrored axes on both sides, would move these rest poses.
 TEST(mirror_map, the_rest_pose_stays_whatever_axes_and_bones_the_other_side_has) {
   for (const RightSide right : scenes::kRightSides) {
     const TwoSided body = scenes::two_sided(right);
@@ -203,7 +203,7 @@ TEST(mirror_map, twice_mirrored_is_the_same_bit_for_bit_where_the_sides_are_mirr
     for (std::uint32_t j = 0; j < local.size(); ++j) {
       if (scenes::is_symmetric(right)) {
         EXPECT_EQ(0, std::memcmp(&twice[j], &local[j], sizeof(Transform))) << j;
-      } else {  // up to four rounded products, twice
+      } else {  // sums of up to four rounded products, mirrored twice
         EXPECT_LT(test::angle_between(twice[j].rotation, local[j].rotation), 16 * test::kEps) << j;
         EXPECT_TRUE(test::is_near(twice[j].translation, local[j].translation, 8 * test::kEps)) << j;
       }
@@ -245,7 +245,7 @@ TEST(mirror_map, what_is_rounding_of_places_is_told_by_how_long_lengths_are_belo
 
 TEST(mirror_map, a_joint_that_a_name_pairs_is_no_partner_by_place) {
   Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
-  // Under the spine: two arms by name, and before them a joint that lies where the right one has its mirror image.
+  // The spine has two arms with names of sides. Before them comes a joint at the mirrored position of the right arm.
   skeleton.names[4] = "arm.r2";
   skeleton.rest[4].translation = skeleton.rest[5].translation;
   const MirrorMap map = make_mirror_map(skeleton);

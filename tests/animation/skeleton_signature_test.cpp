@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// hip, arm and leg under it, hand under the arm.
+/// A hip with an arm and a leg; the arm has a hand.
 Skeleton body() {
   Skeleton s = test::skeleton_of({kNone, 0, 0, 1});
   s.names = {"hip", "arm", "leg", "hand"};
@@ -61,7 +61,7 @@ TEST(skeleton_signature, another_rest_pose_or_order_of_nodes_does_not_change_it)
 TEST(skeleton_signature, it_is_the_checksum_of_the_bytes_that_the_header_names) {
   Skeleton s = test::chain_skeleton(2);
   s.names = {"hip", "\xc3\xa9"};
-  constexpr unsigned char kBytes[] = {2,   0,   0,   0,                                // joints
+  constexpr unsigned char kBytes[] = {2,   0,   0,   0,                                // number of joints
                                       255, 255, 255, 255, 3, 0, 0, 0, 'h',  'i', 'p',  // a root
                                       0,   0,   0,   0,   2, 0, 0, 0, 0xc3, 0xa9};     // under joint 0
   EXPECT_EQ(skeleton_signature(s), checksum(std::as_bytes(std::span(kBytes))));

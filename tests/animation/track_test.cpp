@@ -60,7 +60,7 @@ TEST(track, G52_rotation_keys_have_the_length_that_their_interpolation_needs) {
       track.values[1] = track.values[1] * length;
       EXPECT_EQ(check(track), ErrorCode::not_normalised) << length;
     }
-  // Cubic values shape the curve with their tangents, and it is normalised: they need only a length that squares.
+  // A cubic curve is normalised, so its values need not be unit. Their squared length must be a normal float.
   QuatTrack cubic{kCubic, {0, 1}, std::vector<glm::quat>(6, glm::quat(0, 0, 0, 0))};
   EXPECT_EQ(check(cubic), ErrorCode::not_normalised);
   for (const float length : {1e-9f, 1.0f, 1e14f}) {

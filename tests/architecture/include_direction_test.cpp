@@ -42,23 +42,23 @@ std::string part_of(const std::string& path) {
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
   for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "viewer/app",
-                           "viewer/light", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
+                           "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
 
 bool sees(const std::string& from, const std::string& to) {
-  static const std::set<std::string> kAssets = {"runtime/base", "runtime/math", "runtime/animation", "runtime/clip",
-                                                "runtime/model"};
+  static const std::set<std::string> kAssets = {"runtime/base", "runtime/math",  "runtime/animation",
+                                                "runtime/clip", "runtime/model", "runtime/threads"};
   if (to == "tests") return from == "tests";
-  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study")
-    return true;
+  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app") return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
   if (from == "importer") return to == "importer" || kAssets.contains(to);
-  if (from == "viewer/light") return to == from || to == "runtime/base" || to == "runtime/math";
+  if (from == "viewer/light")
+    return to == from || to == "runtime/base" || to == "runtime/math" || to == "runtime/threads";
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
   if (from == "runtime") return to == "runtime/c";  // sinew.h
   const auto row = runtime_rows().find(from);
@@ -75,14 +75,14 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
     {"GLFW/", {"viewer", "viewer/app", "tests"}},
     {"imgui", {"viewer/app", "tests"}},
-    {"CLI/", {"importer/tool", "viewer/app", "viewer/study", "tests"}},
-    {"nlohmann/", {"importer", "importer/tool", "viewer/study", "tests"}},
+    {"CLI/", {"importer/tool", "viewer/app", "tests"}},
+    {"nlohmann/", {"importer", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
       "importer/tool", "tests"}},
     {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
-    {"tbb/", {"runtime/threads", "importer", "importer/ambient", "importer/tool", "viewer/light", "tests"}},
-    {"oneapi/", {"runtime/threads", "importer", "viewer/light", "tests"}},
+    {"tbb/", {"runtime/threads", "importer/tool", "tests"}},
+    {"oneapi/", {}},
     {"Eigen/", {"runtime/model", "tests"}},
     {"OpenEXR/", {"viewer/light", "tests"}},
 };

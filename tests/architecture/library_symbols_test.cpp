@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The archives of the runtime call their own copies of inline functions, and have no state of their own: no variable
-// that anything writes to, but the handler of broken contracts, which an engine sets, what the solver of correctives
+// The archives of the runtime have no state of their own: no variable that anything writes to, but the handler of broken contracts, which an engine sets, what the solver of correctives
 // keeps about cache sizes, and the empty text of names without one. (Highway's choice of the instruction set is in
 // libhwy; the tables of kernels are constants.)
 #include <gmock/gmock.h>
@@ -61,19 +60,6 @@ TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_
        {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate",
         "vkCreate", "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
     EXPECT_THAT(table, testing::Not(testing::HasSubstr(name)));
-}
-
-TEST(library_symbols, the_runtime_defines_no_weak_symbol_that_an_engine_could_replace) {
-  if (!SINEW_OWN_COPIES)
-    GTEST_SKIP() << "the linker of this build cannot make copies of inline functions the library's own";
-  std::istringstream lines(output_of("nm -C --defined-only " SINEW_RUNTIME_ARCHIVES));
-  std::size_t strong = 0;
-  for (std::string text; std::getline(lines, text);) {
-    const std::string kind = text.substr(std::min(text.size(), text.find(' ')), 3);  // " T " between value and name
-    strong += kind == " T ";
-    EXPECT_FALSE(kind == " W " || kind == " V " || kind == " u ") << text;
-  }
-  EXPECT_GT(strong, 100u);
 }
 
 #ifdef SINEW_IMPORTER_ARCHIVE

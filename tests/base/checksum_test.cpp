@@ -15,7 +15,7 @@ std::uint64_t of(std::string_view text, std::uint64_t seed = 0) {
   return checksum(std::as_bytes(std::span<const char>(text)), seed);
 }
 
-// Numbers of xxHash's own programs: `printf abc | xxhsum -H3`.
+// Values from xxHash's own program: `printf abc | xxhsum -H3`.
 TEST(checksum, has_the_published_numbers_of_xxh3) {
   EXPECT_EQ(of(""), 0x2d06800538d394c2u);
   EXPECT_EQ(of("abc"), 0x78af5f94892f3950u);

@@ -18,7 +18,7 @@ void leave(const BrokenContract&) { std::_Exit(7); }
 
 void throw_away(const BrokenContract&) { throw 7; }
 
-/// Sets a handler for as long as a test runs.
+/// Sets a contract handler for its lifetime.
 class With {
  public:
   explicit With(ContractHandler handler) : before_(set_contract_handler(handler)) {}

@@ -36,7 +36,8 @@ struct Corrected {
 
   void correct() {
     std::fill(weights.begin(), weights.end(), 0.0f);
-    run(CorrectPoseJob{.corrective = &corrective, .pose = pose.span(), .scratch = scratch, .weights = weights});
+    run_unchecked(
+        CorrectPoseJob{.corrective = &corrective, .pose = pose.span(), .scratch = scratch, .weights = weights});
   }
 
   /// The same in plain GLM code: in float, angles by arc cosine, which loses half its digits near a sample.

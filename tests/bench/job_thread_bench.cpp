@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "runtime/threads/job_thread.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/measure.h"
 
@@ -46,7 +46,7 @@ class Crowd {
  private:
   Executor executor() {
     return [this](std::size_t count, const std::function<void(std::size_t)>& body) {
-      if (arena_ != nullptr) return arena_->execute([&] { run_with_tbb(count, body); });
+      if (arena_ != nullptr) return arena_->execute([&] { run_in_parallel(count, body); });
       for (std::size_t i = 0; i < count; ++i) body(i);
     };
   }

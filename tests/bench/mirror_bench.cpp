@@ -24,9 +24,10 @@ struct Room {
         tables(make_mirror_tables(make_mirror_map(c->skeleton).joints)),
         pose(c->joint_count()),
         out(c->joint_count()) {
-    run(SampleClipJob{.clip = &c->clip, .time_s = 0.4 * c->animation.duration_s, .pose = pose.span(), .weights = {}});
+    run_unchecked(
+        SampleClipJob{.clip = &c->clip, .time_s = 0.4 * c->animation.duration_s, .pose = pose.span(), .weights = {}});
   }
-  void mirror() { run(MirrorPoseJob{&tables, pose.span(), out.span()}); }
+  void mirror() { run_unchecked(MirrorPoseJob{&tables, pose.span(), out.span()}); }
   void copy() { std::copy_n(pose.span().planes, PoseSpan::floats_for(of->joint_count()), out.span().planes); }
 };
 
@@ -48,7 +49,9 @@ struct Retargeted {
         target(with_other_axes(c->skeleton)),
         map(make_skeleton_map(c->skeleton, target)),
         tables(make_retarget_tables(map, c->skeleton, target)) {}
-  void run_job() { run(RetargetPoseJob{.tables = &tables, .pose = room.pose.span(), .retargeted = room.out.span()}); }
+  void run_job() {
+    run_unchecked(RetargetPoseJob{.tables = &tables, .pose = room.pose.span(), .retargeted = room.out.span()});
+  }
 };
 
 /// The feet of a pose on the same body with other axes, held again and again.
@@ -61,7 +64,7 @@ struct HeldFeet {
     on.run_job();
   }
   void run_job() {
-    run(HoldFeetJob{.feet = &feet, .ground = 0.0f, .pose = on.room.pose.span(), .held = on.room.out.span()});
+    run_unchecked(HoldFeetJob{.feet = &feet, .ground = 0.0f, .pose = on.room.pose.span(), .held = on.room.out.span()});
   }
 };
 

@@ -38,10 +38,10 @@ struct PosedSkin {
         edges(hemisphere_edges(skeleton, skin)),
         split(palette.size()),
         glm_rigid(palette.size()) {
-    run(JointPaletteJob{&skin, model, palette});
+    run_unchecked(JointPaletteJob{&skin, model, palette});
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
   }
-  void split_palette() { run(SplitPaletteJob{palette, split, &any_stretch, edges}); }
+  void split_palette() { run_unchecked(SplitPaletteJob{palette, split, &any_stretch, edges}); }
   /// Without stretch, which plain code leaves out.
   void split_glm() {
     for (std::size_t j = 0; j < glm_palette.size(); ++j) {
@@ -86,8 +86,8 @@ struct PosedModel {
     std::vector<Affine> model(joints);
     const Clip clip = scene->clips.empty() ? test::clip_of({}, scene->skeleton) : scene->clips[0];
     const double time_s = scene->animations.empty() ? 0.0 : 0.4 * scene->animations[0].duration_s;
-    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
-    run(LocalToModelJob{.skeleton = &scene->skeleton, .local = pose.span(), .root = {}, .model = model});
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
+    run_unchecked(LocalToModelJob{.skeleton = &scene->skeleton, .local = pose.span(), .root = {}, .model = model});
     for (const Skin& skin : scene->skins) skins.emplace_back(scene->skeleton, skin, model);
     for (const MeshInstance& instance : scene->instances)
       for (const Primitive& p : scene->meshes[instance.mesh].primitives) {
@@ -107,7 +107,7 @@ struct PosedModel {
 
   void skin_linear() {
     for (Skinned& s : parts)
-      run(SkinLinearJob{&s.primitive->influences, skins[s.skin].palette, in(s), out(s), NormalRule::linear});
+      run_unchecked(SkinLinearJob{&s.primitive->influences, skins[s.skin].palette, in(s), out(s), NormalRule::linear});
   }
   void skin_by_combination() {
     for (Skinned& s : parts) s.combinations.skin(skins[s.skin].palette, in(s), out(s));
@@ -116,16 +116,16 @@ struct PosedModel {
     for (PosedSkin& skin : skins) skin.split_palette();
     for (Skinned& s : parts) {
       const PosedSkin& skin = skins[s.skin];
-      run(SkinDualQuaternionJob{&s.primitive->influences, skin.split, skin.any_stretch, in(s), out(s), s.pairs,
-                                skin.palette});
+      run_unchecked(SkinDualQuaternionJob{&s.primitive->influences, skin.split, skin.any_stretch, in(s), out(s),
+                                          s.pairs, skin.palette});
     }
   }
   void skin_center_of_rotation() {
     for (PosedSkin& skin : skins) skin.split_palette();
     for (Skinned& s : parts) {
       const PosedSkin& skin = skins[s.skin];
-      run(SkinCenterOfRotationJob{&s.primitive->influences, skin.palette, skin.split, skin.any_stretch, s.centers,
-                                  in(s), out(s), s.pairs});
+      run_unchecked(SkinCenterOfRotationJob{&s.primitive->influences, skin.palette, skin.split, skin.any_stretch,
+                                            s.centers, in(s), out(s), s.pairs});
     }
   }
   void skin_glm_linear() {

@@ -28,15 +28,15 @@ struct PosedBiped {
   explicit PosedBiped(const glm::vec3& scale) {
     const Clip clip = test::clip_of(scenes::swinging(skeleton, 60), skeleton);
     test::PoseBuffer pose(skeleton.joint_count());
-    run(SampleClipJob{.clip = &clip, .time_s = 0.77, .pose = pose.span(), .weights = {}});
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = 0.77, .pose = pose.span(), .weights = {}});
     Transform root = pose.span().get(0);
     root.scale = scale;
     pose.span().set(0, root);
-    run(LocalToModelJob{&skeleton, pose.span(), {}, model});
+    run_unchecked(LocalToModelJob{&skeleton, pose.span(), {}, model});
     make();
   }
-  void make() { run(JointPaletteJob{&skin, model, palette}); }
-  void split() { run(SplitPaletteJob{palette, parts, &any_stretch, follow}); }
+  void make() { run_unchecked(JointPaletteJob{&skin, model, palette}); }
+  void split() { run_unchecked(SplitPaletteJob{palette, parts, &any_stretch, follow}); }
 };
 
 }  // namespace
@@ -58,7 +58,7 @@ void add_flat_normals() {
   const auto faces = std::make_shared<const FlatFaces>(sort_flat_faces(surface->indices, surface->vertex_count()));
   const auto normals = std::make_shared<std::vector<glm::vec3>>(surface->vertex_count());
   add("flat_normals/sinew/4ktriangles", kTriangles, [surface, faces, normals] {
-    run(FlatNormalsJob{faces.get(), surface->positions, surface->normals, false, *normals});
+    run_unchecked(FlatNormalsJob{faces.get(), surface->positions, surface->normals, false, *normals});
   });
 }
 

@@ -9,7 +9,7 @@
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/instance_lanes.h"
@@ -39,7 +39,7 @@ struct Room {
 
   void sample(double time_s) { sample(of->clip, time_s); }
   void sample(const Clip& clip, double time_s) {
-    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
   }
   void sample_glm(double time_s) {
     glm_pose::sample(of->animation, of->skeleton.rest, static_cast<float>(time_s), glm_joints);
@@ -84,7 +84,7 @@ struct Layers {
     }
     for (std::size_t l = 0; l < layer_count; ++l) layers.push_back({poses[l].span(), weights[l], {}});
   }
-  void blend() { run(BlendPosesJob{layers, rest.span(), out.span()}); }
+  void blend() { run_unchecked(BlendPosesJob{layers, rest.span(), out.span()}); }
 };
 
 constexpr std::size_t kCrowd = 1024;
@@ -134,8 +134,8 @@ struct Walker {
     from.sample(time_s);
     to.sample(later_s);
     const BlendLayer layers[] = {{from.pose.span(), 0.7f, {}}, {to.pose.span(), 0.3f, {}}};
-    run(BlendPosesJob{layers, from.pose.span(), mean.pose.span()});
-    run(LocalToModelJob{&mean.of->skeleton, mean.pose.span(), {}, mean.model});
+    run_unchecked(BlendPosesJob{layers, from.pose.span(), mean.pose.span()});
+    run_unchecked(LocalToModelJob{&mean.of->skeleton, mean.pose.span(), {}, mean.model});
   }
   void step_glm(double time_s, double later_s) {
     const float weights[] = {0.7f, 0.3f};
@@ -166,7 +166,7 @@ struct Walkers {
     if (threads == 1)
       range(0);
     else
-      run_with_tbb(threads, range);
+      run_in_parallel(threads, range);
   }
 };
 
@@ -187,7 +187,7 @@ struct Instances {
     for (std::size_t i = 0; i < kCount; ++i) {
       rooms.push_back(std::make_unique<Room>(c));
       const double time_s = std::fmod(0.11 * static_cast<double>(i), c->animation.duration_s);
-      run(SampleClipJob{.clip = &c->clip, .time_s = time_s, .pose = pose(i), .weights = {}});
+      run_unchecked(SampleClipJob{.clip = &c->clip, .time_s = time_s, .pose = pose(i), .weights = {}});
       rooms[i]->sample_glm(time_s);
     }
     one_by_one();
@@ -202,10 +202,10 @@ struct Instances {
   void one_by_one() {
     const std::size_t joints = of->joint_count();
     for (std::size_t i = 0; i < kCount; ++i)
-      run(LocalToModelJob{.skeleton = &of->skeleton,
-                          .local = pose(i),
-                          .root = {},
-                          .model = std::span(model).subspan(i * joints, joints)});
+      run_unchecked(LocalToModelJob{.skeleton = &of->skeleton,
+                                    .local = pose(i),
+                                    .root = {},
+                                    .model = std::span(model).subspan(i * joints, joints)});
   }
   void in_lanes() { lanes.local_to_model(poses.span().planes, pitch(), model.data()); }
   void glm() {
@@ -279,7 +279,9 @@ void add_local_to_model() {
     const auto room = std::make_shared<Room>(c);
     room->sample(0.4 * c->animation.duration_s);
     room->sample_glm(0.4 * c->animation.duration_s);
-    const auto ours = [room] { run(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model}); };
+    const auto ours = [room] {
+      run_unchecked(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model});
+    };
     const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton, room->glm_joints, room->glm_model); };
     ours();
     plain();

@@ -11,7 +11,7 @@
 #include "runtime/pose/joint_palette.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/threads/tbb_executor.h"
+#include "runtime/threads/default_executor.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/slower_variants.h"
@@ -54,13 +54,13 @@ struct Surface {
     primitive = scenes::skinned_surface(skeleton, vertex_count, influence_count, order);
     test::PoseBuffer pose(skeleton.joint_count());
     std::vector<Affine> model(skeleton.joint_count());
-    run(SampleClipJob{.clip = &clip, .time_s = 0.77, .pose = pose.span(), .weights = {}});
-    run(LocalToModelJob{&skeleton, pose.span(), {}, model});
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = 0.77, .pose = pose.span(), .weights = {}});
+    run_unchecked(LocalToModelJob{&skeleton, pose.span(), {}, model});
     palette.resize(skin.joints.size());
     split.resize(skin.joints.size());
-    run(JointPaletteJob{&skin, model, palette});
+    run_unchecked(JointPaletteJob{&skin, model, palette});
     pairs = sharing_pairs(primitive.influences, palette.size());
-    run(SplitPaletteJob{palette, split, &any_stretch, hemisphere_edges(skeleton, skin)});
+    run_unchecked(SplitPaletteJob{palette, split, &any_stretch, hemisphere_edges(skeleton, skin)});
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
     for (const RigidStretch& s : split) glm_rigid.push_back({s.rigid.real, s.rigid.dual});
   }
@@ -148,24 +148,25 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   const auto wanted = kind.wanted;
   const std::size_t count = s->primitive.vertex_count();
   add_with_error("skin_linear/sinew/" + tail, s, wanted, Skinning::linear, [s, wanted] {
-    run(SkinLinearJob{&s->primitive.influences, s->palette, s->in(wanted), s->output(), NormalRule::linear});
+    run_unchecked(SkinLinearJob{&s->primitive.influences, s->palette, s->in(wanted), s->output(), NormalRule::linear});
   });
   add_with_error("skin_linear/glm/" + tail, s, wanted, Skinning::linear, [s, wanted] {
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
   add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
-    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), s->pairs,
-                              s->palette});
+    run_unchecked(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(),
+                                        s->pairs, s->palette});
   });
   add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
   });
   add_with_error("skin_dual_quaternion/signs_by_vertex/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
-    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), {}});
+    run_unchecked(
+        SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), {}});
   });
   const auto small = std::make_shared<Bytes>(s->primitive.influences);
   add_with_error("skin_linear/bytes/" + tail, s, wanted, Skinning::linear, [s, wanted, small] {
-    run(SkinLinearJob{small->streams(), s->palette, s->in(wanted), s->output(), NormalRule::linear});
+    run_unchecked(SkinLinearJob{small->streams(), s->palette, s->in(wanted), s->output(), NormalRule::linear});
   });
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
@@ -183,8 +184,8 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
   const glm_skin::Attributes wanted{true, false};
   add_with_error("skin_center_of_rotation/sinew/" + tail, s, wanted, Skinning::center_of_rotation,
                  [s, centers, wanted] {
-                   run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers,
-                                               s->in(wanted), s->output(), s->pairs});
+                   run_unchecked(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch,
+                                                         *centers, s->in(wanted), s->output(), s->pairs});
                  });
   add_with_error("skin_center_of_rotation/glm/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
     glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted),
@@ -199,7 +200,7 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
     parts->push_back(std::make_shared<Surface>(vertex_count / static_cast<std::uint32_t>(threads), 4u));
   const glm_skin::Attributes wanted{true, false};
   const auto each = [parts, threads](const auto& skin) {
-    run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); });
+    run_in_parallel(threads, [&](std::size_t t) { skin(*(*parts)[t]); });
   };
   const Surface& one = *parts->front();
   Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
@@ -208,7 +209,8 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
       "skin_linear/sinew/" + tail, vertex_count,
       [each, wanted] {
         each([&](Surface& s) {
-          run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
+          run_unchecked(
+              SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
         });
       },
       facts);
@@ -239,7 +241,7 @@ void add_cold_case(const std::string& tail, std::uint32_t vertex_count) {
       "skin_linear/sinew/" + tail, vertex_count,
       [turns, wanted] {
         Surface& s = turns->next();
-        run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
+        run_unchecked(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
       },
       facts);
   add(
@@ -310,7 +312,7 @@ void add_morph() {
       add(std::string("morph/") + implementation + "/" + tail, 10'000, work, {f->error_m(weights), 0});
     };
     add_measured("sinew", [=] {
-      run(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true});
+      run_unchecked(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true});
     });
     add_measured("glm", [=] { glm_skin::morph(f->primitive.morphs, weights, in(), out()); });
   }

@@ -53,7 +53,8 @@ Scene walker(float size) {
 
 std::vector<float> model_of(const Scene& scene, const PoseSpan& pose) {
   std::vector<Affine> model(scene.skeleton.joint_count());
-  run(LocalToModelJob{.skeleton = &scene.skeleton, .local = pose, .root = {}, .model = model});
+  EXPECT_EQ(run(LocalToModelJob{.skeleton = &scene.skeleton, .local = pose, .root = {}, .model = model}),
+            ErrorCode::ok);
   std::vector<float> numbers;
   add_numbers<Affine>(numbers, model);
   return numbers;
@@ -61,7 +62,7 @@ std::vector<float> model_of(const Scene& scene, const PoseSpan& pose) {
 
 std::vector<float> model_of(const Scene& scene, const Clip& clip, double time_s) {
   PoseBuffer pose(scene.skeleton.joint_count());
-  run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
+  EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}}), ErrorCode::ok);
   return model_of(scene, pose.span());
 }
 
@@ -187,10 +188,11 @@ TEST(c_clips, retargeted_poses_are_those_of_the_cpp_interface) {
   ASSERT_EQ(feet.legs.size(), 2u);
   for (const int held : {0, 1}) {
     PoseBuffer pose(7), scratch(7), retargeted(7);
-    run(SampleClipJob{.clip = &from.clips[0], .time_s = 0.8, .pose = pose.span(), .weights = {}});
-    run(RetargetPoseJob{&tables, pose.span(), scratch.span(), retargeted.span()});
+    EXPECT_EQ(run(SampleClipJob{.clip = &from.clips[0], .time_s = 0.8, .pose = pose.span(), .weights = {}}),
+              ErrorCode::ok);
+    EXPECT_EQ(run(RetargetPoseJob{&tables, pose.span(), scratch.span(), retargeted.span()}), ErrorCode::ok);
     const auto ground = static_cast<float>(find_ground(feet, from.animations[0], from.skeleton));
-    if (held) run(HoldFeetJob{&feet, ground, pose.span(), retargeted.span()});
+    if (held) EXPECT_EQ(run(HoldFeetJob{&feet, ground, pose.span(), retargeted.span()}), ErrorCode::ok);
     Numbers read;
     ASSERT_EQ(engine_retarget(&source, &target, 0.8, held, &read), SINEW_OK);
     EXPECT_TRUE(same_bits<float>(read.all(), model_of(to, retargeted.span()))) << held;

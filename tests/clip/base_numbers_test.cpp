@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/clip/base_numbers.h"
+#include "runtime/clip/clip_rest.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(base_numbers, a_few_of_their_own_lie_over_those_that_are_shared) {
   const BaseNumbers numbers(rest, {{90, 5.0f}, {3, -1.0f}, {90, 6.0f}});
   std::vector<float> expected = rising(100);
   expected[3] = -1.0f;
-  expected[90] = 6.0f;  // the last of two
+  expected[90] = 6.0f;  // of two values the last one counts
   EXPECT_EQ(copy_of(numbers), expected);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(numbers[i], expected[i]);
   EXPECT_EQ(numbers.rest(), rest);

@@ -14,7 +14,7 @@
 
 namespace sinew::test {
 
-/// Writes size and checksum of what is there now: the head keeps nothing from the loader.
+/// Updates size and checksum in the head, so that the loader reads an altered block.
 inline void sign(std::vector<std::byte>& block) {
   const std::uint64_t sum = XXH3_64bits(block.data() + kClipFileHead, block.size() - kClipFileHead);
   const std::uint64_t size = block.size();
@@ -22,8 +22,8 @@ inline void sign(std::vector<std::byte>& block) {
   std::memcpy(block.data() + 24, &sum, 8);
 }
 
-/// A block of one compiled clip, number by number, so that each can be wrong by itself. Written down from the form,
-/// with nothing of the code that saves clips.
+/// The fields of a block with one compiled clip, so that a test can make each of them wrong. It is written from the
+/// specification of the format, without the code that saves clips.
 struct ClipFields {
   struct Tracks {
     std::uint8_t property, interpolation, packed;
@@ -49,7 +49,7 @@ struct ClipFields {
   std::uint64_t sizes[4] = {90, 40, 4000, 400};
   std::vector<float> weights = {0.1f, 0.2f, 0.3f}, properties = {1.0f, 2.0f};
   std::vector<Group> groups;
-  std::vector<float> translations, rotations, scales;  ///< at rest
+  std::vector<float> translations, rotations, scales;  ///< rest values
 
   std::vector<std::byte> block() const {
     std::vector<std::byte> out;
@@ -57,13 +57,13 @@ struct ClipFields {
       const auto* bytes = reinterpret_cast<const std::byte*>(&number);
       out.insert(out.end(), bytes, bytes + sizeof(number));
     };
-    // How many floats a number is from what is expected, 0 1 2 3 4 for 0 -1 1 -2 2, in groups of seven bits.
+    // The distance of a number from the expected one, in floats, zigzag coded (0 1 2 3 4 for 0 -1 1 -2 2), as a
+    // varint.
     const auto add_near = [&](float number, float expected) {
       std::int32_t bits = 0, expected_bits = 0;
       std::memcpy(&bits, &number, 4);
       std::memcpy(&expected_bits, &expected, 4);
-      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) -
-                                                 expected_bits);  // of 32 bits, whatever the distance
+      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - expected_bits);  // wraps at 32 bits
       std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2)
                                                                 : static_cast<std::int64_t>(gap) * 2);
       for (; turned > 127; turned /= 128) add(static_cast<std::uint8_t>(turned % 128 + 128));
@@ -82,7 +82,7 @@ struct ClipFields {
     add(std::uint32_t{0});
     add(std::uint64_t{0});
     add(std::uint64_t{0});
-    add(std::uint32_t{1});  // clips
+    add(std::uint32_t{1});  // number of clips
     add_all(name);
     add(duration_s);
     add(joint_count);

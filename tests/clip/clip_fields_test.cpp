@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every number of a block of compiled clips, wrong by itself: each check of load_clips has a case that only it refuses.
+// Makes every field of a block of compiled clips wrong. Each check of load_clips has a case that no other check
+// refuses.
 #include "tests/clip/clip_fields.h"
 
 #include <gtest/gtest.h>
@@ -31,20 +32,20 @@ Tracks full(std::uint8_t property, std::uint8_t interpolation, std::vector<std::
   return {property, interpolation, 0, count, std::move(gaps), steps(numbers), {}, {}, {}, {}};
 }
 
-/// `low` and, of components that change, `step`.
+/// Adds the halves of `low`, and the upper half of `step` if the component takes bits.
 void add_range(std::vector<std::uint16_t>& ranges, std::uint8_t width) {
   ranges.insert(ranges.end(), {0x3e00, 0x0000});  // 0.125
   if (width > 0) ranges.push_back(0x3c00);        // 0.0078125
 }
 
-/// The same row for each key.
+/// The bits of `keys` equal rows.
 std::vector<std::uint8_t> rows(std::size_t keys, const std::vector<std::uint8_t>& row) {
   std::vector<std::uint8_t> bits;
   for (std::size_t k = 0; k < keys; ++k) bits.insert(bits.end(), row.begin(), row.end());
   return bits;
 }
 
-/// Two rotations, one of them without its w: 9 and 8 bits, so that a key takes three bytes.
+/// Two rotations, one of them with w as derived component. They take 9 and 8 bits, so a key takes three bytes.
 Tracks packed_rotations(std::size_t keys) {
   Tracks t{kRotation, kLinear, 1, 2, {0, 3}, {}, {3, 2, 3, 2, 3, 2, 0, 2}, {3, 4}, {}, rows(keys, {0x5a, 0x5a, 0x01})};
   for (std::size_t at = 0; at < 8; ++at)
@@ -58,7 +59,7 @@ Tracks packed_vectors(std::size_t keys) {
   return t;
 }
 
-/// One joint left at rest in each property; blocks of each kind.
+/// A clip with a block of each kind, and one joint at rest in each property.
 ClipFields valid() {
   ClipFields f;
   f.groups = {{{0.0f, 1.0f, 2.0f},
@@ -85,8 +86,10 @@ TEST(clip_fields, that_are_all_right_make_a_clip) {
   EXPECT_EQ(save_clips({&one, 1}), valid().block()) << "the form is the one that clips are saved in";
   test::PoseBuffer pose(4);
   std::vector<float> weights(3), numbers(2);
-  run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = weights, .properties = numbers});
-  EXPECT_EQ(pose.span().get(3).translation, glm::vec3(0.125f, 0.25f, 0.375f));  // at rest
+  EXPECT_EQ(
+      run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = weights, .properties = numbers}),
+      ErrorCode::ok);
+  EXPECT_EQ(pose.span().get(3).translation, glm::vec3(0.125f, 0.25f, 0.375f));  // rest value
   EXPECT_EQ(pose.span().get(1).translation,
             glm::vec3(0.125f + 19 * 0.0078125f, 0.125f, 0.125f + 9 * 0.0078125f));  // 0x3333: 10011 and 1001
   EXPECT_EQ(weights, (std::vector<float>{0.1f, 0.125f, 0.25f}));
@@ -99,7 +102,7 @@ struct Damage {
 };
 
 Tracks& tracks(ClipFields& f, std::size_t group, std::size_t block) { return f.groups[group].blocks[block]; }
-/// Of a half of a number in `ranges`: its upper bits say that it is no number.
+/// The upper half of a NaN, for `ranges`.
 constexpr std::uint16_t kNoNumber = 0x7fc0;
 
 const Damage kDamages[] = {
@@ -236,7 +239,8 @@ TEST(clip_fields, a_block_of_more_lanes_than_bits_can_be_counted_for_is_refused)
 }
 
 TEST(clip_fields, few_bytes_make_little_memory) {
-  // One track of joint 0 and one far away take a table of all places between: refused where it is asked for, not later.
+  // Tracks of joint 0 and of a joint far away need JointPlaces for all joints between. This is refused before it
+  // allocates.
   ClipFields far = valid();
   far.joint_count = 1u << 29;
   far.name = "";
@@ -252,7 +256,7 @@ TEST(clip_fields, few_bytes_make_little_memory) {
   without.scales.clear();
   EXPECT_LT(loaded.error().offset, without.block().size() + 48) << "before the rows of the block are read";
 
-  // What each block takes adds up.
+  // The limit of memory counts all blocks together.
   for (const std::size_t blocks : {std::size_t{1}, std::size_t{24}}) {
     ClipFields many;
     many.joint_count = 200'000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds for saved clips of any content: nothing is lost, and no damage does harm.
+// Properties of saved clips with random content: nothing is lost, and damaged bytes do no harm.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -40,7 +40,7 @@ RC_GTEST_PROP(clip_file_properties, damaged_bytes_are_refused_or_sample_safely, 
       case 3: block.insert(rest, 1 + random.below(9), static_cast<std::byte>(random.below(256))); break;
     }
   }
-  RC_PRE(block != sound);  // a byte may be replaced by itself
+  RC_PRE(block != sound);  // the new byte may equal the old one
   const auto unsigned_block = load_clips(block);
   RC_ASSERT(!unsigned_block);
   RC_ASSERT(unsigned_block.error().rule == "clip-size" || unsigned_block.error().rule == "clip-checksum");
@@ -53,7 +53,7 @@ RC_GTEST_PROP(clip_file_properties, damaged_bytes_are_refused_or_sample_safely, 
   }
   for (const Clip& clip : *loaded) {
     RC_ASSERT(clip.joint_count() < 1'000'000u);
-    test::samples_of(clip);  // reads and writes where it may: the sanitizers look
+    test::samples_of(clip);  // sanitizers find accesses outside of the clip
   }
 }
 

@@ -26,7 +26,7 @@ Skeleton wide_skeleton(std::uint32_t joints) {
   return skeleton;
 }
 
-/// A joint that turns, and one that is held somewhere.
+/// An animation with a joint that turns, and one with a constant translation.
 Animation small_animation(std::uint32_t turned, std::uint32_t held) {
   BoneAnimation turn, hold;
   turn.joint = turned;
@@ -41,7 +41,7 @@ std::vector<float> planes_at(const Clip& clip, double time_s) {
   test::PoseBuffer pose(clip.joint_count());
   const SampleClipJob job{.clip = &clip, .time_s = time_s, .pose = pose.span()};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   const float* planes = pose.span().planes;
   return {planes, planes + PoseSpan::floats_for(clip.joint_count())};
 }
@@ -108,12 +108,12 @@ TEST(clip_rest, clips_of_some_joints_go_on_sharing) {
   for (std::uint32_t j = 0; j < kJoints; j += 2) even.push_back(j);
   const std::vector<Clip> kept = keep_joints(clips, even);
   EXPECT_EQ(kept[0].layout().base_pose.rest(), kept[1].layout().base_pose.rest());
-  EXPECT_TRUE(kept[0].layout().base_pose.own().empty());  // joint 7 is gone
+  EXPECT_TRUE(kept[0].layout().base_pose.own().empty());  // joint 7 was not kept
   EXPECT_EQ(kept[1].layout().base_pose.own().size(), 3u);
   for (const std::size_t i : {0u, 1u}) expect_same_poses(kept[i], keep_joints(clips[i], even));
 }
 
-/// A block has tables from its first joint to its last, so joints far apart are of several blocks.
+/// A block has table entries for all joints from its first to its last, so joints far apart get separate blocks.
 TEST(clip_rest, joints_far_apart_take_no_tables_of_those_between) {
   const Skeleton skeleton = wide_skeleton(100'000);
   std::vector<BoneAnimation> bones;

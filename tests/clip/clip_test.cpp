@@ -74,7 +74,8 @@ TEST(clip, P02_equal_weights_with_a_tangent_between_them_are_not_constant) {
   for (const bool at_the_end : {false, true})
     for (const std::size_t target : {0u, 1u}) {
       Animation animation{"test", 1.0, {}, {}};
-      std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0, 0, 0, 0.5f, 0.25f, 7, 7};  // the first and last mean nothing
+      std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0,
+                                 0, 0, 0.5f, 0.25f, 7, 7};  // the first and last tangents are unused
       rows[(at_the_end ? 6 : 4) + target] = 1.0f;
       animation.weights = {{0, {Interpolation::cubic_spline, {0, 1}, rows, 2}}};
       const float rest[] = {0.0f, 0.0f};

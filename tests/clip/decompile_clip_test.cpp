@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// What varied_clip (varied_clip.h) is compiled with, but for the rest pose.
+/// The inputs of compile_clip for varied_clip (varied_clip.h), except the rest pose.
 struct Rest {
   Skeleton skeleton = chain_skeleton(21);
   std::vector<float> weights{0.1f, 0.2f, 0.3f, 0.4f};
@@ -29,7 +29,7 @@ bool samples_the_same(const Clip& a, const Clip& b) {
 TEST(decompile_clip, compiled_again_it_samples_the_bits_of_the_unpacked_clip) {
   for (std::uint64_t seed = 1; seed < 20; ++seed) {
     const Clip clip = varied_clip(seed);
-    const Rest rest;  // another pose than the clip was compiled with: the clip carries its own
+    const Rest rest;  // its pose differs from that of the clip, which has its own copy
     const auto animation =
         decompile_clip(clip, clip_rest(rest.skeleton, rest.weights, rest.properties), rest.first, rest.properties);
     ASSERT_TRUE(animation);
@@ -123,7 +123,7 @@ TEST(decompile_clip, one_joint_moves_as_it_does_in_the_clip) {
       const BoneAnimation bone = decompile_joint(clip, joint);
       EXPECT_EQ(bone.joint, joint);
       for (double t = -0.2; t < 5.0; t += 0.11) {
-        run(SampleClipJob{&played, t, pose.span(), {}});
+        EXPECT_EQ(run(SampleClipJob{&played, t, pose.span(), {}}), ErrorCode::ok);
         const Transform expected = pose.span().get(joint);
         const Transformd found = bone.interpolate<double>(t, {});
         EXPECT_LE(glm::length(found.translation - glm::dvec3(expected.translation)), 1e-5) << joint << " at " << t;
@@ -157,7 +157,7 @@ TEST(decompile_clip, a_clip_that_moves_a_part_of_a_property_is_refused) {
   const Clip clip = compile_clip(animation, rest.skeleton, rest.weights, rest.first, rest.properties);
   const ClipRest same = clip_rest(rest.skeleton, rest.weights, rest.properties);
   ASSERT_TRUE(decompile_clip(clip, same, rest.first, rest.properties));
-  PropertyTable shifted = rest.properties;  // as many numbers, of other lengths
+  PropertyTable shifted = rest.properties;  // same total, but other component counts
   shifted.entries[1] = {{PropertyKind::light_intensity, 1}, 4, 1};
   EXPECT_EQ(decompile_clip(clip, same, rest.first, shifted).error(), ErrorCode::unsupported);
   shifted.entries[1] = {{PropertyKind::texture_scale, 0}, 3, 2};

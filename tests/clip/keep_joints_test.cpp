@@ -29,12 +29,12 @@ Sample sample(const Clip& clip, double time_s) {
   Sample out{{}, std::vector<float>(clip.weight_count())};
   const SampleClipJob job{.clip = &clip, .time_s = time_s, .pose = pose, .weights = out.weights};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < clip.joint_count(); ++j) out.pose.push_back(pose.get(j));
   return out;
 }
 
-/// Any joints with the parents of each.
+/// Random joints, and all joints above them.
 std::vector<std::uint32_t> some_joints(const Skeleton& skeleton, FixedRandom& random) {
   std::vector<bool> kept(skeleton.joint_count());
   for (std::size_t j = kept.size(); j-- > 0;) {
@@ -54,8 +54,8 @@ KeyTolerances coarse(const Animation& animation, std::size_t targets) {
   return rounding;
 }
 
-/// Compares what is kept of a clip with the whole at many times; answers how many blocks of joints are packed, and have
-/// several lanes.
+/// Expects that the kept joints have the bits of the whole clip at many times. Returns the number of packed blocks
+/// with several lanes.
 std::size_t expect_same_bits(const Clip& whole, std::span<const std::uint32_t> joints) {
   const Clip kept = keep_joints(whole, joints);
   EXPECT_EQ(kept.joint_count(), joints.size());
@@ -76,7 +76,7 @@ std::size_t expect_same_bits(const Clip& whole, std::span<const std::uint32_t> j
 TEST(keep_joints, N27_what_is_kept_has_the_bits_of_the_whole_clip) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.joints = 8 + seed * 7;  // several vectors of lanes
+    options.joints = 8 + seed * 7;  // more lanes than one vector has
     const Scene scene = random_scene(seed, options);
     const std::vector<float> rest_weights = rest_weights_of(scene);
     FixedRandom random(seed);
@@ -92,7 +92,8 @@ TEST(keep_joints, N27_what_is_kept_has_the_bits_of_the_whole_clip) {
 TEST(keep_joints, N27_lanes_of_tracks_that_share_their_times_keep_their_bits) {
   const Skeleton skeleton = scenes::biped();
   Animation animation = scenes::swinging(skeleton, 30);
-  // Joints that turn farther from key to key than the others, the last one so far that its slerp takes more steps.
+  // Some joints turn farther from key to key than others. The last one turns so far that its slerp needs a higher
+  // power.
   for (const auto& [from_last, step_rad] : {std::pair{1, 1.0f}, {2, 0.28f}, {3, 0.27f}, {4, 0.29f}}) {
     QuatTrack& track = animation.bones[animation.bones.size() - static_cast<std::size_t>(from_last)].rotation;
     for (std::size_t k = 0; k < track.values.size(); ++k) {

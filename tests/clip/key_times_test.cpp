@@ -50,7 +50,7 @@ TEST(key_times, bucketed_search_answers_as_the_plain_one_on_beside_and_between_k
   }
 }
 
-/// Keys at `fps`, each moved by up to a third of the way to the next.
+/// Keys at `fps`, each moved by up to a third of the interval.
 std::vector<float> nearly_even(std::size_t count, double fps, test::FixedRandom& random) {
   std::vector<float> times;
   for (std::size_t i = 0; i < count; ++i)
@@ -68,7 +68,7 @@ TEST(key_times, P03_a_search_takes_the_same_few_comparisons_however_many_keys_th
 
 TEST(key_times, P03_crowded_keys_take_no_more_comparisons_than_a_binary_search) {
   for (const std::size_t count : {std::size_t{100}, std::size_t{10'000}}) {
-    std::vector<float> times;  // all within a second, and one an hour later
+    std::vector<float> times;  // all within one second, except one an hour later
     for (std::size_t i = 0; i + 1 < count; ++i) times.push_back(static_cast<float>(i) / static_cast<float>(count));
     times.push_back(3600.0f);
     const KeyTimes keys(times);

@@ -18,7 +18,7 @@ QuatTrack wandering(test::FixedRandom& random, std::size_t keys, double step_rad
   for (std::size_t k = 0; k < keys; ++k) {
     q = normalised(q * random.rotation_by<double>(random.in(0, step_rad)));
     track.times_s.push_back(static_cast<float>(k));
-    track.values.push_back(quat_cast<float>(k % 3 == 0 ? -q : q));  // signs of no meaning
+    track.values.push_back(quat_cast<float>(k % 3 == 0 ? -q : q));  // the sign of a quaternion has no meaning
   }
   return track;
 }

@@ -27,7 +27,7 @@ QuatTrack turning(test::FixedRandom& random, double step_rad) {
   return track;
 }
 
-/// Little and much turning, so that some leave out a component, each of the four, and some none.
+/// Tracks that turn little or much, so that each of the four components is derived in some, and none in others.
 std::vector<PackedTrack> rotations(std::size_t count) {
   test::FixedRandom random(4);
   std::vector<PackedTrack> tracks;
@@ -80,7 +80,7 @@ TEST(packed_rows, the_order_of_lanes_has_the_components_of_each_lane_one_after_a
   EXPECT_EQ(again.power, rows.power);
 }
 
-/// Tracks with any widths that they may have.
+/// Tracks with random widths, within what is allowed.
 std::vector<PackedTrack> of_any_width(test::FixedRandom& random, std::uint32_t most_bits) {
   std::vector<PackedTrack> tracks = rotations(23);
   for (PackedTrack& track : tracks)

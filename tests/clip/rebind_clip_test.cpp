@@ -25,12 +25,12 @@ Sample sample(const Clip& clip, double time_s) {
   const SampleClipJob job{
       .clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = out.weights, .properties = out.numbers};
   EXPECT_EQ(check(job), ErrorCode::ok);
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < clip.joint_count(); ++j) out.pose.push_back(pose.span().get(j));
   return out;
 }
 
-/// What a clip rests on that sets few constants.
+/// Rest values under which the clip has few constants.
 ClipRest rest_under(const Clip& clip) {
   const ClipLayout& layout = clip.layout();
   return {clip.joint_count(), layout.base_pose.rest(), layout.base_weights.rest(), layout.base_properties.rest()};
@@ -71,7 +71,7 @@ TEST(rebind_clip, where_nothing_differs_it_is_the_same_handle) {
   const Clip clip = varied_clip(1);
   const ClipRest from = rest_under(clip);
   ClipRest equal = from;
-  equal.pose = rest_numbers(*from.pose);  // other memory
+  equal.pose = rest_numbers(*from.pose);  // equal bits in other memory
   EXPECT_EQ(&rebind_clip(clip, from, each_to_itself(clip), equal).layout(), &clip.layout());
 }
 
@@ -86,7 +86,7 @@ TEST(rebind_clip, joints_in_another_order_keep_the_bits_of_their_tracks) {
       std::swap(targets.joints[j], targets.joints[random.below(static_cast<std::uint32_t>(j + 1))]);
     for (std::uint32_t& joint : targets.joints) joint += 5;
     targets.joints[3] = kNone;
-    targets.weights = {2, 7, kNone, 0};  // no two side by side
+    targets.weights = {2, 7, kNone, 0};  // no two stay consecutive
     const ClipRest to = random_rest(30, 9, random);
     const Clip bound = rebind_clip(clip, from, targets, to);
     for (double t = -0.5; t < 5; t += 0.083) {
@@ -127,7 +127,7 @@ TEST(rebind_clip, another_rest_pose_shares_all_keys_and_moves_what_the_clip_does
   EXPECT_TRUE(same_bits(sample(bound, 1.0).pose[still], at_rest(to, still)));
 }
 
-/// Joint 0 is held where `held` says, joint 1 turns.
+/// A clip in which joint 0 has the constant translation `held`, and joint 1 turns.
 Clip holding_clip(const Skeleton& skeleton, const glm::vec3& held) {
   BoneAnimation hold, turn;
   hold.joint = 0;
@@ -149,7 +149,8 @@ TEST(rebind_clip, a_constant_is_motion_only_where_it_differs_from_the_rest_of_it
   const ClipTargets targets = each_to_itself(at_rest);
   EXPECT_EQ(sample(rebind_clip(at_rest, from, targets, to), 0.5).pose[0].translation, glm::vec3(4, 5, 6));
   const Clip bound = rebind_clip(elsewhere, from, targets, to);
-  EXPECT_EQ(sample(bound, 0.5).pose[0].translation, glm::vec3(1, 2, 4));  // also the numbers that are as at rest
+  EXPECT_EQ(sample(bound, 0.5).pose[0].translation,
+            glm::vec3(1, 2, 4));  // all components, also those equal to the rest value
   EXPECT_EQ(bound.counts().folded, 1u);
 }
 

@@ -138,7 +138,8 @@ std::uint64_t hash_of(const Scene& scene, const Clip& clip) {
   std::vector<Transform> locals(scene.skeleton.joint_count());
   BitHash hash;
   for (int i = 0; i <= 40; ++i) {
-    run(SampleClipJob{.clip = &clip, .time_s = 0.0546875 * i, .pose = pose.span(), .weights = weights});
+    EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = 0.0546875 * i, .pose = pose.span(), .weights = weights}),
+              ErrorCode::ok);
     for (std::size_t j = 0; j < locals.size(); ++j) locals[j] = pose.span().get(j);
     hash.add(std::span(locals)).add(std::span(weights));
   }

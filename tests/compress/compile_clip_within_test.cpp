@@ -129,8 +129,10 @@ TEST(compile_clip_within, G06_a_budget_of_zero_keeps_every_key_bit_for_bit) {
   test::PoseBuffer a(9), b(9);
   for (int i = 0; i < 50; ++i) {
     const double time_s = random.in(0, scene.animations[0].duration_s);
-    run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = a.span(), .weights = {}});
-    run(SampleClipJob{.clip = &within.clip, .time_s = time_s, .pose = b.span(), .weights = {}});
+    EXPECT_EQ(run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = a.span(), .weights = {}}),
+              ErrorCode::ok);
+    EXPECT_EQ(run(SampleClipJob{.clip = &within.clip, .time_s = time_s, .pose = b.span(), .weights = {}}),
+              ErrorCode::ok);
     for (std::size_t j = 0; j < 9; ++j) EXPECT_EQ(a.span().get(j), b.span().get(j));
   }
   EXPECT_EQ(within.clip.certificate()->kept_keys, within.clip.certificate()->source_keys);
@@ -263,7 +265,8 @@ TEST(compile_clip_within, morph_weights_are_held_by_what_they_displace) {
     test::PoseBuffer pose(1);
     for (int i = 0; i < 200; ++i) {
       const double t = random.in(0, scene.animations[0].duration_s);
-      run(SampleClipJob{.clip = &within.clip, .time_s = t, .pose = pose.span(), .weights = weights});
+      EXPECT_EQ(run(SampleClipJob{.clip = &within.clip, .time_s = t, .pose = pose.span(), .weights = weights}),
+                ErrorCode::ok);
       double expected[2];
       sample_track<double>(animated.weights, t, std::span<double>(expected));
       EXPECT_LE(2 * std::abs(weights[0] - expected[0]) + 1e-3 * std::abs(weights[1] - expected[1]), budget);

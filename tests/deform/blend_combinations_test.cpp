@@ -34,7 +34,7 @@ TEST(blend_combinations, C06_is_the_weighted_sum_of_the_matrices) {
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> blended(s.positions.size());
-    run(BlendCombinationsJob{&s.influences, s.palette, blended});
+    EXPECT_EQ(run(BlendCombinationsJob{&s.influences, s.palette, blended}), ErrorCode::ok);
     for (const InfluenceGroup& group : s.influences.groups)
       for (std::size_t k = 0; k < group.vertex_count; ++k)
         for (int c = 0; c < 4; ++c) {
@@ -64,10 +64,13 @@ TEST(blend_combinations, C06_vertices_that_follow_them_have_the_bits_of_those_th
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> blended(count);
-    run(BlendCombinationsJob{&s.influences, s.palette, blended});
+    EXPECT_EQ(run(BlendCombinationsJob{&s.influences, s.palette, blended}), ErrorCode::ok);
     std::vector<glm::vec3> expected(count), found(count);
-    run(SkinLinearJob{&s.influences, s.palette, {s.positions, {}, {}}, {expected, {}, {}}, NormalRule::linear});
-    run(SkinLinearJob{&follow, blended, {s.positions, {}, {}}, {found, {}, {}}, NormalRule::linear});
+    EXPECT_EQ(
+        run(SkinLinearJob{&s.influences, s.palette, {s.positions, {}, {}}, {expected, {}, {}}, NormalRule::linear}),
+        ErrorCode::ok);
+    EXPECT_EQ(run(SkinLinearJob{&follow, blended, {s.positions, {}, {}}, {found, {}, {}}, NormalRule::linear}),
+              ErrorCode::ok);
     EXPECT_TRUE(same_bits<glm::vec3>(expected, found)) << test::simd_name(target);
   }
 }

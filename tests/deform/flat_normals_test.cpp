@@ -24,11 +24,12 @@ Points flat(const Points& positions, const Indices& triangles, bool turned = fal
   const Points rest(positions.size(), glm::vec3(0, 1, 0));
   Points normals(positions.size() + 1, glm::vec3(9));
   const FlatFaces faces = sort_flat_faces(triangles, positions.size());
-  run(FlatNormalsJob{.faces = &faces,
-                     .positions = positions,
-                     .rest_normals = rest,
-                     .turned = turned,
-                     .normals = std::span(normals).first(positions.size())});
+  EXPECT_EQ(run(FlatNormalsJob{.faces = &faces,
+                               .positions = positions,
+                               .rest_normals = rest,
+                               .turned = turned,
+                               .normals = std::span(normals).first(positions.size())}),
+            ErrorCode::ok);
   EXPECT_EQ(normals.back(), glm::vec3(9)) << "written past the end";
   normals.pop_back();
   return normals;

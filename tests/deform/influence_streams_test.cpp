@@ -97,11 +97,12 @@ void expect_quotients() {
                                          joint_matrix_from(affine_from(Mat3<float>(0.0f), glm::vec3(0)))};
   const std::vector<glm::vec3> positions(kSteps, {1, 0, 0});
   std::vector<glm::vec3> out(kSteps);
-  run(SkinLinearJob{{groups, std::span<const std::uint16_t>(joints), std::span<const Number>(weights)},
-                    palette,
-                    {positions, {}, {}},
-                    {out, {}, {}},
-                    NormalRule::linear});
+  EXPECT_EQ(run(SkinLinearJob{{groups, std::span<const std::uint16_t>(joints), std::span<const Number>(weights)},
+                              palette,
+                              {positions, {}, {}},
+                              {out, {}, {}},
+                              NormalRule::linear}),
+            ErrorCode::ok);
   std::uint32_t wrong = 0;
   for (std::uint32_t c = 0; c < kSteps; ++c)
     wrong += out[c].x != static_cast<float>(c) / static_cast<float>(kSteps - 1);

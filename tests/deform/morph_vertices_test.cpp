@@ -96,7 +96,7 @@ TEST(morph_vertices, G42_adds_weighted_displacements_also_below_zero_and_above_o
   face.morphs.targets[0].positions = {{1, 2}, {{0, 1, 0}, {0, 2, 0}}};
   face.morphs.targets[1].positions = {{2}, {{10, 0, 0}}};
   face.weights = {-0.5f, 1.5f};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   EXPECT_EQ(face.out_positions[0], glm::vec3(1, 0, 0));
   EXPECT_EQ(face.out_positions[1], glm::vec3(2, -0.5f, 0));
   EXPECT_EQ(face.out_positions[2], glm::vec3(18, -1, 0));
@@ -106,7 +106,7 @@ TEST(morph_vertices, zero_weights_change_no_bit) {
   test::FixedRandom random(2);
   Face face = random_face(random, 50, 3);
   face.weights = {0.0f, -0.0f, 1e-30f};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   EXPECT_TRUE(face.out_positions == face.positions);
   EXPECT_TRUE(face.out_normals == face.normals);
   EXPECT_TRUE(face.out_tangents == face.tangents);
@@ -118,13 +118,13 @@ TEST(morph_vertices, G45_normals_are_unit_afterwards_and_the_handedness_stays) {
   face.morphs.targets[0].normals = {{0}, {{3, 0, 0}}};
   face.morphs.targets[0].tangents = {{0}, {{0, 0, 2}}};
   face.weights = {1};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   EXPECT_TRUE(test::is_near(face.out_normals[0], glm::normalize(glm::vec3(3, 0, 1)), 1e-7));
   EXPECT_TRUE(test::is_near(glm::vec3(face.out_tangents[0]), glm::normalize(glm::vec3(1, 0, 2)), 1e-7));
   EXPECT_EQ(face.out_tangents[0].w, -1.0f);
   auto before_skin = face.job();
   before_skin.normalise = false;
-  run(before_skin);
+  EXPECT_EQ(run(before_skin), ErrorCode::ok);
   EXPECT_EQ(face.out_normals[0], glm::vec3(3, 0, 1));
 }
 
@@ -133,7 +133,7 @@ TEST(morph_vertices, G45_a_normal_that_cancels_keeps_its_base) {
   face.morphs.targets.resize(1);
   face.morphs.targets[0].normals = {{0}, {{0, 0, -1}}};
   face.weights = {1};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   EXPECT_EQ(face.out_normals[0], glm::vec3(0, 0, 1));
 }
 
@@ -148,7 +148,7 @@ TEST(morph_vertices, G45_directions_of_any_length_have_the_components_of_their_u
     face.morphs.targets[0].normals.deltas.push_back(kLengths[v] * way);
   }
   face.weights = {1};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   for (std::size_t v = 0; v < std::size(kLengths); ++v)
     EXPECT_TRUE(test::is_near(face.out_normals[v], way, 1e-6)) << kLengths[v];
 }
@@ -165,7 +165,7 @@ TEST(morph_vertices, random_faces_agree_with_double) {
       terms[sparse.vertices[i]] += glm::abs(term);
     }
   }
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   for (std::size_t v = 0; v < truth.size(); ++v)
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(static_cast<double>(face.out_positions[v][c]), truth[v][c],
@@ -178,7 +178,7 @@ TEST(morph_vertices, hundreds_of_small_displacements_on_a_far_base_keep_their_di
   face.morphs.targets.resize(400);
   for (auto& target : face.morphs.targets) target.positions = {{0}, {{1e-5f, 0, 0}}};
   face.weights.assign(400, 1.0f);
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   // adding them to the base one by one would lose each of them: half an ulp of 1000 is 3e-5
   EXPECT_NEAR(face.out_positions[0].x, 1000.004f, 6.2e-5f);
 }
@@ -217,7 +217,7 @@ TEST(morph_vertices, long_lists_of_runs_and_gaps_have_the_bits_of_the_plain_sum_
     std::vector<glm::vec3> normals;
     for (const std::int64_t target : test::simd_targets()) {
       const test::OnlyTarget only(target);
-      run(face.job());
+      EXPECT_EQ(run(face.job()), ErrorCode::ok);
       EXPECT_TRUE(face.out_positions == expected) << count;
       for (std::uint32_t v = 0; v < count; ++v) {
         const glm::vec3 t =
@@ -250,7 +250,7 @@ TEST(morph_vertices, N26_tiny_weights_are_flushed) {
   face.morphs.targets.resize(1);
   face.morphs.targets[0].positions = {{0}, {{1, 1, 1}}};
   face.weights = {1e-38f};
-  run(face.job());
+  EXPECT_EQ(run(face.job()), ErrorCode::ok);
   EXPECT_EQ(face.out_positions[0], glm::vec3(0));
 }
 

@@ -71,21 +71,23 @@ enum class Kind { dual_quaternion, center_of_rotation };
 
 void skin(NearlyOpposite& s, Kind kind, std::span<const JointPair> pairs) {
   if (kind == Kind::dual_quaternion)
-    run(SkinDualQuaternionJob{.influences = &s.vertices.influences,
-                              .split = s.split,
-                              .any_stretch = false,
-                              .vertices = s.vertices.in(),
-                              .out = s.vertices.out(),
-                              .pairs = pairs});
+    EXPECT_EQ(run(SkinDualQuaternionJob{.influences = &s.vertices.influences,
+                                        .split = s.split,
+                                        .any_stretch = false,
+                                        .vertices = s.vertices.in(),
+                                        .out = s.vertices.out(),
+                                        .pairs = pairs}),
+              ErrorCode::ok);
   else
-    run(SkinCenterOfRotationJob{.influences = &s.vertices.influences,
-                                .palette = s.vertices.palette,
-                                .split = s.split,
-                                .any_stretch = false,
-                                .centers = s.centers,
-                                .vertices = s.vertices.in(),
-                                .out = s.vertices.out(),
-                                .pairs = pairs});
+    EXPECT_EQ(run(SkinCenterOfRotationJob{.influences = &s.vertices.influences,
+                                          .palette = s.vertices.palette,
+                                          .split = s.split,
+                                          .any_stretch = false,
+                                          .centers = s.centers,
+                                          .vertices = s.vertices.in(),
+                                          .out = s.vertices.out(),
+                                          .pairs = pairs}),
+              ErrorCode::ok);
 }
 
 reference::SkinnedT<double> truth(const NearlyOpposite& s, Kind kind, std::size_t v) {

@@ -56,11 +56,12 @@ struct PlacedOutput {
         normals(s.positions.size(), first, off),
         tangents(s.positions.size(), first, 0) {
     const test::OnlyTarget only(target);
-    run(SkinLinearJob{.influences = &s.influences,
-                      .palette = s.palette,
-                      .vertices = s.in(),
-                      .out = {positions.span(), normals.span(), tangents.span()},
-                      .past_caches = past_caches});
+    EXPECT_EQ(run(SkinLinearJob{.influences = &s.influences,
+                                .palette = s.palette,
+                                .vertices = s.in(),
+                                .out = {positions.span(), normals.span(), tangents.span()},
+                                .past_caches = past_caches}),
+              ErrorCode::ok);
   }
   bool same_bits(const PlacedOutput& other) const {
     const auto same = [](const auto& a, const auto& b) {

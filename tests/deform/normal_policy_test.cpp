@@ -123,7 +123,7 @@ void expect_outward_normals(Way way, const Mat3<float>& joint) {
     for (JointMatrix& m : s.palette) m = joint_matrix_from(affine_from(joint, glm::vec3(0)));
     skin(way, s, s.positions);
     RigidStretch split;
-    run(SplitPaletteJob{std::span(s.palette).first(1), std::span(&split, 1)});
+    EXPECT_EQ(run(SplitPaletteJob{std::span(s.palette).first(1), std::span(&split, 1)}), ErrorCode::ok);
     const Mat3<double> stretch(matrix_from_stretch(split.stretch));
     const bool by_matrix = way == Way::linear_cofactor || (way == Way::center_of_rotation && count == 1);
     for (std::size_t v = 0; v < s.positions.size(); ++v) {

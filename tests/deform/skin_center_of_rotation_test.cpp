@@ -25,7 +25,7 @@ struct Turned {
 
   explicit Turned(test::SkinnedVertices v) : vertices(std::move(v)) {
     split.resize(vertices.palette.size());
-    run(SplitPaletteJob{vertices.palette, split, &any_stretch});
+    EXPECT_EQ(run(SplitPaletteJob{vertices.palette, split, &any_stretch}), ErrorCode::ok);
     centers = vertices.positions;
   }
   SkinCenterOfRotationJob job() {
@@ -62,16 +62,16 @@ TEST(skin_center_of_rotation, N17_known_pairs_change_no_bit) {
   for (const bool stretched : {false, true}) {
     Turned s(test::random_skinned_vertices(random, kTurnedCounts, 40, 24, stretched));
     test::pose_on_one_side(random, s.vertices.palette, stretched);
-    run(SplitPaletteJob{s.vertices.palette, s.split, &s.any_stretch});
+    EXPECT_EQ(run(SplitPaletteJob{s.vertices.palette, s.split, &s.any_stretch}), ErrorCode::ok);
     for (auto& c : s.centers) c += random.vec3();
     for (const std::int64_t target : test::simd_targets()) {
       const test::OnlyTarget only(target);
-      run(s.job());
+      EXPECT_EQ(run(s.job()), ErrorCode::ok);
       const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
       auto job = s.job();
       const std::vector<JointPair> pairs = test::all_pairs(24);
       job.pairs = pairs;
-      run(job);
+      EXPECT_EQ(run(job), ErrorCode::ok);
       EXPECT_TRUE(s.vertices.out_positions == positions) << test::simd_name(target);
       EXPECT_TRUE(s.vertices.out_normals == normals) << test::simd_name(target);
     }
@@ -83,10 +83,11 @@ TEST(skin_center_of_rotation, N21_a_single_influence_is_the_joint_itself_about_a
   const std::uint32_t one[] = {1};
   Turned s(test::random_skinned_vertices(random, one, 50, 8, true));
   for (auto& c : s.centers) c += random.vec3();
-  run(s.job());
+  EXPECT_EQ(run(s.job()), ErrorCode::ok);
   const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
-  run(SkinLinearJob{&s.vertices.influences, s.vertices.palette, s.vertices.in(), s.vertices.out(),
-                    NormalRule::cofactor});
+  EXPECT_EQ(run(SkinLinearJob{&s.vertices.influences, s.vertices.palette, s.vertices.in(), s.vertices.out(),
+                              NormalRule::cofactor}),
+            ErrorCode::ok);
   EXPECT_TRUE(s.vertices.out_positions == positions);
   EXPECT_TRUE(s.vertices.out_normals == normals);
 }
@@ -95,7 +96,7 @@ TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
   test::FixedRandom random(2);
   Turned s(test::random_skinned_vertices(random, kTurnedCounts, 50, 24, false));
   for (auto& c : s.centers) c += random.vec3();
-  run(s.job());
+  EXPECT_EQ(run(s.job()), ErrorCode::ok);
   for (std::size_t v = 0; v < s.centers.size(); ++v) {
     std::vector<DualQuatd> motions;
     std::vector<Affined> matrices;
@@ -116,12 +117,13 @@ TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
 TEST(skin_center_of_rotation, N21_a_vertex_at_its_own_center_is_linearly_blended) {
   test::FixedRandom random(3);
   Turned s(test::random_skinned_vertices(random, kTurnedCounts, 10, 16, true));
-  run(s.job());
+  EXPECT_EQ(run(s.job()), ErrorCode::ok);
   const auto around_centers = s.vertices.out_positions;
-  run(SkinLinearJob{.influences = &s.vertices.influences,
-                    .palette = s.vertices.palette,
-                    .vertices = s.vertices.in(),
-                    .out = s.vertices.out()});
+  EXPECT_EQ(run(SkinLinearJob{.influences = &s.vertices.influences,
+                              .palette = s.vertices.palette,
+                              .vertices = s.vertices.in(),
+                              .out = s.vertices.out()}),
+            ErrorCode::ok);
   for (std::size_t v = 0; v < around_centers.size(); ++v)
     EXPECT_TRUE(test::is_near(around_centers[v], s.vertices.out_positions[v], 2e-6)) << v;
 }
@@ -131,7 +133,7 @@ TEST(skin_center_of_rotation, N19_a_single_scaled_joint_moves_the_vertex_as_its_
   const std::uint32_t one[] = {1};
   Turned s(test::random_skinned_vertices(random, one, 30, 8, true));
   for (auto& c : s.centers) c += random.vec3();
-  run(s.job());
+  EXPECT_EQ(run(s.job()), ErrorCode::ok);
   for (std::size_t v = 0; v < s.centers.size(); ++v) {
     const Affine m = affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]);
     EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(m, s.vertices.positions[v]), 3e-6)) << v;
@@ -153,7 +155,7 @@ TEST(skin_center_of_rotation, N20_twist_about_the_center_keeps_the_radius) {
     v.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
     Turned s(v);
     s.centers[0] = glm::vec3(0);
-    run(s.job());
+    EXPECT_EQ(run(s.job()), ErrorCode::ok);
     EXPECT_NEAR(glm::length(s.vertices.out_positions[0]), 1.0f, 1e-6f) << degrees;
   }
 }

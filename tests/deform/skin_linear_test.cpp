@@ -51,13 +51,13 @@ TEST(skin_linear, rejects_wrong_sizes_and_joints_out_of_range) {
 TEST(skin_linear, no_vertices_is_no_work) {
   test::SkinnedVertices s;
   EXPECT_EQ(check(job_of(s)), ErrorCode::ok);
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
 }
 
 TEST(skin_linear, random_vertices_agree_with_double_for_every_influence_count) {
   test::FixedRandom random(2);
   auto s = test::random_skinned_vertices(random, kLinearCounts, 50, 24, true);
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
     const Affined m = truth_matrix(s, v);
     EXPECT_TRUE(test::is_near(Vec3<double>(s.out_positions[v]), transform_point(m, Vec3<double>(s.positions[v])), 4e-6))
@@ -75,7 +75,7 @@ TEST(skin_linear, N22_cofactor_normals_stay_square_to_the_moved_surface) {
   auto s = test::random_skinned_vertices(random, kLinearCounts, 50, 24, true);
   auto job = job_of(s);
   job.normal_rule = NormalRule::cofactor;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
     const auto n = transform_normal_outward(linear_part(truth_matrix(s, v)), Vec3<double>(s.normals[v]));
     EXPECT_TRUE(test::is_near(Vec3<double>(s.out_normals[v]), n, 4e-5)) << v;
@@ -89,7 +89,7 @@ TEST(skin_linear, N22_a_collapsed_matrix_keeps_the_normal) {
   for (const auto rule : {NormalRule::linear, NormalRule::cofactor}) {
     auto job = job_of(s);
     job.normal_rule = rule;
-    run(job);
+    EXPECT_EQ(run(job), ErrorCode::ok);
     for (std::size_t v = 0; v < s.positions.size(); ++v) EXPECT_EQ(s.out_normals[v], s.normals[v]);
   }
 }
@@ -98,7 +98,7 @@ TEST(skin_linear, N22_a_tangent_without_length_keeps_its_value_beside_normals_th
   test::FixedRandom random(14);
   auto s = test::random_skinned_vertices(random, kLinearCounts, 40, 16, true);
   for (std::size_t v = 0; v < s.tangents.size(); v += 3) s.tangents[v] = {0, 0, 0, -1};
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   for (std::size_t v = 0; v < s.tangents.size(); v += 3) EXPECT_EQ(s.out_tangents[v], s.tangents[v]) << v;
 }
 
@@ -106,7 +106,7 @@ TEST(skin_linear, the_bind_pose_moves_nothing) {
   test::FixedRandom random(5);
   auto s = test::random_skinned_vertices(random, kLinearCounts, 10, 16, false);
   for (auto& m : s.palette) m = {};
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   for (std::size_t v = 0; v < s.positions.size(); ++v)
     EXPECT_TRUE(test::is_near(s.out_positions[v], s.positions[v], 1e-6)) << v;
 }
@@ -114,13 +114,13 @@ TEST(skin_linear, the_bind_pose_moves_nothing) {
 TEST(skin_linear, rigid_motion_commutes_with_skinning) {
   test::FixedRandom random(6);
   auto s = test::random_skinned_vertices(random, kLinearCounts, 10, 16, true);
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   const auto before = s.out_positions;
   Transform t = random.transform();
   t.scale = glm::vec3(1);
   const Affine motion = affine_from_transform(t);
   for (auto& m : s.palette) m = joint_matrix_from(motion * affine_from(m));
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   for (std::size_t v = 0; v < before.size(); ++v)
     EXPECT_TRUE(test::is_near(s.out_positions[v], transform_point(motion, before[v]), 1e-5)) << v;
 }
@@ -131,11 +131,11 @@ TEST(skin_linear, attributes_that_are_not_wanted_are_not_written) {
   auto job = job_of(s);
   job.out.normals = {};
   job.out.tangents = {};
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (const auto& n : s.out_normals) EXPECT_EQ(n, glm::vec3(0));
   for (const auto& t : s.out_tangents) EXPECT_EQ(t, glm::vec4(0));
   const auto positions = s.out_positions;
-  run(job_of(s));
+  EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
   EXPECT_TRUE(s.out_positions == positions);
 }
 
@@ -149,7 +149,7 @@ TEST(skin_linear, N20_half_and_half_twist_shrinks_by_the_cosine_of_half_the_angl
     Transform turned;
     turned.rotation = quat_cast<float>(quat_xyzw(0.0, std::sin(half), 0.0, std::cos(half)));
     s.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
-    run(job_of(s));
+    EXPECT_EQ(run(job_of(s)), ErrorCode::ok);
     EXPECT_NEAR(glm::length(s.out_positions[0]), std::cos(half), 1e-6) << degrees;
   }
 }

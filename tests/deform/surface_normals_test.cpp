@@ -24,12 +24,13 @@ std::vector<glm::vec3> normals_of(const Primitive& rest, const Points& moved, bo
   const SurfaceFaces faces = join_surface(rest, false);
   std::vector<glm::vec4> sums(surface_sums(faces));
   std::vector<glm::vec3> normals(moved.size() + 1, glm::vec3(9));
-  run(SurfaceNormalsJob{.faces = &faces,
-                        .positions = moved,
-                        .rest_normals = rest.normals,
-                        .turned = turned,
-                        .sums = sums,
-                        .normals = std::span(normals).first(moved.size())});
+  EXPECT_EQ(run(SurfaceNormalsJob{.faces = &faces,
+                                  .positions = moved,
+                                  .rest_normals = rest.normals,
+                                  .turned = turned,
+                                  .sums = sums,
+                                  .normals = std::span(normals).first(moved.size())}),
+            ErrorCode::ok);
   EXPECT_EQ(normals.back(), glm::vec3(9)) << "written past the end";
   normals.pop_back();
   return normals;
@@ -38,7 +39,9 @@ std::vector<glm::vec3> normals_of(const Primitive& rest, const Points& moved, bo
 std::vector<glm::vec4> tangents_of(const Primitive& rest, const Points& moved) {
   const SurfaceFaces faces = join_surface(rest, true);
   std::vector<glm::vec4> tangents(moved.size());
-  run(SurfaceTangentsJob{.faces = &faces, .positions = moved, .rest_tangents = rest.tangents, .tangents = tangents});
+  EXPECT_EQ(run(SurfaceTangentsJob{
+                .faces = &faces, .positions = moved, .rest_tangents = rest.tangents, .tangents = tangents}),
+            ErrorCode::ok);
   return tangents;
 }
 

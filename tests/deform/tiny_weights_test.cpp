@@ -28,7 +28,7 @@ struct Case {
     for (const glm::vec3& p : s.positions) centers.push_back(p + random.vec3());
     for (float& w : s.influences.weights) w *= weight;
     split.resize(s.palette.size());
-    run(SplitPaletteJob{s.palette, split, &any_stretch});
+    EXPECT_EQ(run(SplitPaletteJob{s.palette, split, &any_stretch}), ErrorCode::ok);
   }
 
   void skin(Way way, bool directions) {
@@ -38,9 +38,10 @@ struct Case {
       in.tangents = {};
     }
     if (way == Way::dual_quaternion)
-      run(SkinDualQuaternionJob{&s.influences, split, any_stretch, in, s.out()});
+      EXPECT_EQ(run(SkinDualQuaternionJob{&s.influences, split, any_stretch, in, s.out()}), ErrorCode::ok);
     else
-      run(SkinCenterOfRotationJob{&s.influences, s.palette, split, any_stretch, centers, in, s.out()});
+      EXPECT_EQ(run(SkinCenterOfRotationJob{&s.influences, s.palette, split, any_stretch, centers, in, s.out()}),
+                ErrorCode::ok);
   }
 
   reference::SkinnedT<double> truth(Way way, std::size_t v) const {

@@ -32,7 +32,7 @@ void load_compiled_clips(Bytes input) {
     test::PoseBuffer pose(clip.joint_count());
     std::vector<float> weights(clip.weight_count()), properties(clip.property_count());
     for (const double time_s : {0.0, 0.37, clip.duration_s()})
-      run(SampleClipJob{
+      run_unchecked(SampleClipJob{
           .clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = weights, .properties = properties});
   }
   require(load_clips(save_clips(loaded)).has_value(), "what was loaded can be saved and loaded again");

@@ -19,7 +19,7 @@
 #include "runtime/clip/clip_file.h"
 #include "runtime/compress/compile_clip_within.h"
 #include "runtime/lod/clip_bounds.h"
-#include "runtime/model/clip_boxes.h"
+#include "runtime/model/mesh.h"
 #include "samples/showcase/showcase.h"
 #include "tests/asset_file/full_scene.h"
 #include "tests/importer/encoded_images.h"

@@ -71,8 +71,13 @@ TEST(block_motion, every_instruction_set_moves_blocks_as_the_equation_says) {
       for (std::uint64_t seed = 1; seed < 30; ++seed) {
         AnyBlocks in = any_blocks(seed, 20, bits);
         const std::vector<std::int32_t> expected = moved_by_reference(in);
-        run(MoveBlocksJob{
-            .blocks = in.motions, .payload = in.payload, .corners = in.corners, .x1 = in.x1, .x2 = in.x2, .x = in.x2});
+        EXPECT_EQ(run(MoveBlocksJob{.blocks = in.motions,
+                                    .payload = in.payload,
+                                    .corners = in.corners,
+                                    .x1 = in.x1,
+                                    .x2 = in.x2,
+                                    .x = in.x2}),
+                  ErrorCode::ok);
         ASSERT_EQ(in.x2, expected) << simd_name(target) << ", numbers of " << bits << " bits, seed " << seed;
       }
   }
@@ -88,8 +93,13 @@ TEST(block_motion, every_width_of_residuals_is_unpacked) {
       FixedRandom random(width);
       for (auto& byte : in.payload) byte = static_cast<std::uint8_t>(random.bits());
       const std::vector<std::int32_t> expected = moved_by_reference(in);
-      run(MoveBlocksJob{
-          .blocks = in.motions, .payload = in.payload, .corners = in.corners, .x1 = in.x1, .x2 = in.x2, .x = in.x2});
+      EXPECT_EQ(run(MoveBlocksJob{.blocks = in.motions,
+                                  .payload = in.payload,
+                                  .corners = in.corners,
+                                  .x1 = in.x1,
+                                  .x2 = in.x2,
+                                  .x = in.x2}),
+                ErrorCode::ok);
       ASSERT_EQ(in.x2, expected) << simd_name(target) << ", width " << int{width};
     }
   }
@@ -107,8 +117,10 @@ TEST(block_motion, a_parallelogram_by_hand) {
   corners[10] = 2;
   corners[11] = 0;
   std::vector<std::int32_t> x(kBlockNumbers), unused(kBlockNumbers);
-  run(MoveBlocksJob{
-      .blocks = std::span(&motion, 1), .payload = payload, .corners = corners, .x1 = unused, .x2 = unused, .x = x});
+  EXPECT_EQ(
+      run(MoveBlocksJob{
+          .blocks = std::span(&motion, 1), .payload = payload, .corners = corners, .x1 = unused, .x2 = unused, .x = x}),
+      ErrorCode::ok);
   EXPECT_EQ(std::vector<std::int32_t>(x.begin(), x.begin() + 4), (std::vector<std::int32_t>{100, 110, 101, 110}));
   EXPECT_EQ(x[kBlockPoints], 7);
   EXPECT_EQ(x[2 * kBlockPoints + 63], -7);
@@ -124,7 +136,7 @@ TEST(block_motion, points_are_written_with_the_same_bits_by_every_instruction_se
       for (const std::int64_t target : simd_targets()) {
         const OnlyTarget only(target);
         std::vector<glm::vec3> out(points);
-        run(EmitPointsJob{.from = from, .to = to, .part = part, .step = 1e-4f, .out = out});
+        EXPECT_EQ(run(EmitPointsJob{.from = from, .to = to, .part = part, .step = 1e-4f, .out = out}), ErrorCode::ok);
         for (std::size_t i = 0; i < points; ++i)
           for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t at = i / 64 * kBlockNumbers + axis * kBlockPoints + i % 64;

@@ -120,7 +120,7 @@ TEST(bind_clips, what_has_no_name_is_described) {
 
 TEST(bind_clips, morph_weights_bind_by_mesh_and_target) {
   const Scene face = face_scene();
-  Scene other = face;  // another order, and a mesh more
+  Scene other = face;  // with another order and one more mesh
   other.meshes[0].target_names = {"spread", "lift"};
   other.meshes.insert(other.meshes.begin(), face.meshes[0]);
   other.meshes[0].name = "hat";
@@ -131,7 +131,7 @@ TEST(bind_clips, morph_weights_bind_by_mesh_and_target) {
   EXPECT_TRUE(bound.unbound.empty());
   EXPECT_THAT(sample(bound.clips[0], 0.5).weights, ElementsAre(0.5f, 0.5f, 1.0f, 0.5f));
 
-  other.meshes[0].name = "face";  // now two meshes have the name
+  other.meshes[0].name = "face";  // now two meshes have this name
   EXPECT_THAT(bind(face, other).unbound.ambiguous, ElementsAre("face/lift", "face/spread"));
 }
 

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 
 bool is_same_handle(const Clip& a, const Clip& b) { return &a.layout() == &b.layout(); }
 
-/// Arrays of keys that two clips have in common, out of those of the first.
+/// Number of key arrays that two clips share, and number of those in the first.
 std::pair<std::size_t, std::size_t> shared_rows(const Clip& a, const Clip& b) {
   std::size_t shared = 0, all = 0;
   for (std::size_t g = 0; g < a.layout().groups.size(); ++g)
@@ -43,7 +43,7 @@ TEST(clip_library, scenes_of_one_skeleton_share_the_keys) {
   const Scene scene = named_scene(3);
   ClipLibrary library(scene.skeleton);
   library.add(scene);
-  Scene small = scene;  // another size, and other rest weights
+  Scene small = scene;  // with another rest pose and other rest weights
   for (Transform& rest : small.skeleton.rest) rest.translation *= 0.5f;
   for (MeshInstance& instance : small.instances) instance.rest_weights.assign(3, 0.125f);
   small.animations.clear();
@@ -103,7 +103,7 @@ TEST(clip_library, each_file_keeps_the_names_of_its_own_weights) {
   EXPECT_TRUE(library.add(mask).empty());
   const BoundClips for_face = clips_for(library, face), for_mask = clips_for(library, mask);
   EXPECT_THAT(sample(for_face.clips[0], 1.0).weights, ElementsAre(1.0f, 2.0f));
-  EXPECT_THAT(sample(for_face.clips[1], 1.0).weights, ElementsAre(0.25f, 0.0f));  // as at rest
+  EXPECT_THAT(sample(for_face.clips[1], 1.0).weights, ElementsAre(0.25f, 0.0f));  // rest value
   EXPECT_THAT(sample(for_mask.clips[1], 1.0).weights, ElementsAre(1.0f, 2.0f));
   EXPECT_THAT(for_face.unbound.missing, ElementsAre("mask/lift", "mask/spread"));
 }

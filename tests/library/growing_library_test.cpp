@@ -20,7 +20,7 @@ void play(const Plan& plan, std::uint32_t clip, double time_s, FrameBuffer& fram
   ASSERT_EQ(run_plan(plan, {.layers = layers}, frame), ErrorCode::ok);
 }
 
-/// The first difference of this frame from one of a plan of the scene's own clips.
+/// The first difference between this frame and the frame of a plan with the scene's own clips; empty if there is none.
 std::string difference_from_own(const Scene& scene, const FrameBuffer& frame, std::uint32_t clip, double time_s) {
   const Plan plan = compile_plan(scene, Needs{});
   FrameBuffer own(plan);
@@ -82,7 +82,7 @@ TEST(growing_library, characters_go_over_to_the_plan_of_the_next_version_without
   play(after, 1, 0.5, frame);
   EXPECT_EQ(frame.result().frame, old_frame.result().frame + 1);
   EXPECT_EQ(difference_from_own(scene, frame, 1, 0.5), "");
-  play(after, 3, 0.5, frame);  // the same clip of the other file
+  play(after, 3, 0.5, frame);  // the same clip from the other file
   EXPECT_EQ(difference_from_own(scene, frame, 1, 0.5), "");
   play(before, 1, 0.5, still_running);
   EXPECT_EQ(difference_from_own(scene, still_running, 1, 0.5), "");

@@ -5,9 +5,9 @@
 #include "importer/tool/cost/rotation/approximate_slerp.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/dual_quaternion.h"
+#include "runtime/math/interpolate.h"
 #include "runtime/math/inverse.h"
 #include "runtime/math/rotation_between.h"
-#include "runtime/math/squad.h"
 #include "tests/math/random_motions.h"
 #include "tests/support/near.h"
 

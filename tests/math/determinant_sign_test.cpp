@@ -17,7 +17,7 @@ namespace {
 
 using test::FixedRandom;
 
-/// Sums of products of three floats as whole numbers of 2^-520, of which 40 limbs hold every one.
+/// An exact sum of products of three floats, as an integer multiple of 2^-520. 40 limbs hold any such sum.
 class WholeSum {
  public:
   void add_product(float a, float b, float c, int sign) {
@@ -39,7 +39,7 @@ class WholeSum {
     bool any = false;
     for (std::int64_t& limb : limbs_) {
       limb += carry;
-      carry = limb >> 32;  // rounds down
+      carry = limb >> 32;  // arithmetic shift: rounds down
       limb &= 0xffffffff;
       any |= limb != 0;
     }
@@ -60,7 +60,7 @@ int exact_sign(const Mat3<float>& m) {
   return sum.sign();
 }
 
-/// Float rounds the product of the columns in the usual way.
+/// Sign of the determinant in plain float arithmetic.
 int plain_sign(const Mat3<float>& m) {
   const float determinant = glm::dot(m[0], glm::cross(m[1], m[2]));
   return (determinant > 0.0f) - (determinant < 0.0f);
@@ -73,7 +73,7 @@ Mat3<float> with_singular_values(FixedRandom& random, const Vec3<double>& values
                      matrix_from_unit_quat(random.rotation<double>()));
 }
 
-/// Columns of small whole numbers, the third a combination of the others: singular without rounding.
+/// A matrix of small integers whose third column is a combination of the others, so it is exactly singular.
 Mat3<float> singular(FixedRandom& random) {
   const auto whole = [&] { return static_cast<float>(random.below(2001)) - 1000.0f; };
   Mat3<float> m(whole(), whole(), whole(), whole(), whole(), whole(), 0, 0, 0);
@@ -139,7 +139,8 @@ TEST(determinant_sign, of_doubles_sees_the_last_digit_of_one_entry_at_any_scale)
   for (int i = 0; i < 2000; ++i) {
     const Mat3<double> m(singular(random));
     const int column = static_cast<int>(random.below(3)), row = static_cast<int>(random.below(3));
-    if (m[column][row] == 0.0) continue;  // the next number is 1e-300 of the others, which scaling rounds to 0
+    if (m[column][row] == 0.0)
+      continue;  // the next double would be 1e-300 of the others, and scaling would round it to 0
     const auto &next = m[(column + 1) % 3], &last = m[(column + 2) % 3];
     const double cofactor = glm::cross(next, last)[row];
     Mat3<double> moved = m;

@@ -58,7 +58,7 @@ TEST(interpolate, N02_slerp_takes_the_short_arc_and_q_and_minus_q_agree) {
     const double whole = test::angle_between(q, r);
     const auto s = slerp_short_arc(q, r, t);
     EXPECT_NEAR(test::angle_between(q, s), t * whole, 8 * kEps);
-    if (std::abs(quat_dot(q, r)) < 1e-6f) continue;  // half a turn apart: either arc is the shorter one
+    if (std::abs(quat_dot(q, r)) < 1e-6f) continue;  // half a turn apart: both arcs are equally short
     EXPECT_TRUE(same_rotation(s, slerp_short_arc(q, -r, t), 8 * kEps));
   }
 }

@@ -63,7 +63,7 @@ TEST(inverse, G48_an_inverse_never_mirrors_where_its_matrix_does_not) {
   int found = 0, none = 0;
   for (int i = 0; i < 20000; ++i) {
     Mat3<float> m(random.vec3(), random.vec3(), random.vec3());
-    m[2] = m[0] * 0.7f + m[1] * 0.9f + random.vec3() * 4e-7f;  // what rounding leaves of a singular matrix, and more
+    m[2] = m[0] * 0.7f + m[1] * 0.9f + random.vec3() * 4e-7f;  // singular within rounding, or slightly beyond
     const auto inverse = inverse_of(affine_from(m, Vec3<float>(0)));
     if (inverse) {
       EXPECT_EQ(determinant_sign(*inverse), determinant_sign(m)) << i;

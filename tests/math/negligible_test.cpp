@@ -17,7 +17,7 @@ TEST(negligible, N26_flushes_what_is_below_and_keeps_the_rest_bit_for_bit) {
       EXPECT_EQ(flushed(sign * kept), sign * kept);
   }
   EXPECT_FALSE(std::signbit(flushed(-1e-30f)));
-  EXPECT_TRUE(std::isnan(flushed(std::numeric_limits<float>::quiet_NaN())));  // not hidden
+  EXPECT_TRUE(std::isnan(flushed(std::numeric_limits<float>::quiet_NaN())));  // NaN is not flushed
 }
 
 TEST(negligible, N26_each_component_counts_on_its_own) {

@@ -52,7 +52,7 @@ TEST(normal_transform, G48_outward_normals_of_ill_conditioned_matrices_are_exact
       const Mat3<float> m(matrix_from_unit_quat(random.rotation<double>()) * d *
                           matrix_from_unit_quat(random.rotation<double>()));
       const auto n = random.direction();
-      const Mat3<long double> exact(m);  // products of three entries need 72 digits: what is lost is below their 2^-64
+      const Mat3<long double> exact(m);  // products of three entries need 72 bits; rounding is below 2^-64
       const long double determinant = glm::dot(exact[0], glm::cross(exact[1], exact[2]));
       const Vec3<long double> moved = cofactor(exact) * Vec3<long double>(n);
       const Vec3<double> truth(moved / std::sqrt(glm::dot(moved, moved)) * (determinant < 0.0L ? -1.0L : 1.0L));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/math/interpolate.h"
-#include "runtime/math/squad.h"
 #include "tests/math/numeric_variants.h"
 #include "tests/support/numeric_read.h"
 
@@ -18,7 +17,7 @@ NumericVariant of_two_keys(const std::string& name, Blend blend) {
 
 Q plain_unit(const Q& q) { return q / std::sqrt(quat_dot(q, q)); }
 
-/// eq. 4.53 with the angle from acos; `threshold` above which nlerp takes over.
+/// Slerp by eq. 4.53 with the angle from acos. If the dot product exceeds `threshold`, nlerp is used.
 Q acos_slerp(const Q& q, const Q& r, float t, float threshold, bool align) {
   const Q s = align ? aligned_with(q, r) : r;
   const float d = quat_dot(q, s);
@@ -27,7 +26,7 @@ Q acos_slerp(const Q& q, const Q& r, float t, float threshold, bool align) {
   return plain_unit((q * std::sin((1 - t) * a) + s * std::sin(t * a)) / std::sin(a));
 }
 
-/// Products of the series of sin(t a) / sin(a) in cos(a) - 1, eight terms, the last with a correction (Eberly 2011).
+/// Slerp by the series of sin(t a) / sin(a) in cos(a) - 1, with eight terms, the last one corrected (Eberly 2011).
 Q short_polynomial_slerp(const Q& q, const Q& r, float t) {
   const Q s = aligned_with(q, r);
   const float x = quat_dot(q, s) - 1, mu = 1.85298109240830f;
@@ -58,7 +57,7 @@ NumericVariant naive_squad(const std::string& name, bool align, Blend blend) {
           }};
 }
 
-/// Reads a Hermite case and answers by `curve(v0, out0, in1, v1, s, td)` under the name the case expects.
+/// Evaluates a Hermite case with `curve(v0, out0, in1, v1, s, td)`. The result has the name that the case expects.
 template <class T, class Curve>
 Outcome hermite_outcome(const Json& in, Curve curve) {
   const T t0 = scalar<T>(in["t0"]), td = scalar<T>(in["t1"]) - t0, s = (scalar<T>(in["t"]) - t0) / td;

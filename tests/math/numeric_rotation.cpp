@@ -16,7 +16,7 @@ using V = Vec3<float>;
 V vector_part(const Q& q) { return {q.x, q.y, q.z}; }
 float plain_length(const V& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// The three operations from any logarithm and exponential.
+/// The operations log, exp and pow, from a given logarithm and exponential.
 template <class T, class Log, class Exp>
 Outcome log_exp_pow(const Json& in, Log log, Exp exp) {
   if (in["op"] == "log") return {{"v", numbers(log(quat<T>(in["q"])))}};
@@ -108,7 +108,7 @@ Q quat_by_four_roots(const Mat3<float>& m) {
 
 V unit_or_as_it_is(const V& v) { return v / plain_length(v); }
 
-/// eq. 4.56 as printed, a half turn about some axis when 1 + s . t falls below 1e-6.
+/// Eq. 4.56 as printed, with a half turn about some axis if 1 + s . t is below 1e-6.
 Q between_by_dot(const V& from, const V& to) {
   const V s = unit_or_as_it_is(from), t = unit_or_as_it_is(to);
   const float twice = 2 * (1 + glm::dot(s, t));

@@ -7,7 +7,7 @@
 namespace sinew::test {
 namespace {
 
-/// One vertex with all its influences, as a case of any skinning kind has it.
+/// A vertex with all its influences, as read from a skinning case.
 template <class T>
 struct Vertex {
   explicit Vertex(const Json& in) : p(vec3<T>(in["p"])) {
@@ -78,7 +78,7 @@ Outcome candy_outcome(const Json& in, bool linear_for_dual) {
   return {{"lbs_p", numbers(linear)}, {"dqs_p", numbers(linear_for_dual ? linear : dual)}, {"cor_p", numbers(center)}};
 }
 
-/// Blend without sign alignment, or aligned with the first influence.
+/// Dual quaternion blend without sign alignment, or with signs aligned with the first influence.
 Outcome misaligned_blend(const Vertex<float>& v, bool first_pivot, bool normalise) {
   DualQuat sum{quat_xyzw(0.f, 0.f, 0.f, 0.f), quat_xyzw(0.f, 0.f, 0.f, 0.f)};
   const Quat<float> pivot = v.motions[normalise ? 0 : reference::pivot_of(v.w())].real;
@@ -119,7 +119,7 @@ Outcome center_without_renormalising(const Json& in) {
   return out;
 }
 
-/// eq   base + sum(w d): deltas first, the base last, so that small deltas are not lost on a large base (eq. 4.61)
+/// eq   base + sum(w d): deltas are summed first, so that small deltas are not lost on a large base (eq. 4.61)
 template <class T>
 Outcome morph_outcome(const Json& in, bool base_first) {
   const Vec3<T> base = vec3<T>(in["base"]);

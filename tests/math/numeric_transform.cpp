@@ -56,7 +56,7 @@ Outcome decompose_outcome(const Json& in) {
   return {{"t", numbers(found.translation)}, {"q", numbers(found.rotation)}, {"s", numbers(found.scale)}};
 }
 
-/// Averages with the inverse transpose until it settles; column lengths as scale.
+/// Polar decomposition by averaging with the inverse transpose until it converges; the scale is the column lengths.
 Outcome decompose_by_newton(const Json& in) {
   const auto m = affine<float>(in["m"]);
   const M linear = linear_part(m);
@@ -114,7 +114,7 @@ Outcome projection_outcome(const Json& in) {
   return {{"m", numbers(projection_of(in, perspective_frame(FrustumT<T>{l, r, b, t, n}, facing)))}};
 }
 
-/// The depth row of finite perspectives formed another way.
+/// Perspective projections with another formula for the depth row.
 Outcome projection_with_row(const Json& in, float (*offset)(float n, float f), float (*slope)(float n, float f)) {
   const std::string op = in["op"];
   if (!contains(op, "persp") || contains(op, "infinite") || !in.contains("fov_y")) return {};

@@ -6,17 +6,17 @@
 
 namespace sinew::test {
 
-/// The implementations that one kind of reference data is run through.
+/// The implementations that are tested with one kind of reference cases.
 struct NumericKind {
   std::string kind;
-  std::vector<NumericVariant> careful;  ///< must hold every case: our kernels in float and in double
-  std::vector<NumericVariant> naive;    ///< known mistakes: each must fail some case, or the cases would prove nothing
+  std::vector<NumericVariant> careful;  ///< must pass every case: our functions in float and double
+  std::vector<NumericVariant> naive;    ///< known mistakes, each of which must fail some case
 };
 
-/// How GoogleTest and CTest name the test of a kind.
+/// Name of the test of a kind in GoogleTest and CTest.
 inline void PrintTo(const NumericKind& kind, std::ostream* out) { *out << kind.kind; }
 
-/// The same kernel, a lambda template over the precision, in float and in double.
+/// The variants of a generic lambda in float and in double.
 template <class Kernel>
 std::vector<NumericVariant> in_both_precisions(const std::string& name, Kernel kernel) {
   return {{name + ", float", [kernel](const Json& in) { return kernel.template operator()<float>(in); }},
@@ -45,7 +45,7 @@ NumericKind cor_kind();
 NumericKind candy_wrapper_kind();
 NumericKind morph_kind();
 
-/// All of the above.
+/// All kinds of all numeric_*.cpp files.
 std::vector<NumericKind> all_numeric_kinds();
 
 }  // namespace sinew::test

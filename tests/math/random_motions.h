@@ -6,8 +6,8 @@
 
 namespace rc {
 
-/// Uniform rotations and motions: RapidCheck draws the seed, so a failing case is shrunk to a small seed and
-/// repeatable.
+/// Uniform random rotations and motions. RapidCheck draws only a seed, so a failing case can be repeated and shrinks
+/// to a small seed.
 template <>
 struct Arbitrary<sinew::Quat<double>> {
   static Gen<sinew::Quat<double>> arbitrary() {

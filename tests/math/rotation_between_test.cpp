@@ -21,7 +21,7 @@ TEST(rotation_between, N14_turns_s_into_t_at_every_angle_by_the_shortest_way) {
       const auto q = rotation_between(from, to);
       EXPECT_TRUE(is_near(rotate_vector(q, from), to, 10 * kEps)) << angle;
       EXPECT_NEAR(safe_length(q), 1, 4 * kEps);
-      if (angle > 3.1) continue;  // too near to half a turn for the rounded inputs to tell its angle
+      if (angle > 3.1) continue;  // near half a turn, rounding of the inputs decides the angle
       EXPECT_NEAR(test::angle_between(q, quat_identity<float>()), angle, 8 * kEps) << angle;
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is taken apart and put together again is what it was.
+// Round trips: decomposing and recomposing gives the original.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ double distance(const Mat3<double>& a, const Mat3<double>& b) {
   return test::distance(affine_from(a, V(0)), affine_from(b, V(0)));
 }
 
-/// An exponent in (-3, 3) that is never tiny.
+/// An exponent in (-3, 3), never near 0.
 double exponent(std::uint32_t bits) { return static_cast<double>(bits % 600) / 100 - 2.995; }
 
 RC_GTEST_PROP(log_and_exp, exp_undoes_log, (Q q)) { RC_ASSERT(difference(quat_exp(quat_log(q)), q) < 1e-14); }
@@ -88,7 +88,7 @@ RC_GTEST_PROP(euler, N13_all_24_orders_rebuild_at_their_gimbal_lock, (V angles, 
 }
 
 RC_GTEST_PROP(euler, angles_come_back_away_from_the_lock, (V angles)) {
-  const V half = angles * 0.7;  // within 1.4: inside the principal ranges of the six orders without repetition
+  const V half = angles * 0.7;  // below 1.4, inside the principal range of orders without a repeated axis
   for (const EulerOrder& order : kEulerOrders) {
     if (order.axes[0] == order.axes[2]) continue;
     RC_ASSERT(test::distance(euler_from_matrix(order, matrix_from_euler(order, half)), half) < 1e-13);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/math/squad.h"
+#include "runtime/math/interpolate.h"
 
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
@@ -37,7 +37,7 @@ TEST(squad, N08_keys_with_flipped_signs_give_the_same_curve_after_alignment) {
   }
 }
 
-/// Angular velocity at both sides of a middle key, in the key's own frame.
+/// Expects equal angular velocities on both sides of a middle key, in the key's own frame.
 void expect_smooth_at_middle_key(double before_s, double after_s, double tolerance) {
   FixedRandom random(3);
   Quat<double> k[4] = {random.rotation<double>()};
@@ -55,7 +55,7 @@ TEST(squad, N09_speed_is_continuous_over_keys_of_uneven_spacing) {
 }
 
 TEST(squad, N09_the_speed_at_a_key_is_that_of_the_parabola_through_its_neighbours) {
-  // Turns about one axis by t^2 / 2: the three-point rule is exact for a parabola, whatever the spacing.
+  // A rotation about one axis by t^2 / 2. The three-point rule is exact for parabolas with any spacing.
   const auto at = [](double t) { return quat_xyzw(0.0, std::sin(t * t / 4), 0.0, std::cos(t * t / 4)); };
   for (const auto& [before_s, after_s] : {std::pair{0.5, 0.5}, {0.2, 0.9}, {1.0, 0.125}, {0.7, 0.01}}) {
     const Quat<double> previous = at(1 - before_s), key = at(1), next = at(1 + after_s);

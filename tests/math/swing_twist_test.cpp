@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/math/axis_angle.h"
-#include "runtime/math/perpendicular.h"
+#include "runtime/math/rotation_between.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew {
@@ -14,7 +14,7 @@ using Vec3d = Vec3<double>;
 using Quatd = Quat<double>;
 constexpr double kPi = 3.14159265358979323846;
 
-/// A swing across `axis` by `swing_rad`, after a twist about it.
+/// A rotation with a given twist about `axis`, followed by a swing by `swing_rad`.
 Quatd swung(test::FixedRandom& random, const Vec3d& axis, double swing_rad, double twist_rad) {
   const Vec3d across = rotate_vector(quat_from_axis_angle(axis, random.in(0, 6)), perpendicular_to(axis));
   return quat_from_axis_angle(across, swing_rad) * quat_from_axis_angle(axis, twist_rad);

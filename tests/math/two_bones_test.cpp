@@ -48,7 +48,8 @@ TEST(two_bones, a_tip_that_is_there_moves_nothing) {
   for (int i = 0; i < 500; ++i) {
     const TwoBonesT<double> limb = random_limb(random);
     const Vec3d along = normalised_or(limb.tip - limb.root, Vec3d(1, 0, 0)), off = limb.middle - limb.root;
-    if (glm::length(off - along * glm::dot(off, along)) < 0.05) continue;  // bends as it is told, the test after next
+    if (glm::length(off - along * glm::dot(off, along)) < 0.05)
+      continue;  // nearly straight: `bend` decides, see a test below
     const auto turns = turn_two_bones(limb, limb.tip, random.direction<double>());
     EXPECT_LT(rotation_angle_between(turns.upper, quat_identity<double>()), 1e-13) << i;
     EXPECT_LT(rotation_angle_between(turns.lower, quat_identity<double>()), 1e-13) << i;
@@ -72,10 +73,10 @@ TEST(two_bones, a_straight_limb_bends_as_it_is_told) {
 }
 
 TEST(two_bones, nearly_straight_limbs_bend_without_a_jump) {
-  // The knee goes through the straight line, from one side to a little on the other.
+  // The knee moves through the straight line, from one side to just beyond it.
   Vec3d last(0);
   for (int i = 0; i <= 2000; ++i) {
-    const double off = 0.04 - i * 2.5e-5;  // to -0.01
+    const double off = 0.04 - i * 2.5e-5;  // from 0.04 to -0.01
     const TwoBonesT<double> leg{{0, 1, 0}, {0, 0.5, off}, {0, 0, 0}};
     const Vec3d middle = turned(leg, turn_two_bones(leg, Vec3d(0, 0.1, 0), Vec3d(0.3, 0, 1))).middle;
     if (i > 0) {

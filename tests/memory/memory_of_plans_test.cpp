@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every array of a plan counts, to the byte.
+// Every array of a plan is counted, to the byte.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kMore = 13;
 
-/// A plan whose arrays can be changed. Copies take no more room than they need.
+/// A plan whose arrays can be changed. Copies of arrays have no spare capacity.
 class MemoryOfPlans : public testing::Test {
  protected:
   static std::size_t bytes(const CompiledPlan& plan) {
     return memory_of(Plan(std::make_shared<const CompiledPlan>(plan))).plans;
   }
 
-  /// How many bytes a change adds.
+  /// The number of bytes that a change adds.
   template <class Change>
   std::size_t added_by(const Change& change) const {
     CompiledPlan plan = plan_;
@@ -28,8 +28,8 @@ class MemoryOfPlans : public testing::Test {
     return bytes(plan) - bytes(plan_);
   }
 
-  /// Expects that more elements of an array count with their size.
-  /// in   array_of   CompiledPlan& -> the array
+  /// Expects that elements added to an array are counted with their size.
+  /// in   array_of   function from CompiledPlan& to the array
   template <class ArrayOf>
   void expect_counted(const char* name, const ArrayOf& array_of) const {
     std::size_t size = 0;

@@ -23,17 +23,17 @@ Scene scene_with_everything() {
   return scene;
 }
 
-/// Allocators round what they give up by a few bytes each, and control blocks of shared things are not counted.
+/// Expects nearly equal sizes: allocators round each block up, and control blocks of shared pointers are not counted.
 void expect_close(std::size_t counted, std::size_t allocated) {
   EXPECT_LE(counted, allocated);
   EXPECT_GE(static_cast<double>(counted), 0.9 * static_cast<double>(allocated));
 }
 
-/// Bytes that are in use since construction.
+/// Heap bytes allocated since construction and still in use.
 class BytesInUse {
  public:
   std::size_t count() const {
-    const PeakMemory now;  // forgets the peak between
+    const PeakMemory now;  // resets the peak
     return since_.bytes();
   }
 
@@ -63,12 +63,12 @@ TEST(memory_of, a_scene_takes_what_its_copy_allocates_and_what_both_share) {
   EXPECT_EQ(bytes.plans + bytes.frames, 0u);
 }
 
-/// Whether an array or a text of the scene is counted, of a kind.
+/// True if growing an array or string of the scene grows the count of that kind.
 bool counts(const Scene& scene, auto& array, std::size_t MemoryBytes::*kind) {
   const std::size_t before = memory_of(scene).*kind, size = sizeof(array[0]) * 10000;
   array.resize(array.size() + 10000);
   const std::size_t more = memory_of(scene).*kind - before;
-  return more + size / 10 >= size;  // there may have been room
+  return more + size / 10 >= size;  // the array may have had spare capacity
 }
 
 TEST(memory_of, every_array_of_a_mesh_counts) {
@@ -148,7 +148,7 @@ TEST(memory_of, a_plan_and_a_frame_take_what_making_them_leaves) {
     const Plan plan = compile_plan(scene, needs);
     const std::size_t of_plan = in_use.count();
     MemoryCount count;
-    const std::size_t of_scene = count.add(scene).bytes().total();  // keys of clips are shared
+    const std::size_t of_scene = count.add(scene).bytes().total();  // clips share keys
     expect_close(count.add(plan).bytes().total() - of_scene, of_plan);
 
     const BytesInUse more;
@@ -185,7 +185,7 @@ TEST(memory_of, a_library_takes_what_adding_to_it_leaves) {
     for (std::size_t f = 0; f < files; ++f) library.add(scene);
     const std::size_t allocated = in_use.count();
     MemoryCount count;
-    const std::size_t of_scene = count.add(scene).bytes().total();  // keys and numbers at rest are shared
+    const std::size_t of_scene = count.add(scene).bytes().total();  // clips share keys and rest values
     expect_close(count.add(library).bytes().total() - of_scene, allocated);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every number of a material, camera or light, alone, where it is none.
+// Makes each number of a material, camera or light NaN or infinite, one at a time.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,7 +12,8 @@ namespace {
 
 using Numbers = std::vector<float*>;
 
-/// in   numbers_of  of the scene's only asset
+/// Expects that check(Scene) finds a bad value in each number.
+/// in   numbers_of  gives the numbers of the scene's only asset
 template <class NumbersOf>
 void expect_each_is_checked(Scene scene, const NumbersOf& numbers_of) {
   finish_scene(scene);

@@ -16,8 +16,8 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 glm::quat about_x(float half_angle_rad) { return {std::cos(half_angle_rad), std::sin(half_angle_rad), 0.0f, 0.0f}; }
 
-/// Three joints, one skinned triangle with one morph target, one clip that also moves a material and a rotation of each
-/// kind, one corrective; and a mesh that is shown twice.
+/// A valid scene: three joints, a skinned triangle with a morph target, a corrective, and a mesh that is shown twice.
+/// One clip moves joints, with a rotation track of each interpolation, and a material.
 Scene good_scene() {
   Scene scene;
   scene.skeleton = test::chain_skeleton(3);
@@ -66,7 +66,7 @@ Scene good_scene() {
 
 Primitive& triangle(Scene& scene) { return scene.meshes[0].primitives[0]; }
 
-/// The triangle's influences on three joints each, all in one group.
+/// Gives each vertex of the triangle three influences, in one group.
 void use_three_influences(Scene& scene, std::initializer_list<float> weights) {
   scene.skins[0].joints = {0, 1, 2};
   scene.skins[0].inverse_bind.resize(3);
@@ -177,7 +177,7 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"weight offsets", [](Scene& s) { s.first_weight.push_back(1); }, ErrorCode::size_mismatch},
       {"last weight offset",
        [](Scene& s) {
-         s.animations.clear();  // whose clips have as many weights
+         s.animations.clear();  // their clips would have another weight count
          s.clips.clear();
          ++s.first_weight.back();
        },

@@ -90,7 +90,7 @@ TEST(pose_corrective, every_broken_rule_is_found) {
 TEST(pose_corrective, a_driver_that_does_not_count_makes_poses_coincide) {
   PoseSamples samples = test::hinge_samples();
   samples.drivers[0].measure = RotationMeasure::swing;
-  samples.drivers[0].axis = {0, 0, 1};  // the hinge itself: it never swings
+  samples.drivers[0].axis = {0, 0, 1};  // the axis of the hinge, which never swings
   const auto solved = solve_corrective(samples);
   ASSERT_FALSE(solved.has_value());
   EXPECT_EQ(solved.error(), ErrorCode::coincident_poses);

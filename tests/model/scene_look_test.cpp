@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// A scene of one camera, light and material.
+/// A scene with one camera, one light and one material.
 Scene one_of_each() {
   Scene scene;
   scene.cameras.resize(1);
@@ -15,7 +15,7 @@ Scene one_of_each() {
   return scene;
 }
 
-/// Whether the numbers of a property are the members of the look that `first` is the first of.
+/// True if the components of a property are the members of the look that begin at `first`.
 bool is_at(SceneLook& look, PropertyKind kind, const float& first, TextureSlot slot = TextureSlot::base_color) {
   const std::span<float> found = components_of(look, {kind, 0, slot});
   return found.data() == &first && found.size() == component_count(kind);

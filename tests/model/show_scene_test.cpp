@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/model/show_scene.h"
+#include "runtime/model/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

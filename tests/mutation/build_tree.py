@@ -21,12 +21,13 @@ class Tree:
             self.commands[target] = entry['command']
             self.source[target] = os.path.relpath(entry['file'], root)
         self.libraries, self.programs = {}, {}
-        for command in self.ninja('-t', 'commands').splitlines():
+        tests = ['sinew-tests'] if re.search('^sinew-tests:', self.ninja('-t', 'targets', 'all'), re.M) else []
+        for command in self.ninja('-t', 'commands', 'all', *tests).splitlines():
             archive = re.search(r' qc (\S+\.a)\s+(.*?)(?: && |$)', command)
             program = re.search(r'^: && (.*? -o bin/(sinew-test-\S+) .*?)(?: && |$)', command)
             if archive:
                 self.libraries[archive.group(1)] = [word for word in archive.group(2).split() if word.endswith('.o')]
-            elif program and program.group(2) not in NOT_RUN:
+            elif program and program.group(2) not in NOT_RUN and os.path.exists(f'{build}/bin/{program.group(2)}'):
                 self.programs[program.group(2)] = program.group(1)
         self.users = collections.defaultdict(set)  # file of the project -> objects that include it
         self.read_dependencies()

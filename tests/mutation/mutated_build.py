@@ -2,6 +2,7 @@
 """Compiles mutated files beside a finished build and links test programs with them. Nothing of the checkout or of that
 build is written: mutated files lie in a folder that stands first among those for includes."""
 import concurrent.futures
+import hashlib
 import os
 import re
 import shutil
@@ -87,8 +88,21 @@ class MutatedBuild:
         command = command.replace(' -o ' + target, f' -O1 -w {TELLS} -fmax-errors=200 -include {HERE}/mutation_switch.h -o {out}')
         if source in self.files:
             command = command.replace(f' -c {self.tree.root}/{source}', f' -c {self.overlay}/{source}')
+        elif os.path.basename(source).startswith('unity_'):
+            batch = os.path.normpath(f'{self.tree.root}/{source}')
+            command = command.replace(f' -c {batch}', f' -c {self.batch(batch)}')
         done = subprocess.run(' '.join(self.launcher) + ' ' + command, shell=True, cwd=self.tree.build, capture_output=True, text=True)
         return None if done.returncode == 0 else done.stderr
+
+    def batch(self, path):
+        """A copy of CMake's file that includes several sources, with the mutated ones in their places."""
+        with open(path, encoding='utf-8') as file:
+            text = re.sub(f'"{re.escape(self.tree.root)}/([^"]+)"', lambda m: f'"{self.overlay}/{m[1]}"' if m[1] in self.files else m[0], file.read())
+        copy = f'{self.folder}/batches/{hashlib.sha256(path.encode()).hexdigest()[:16]}.cxx'
+        os.makedirs(os.path.dirname(copy), exist_ok=True)
+        with open(copy, 'w', encoding='utf-8') as out:
+            out.write(text)
+        return copy
 
     def drop_where(self, errors):
         """Takes back the mutants of lines that do not compile: they are none."""

@@ -24,7 +24,7 @@ bool same_at(const Clip& a, const Clip& b, double time_s) {
   return same_bits<float>(numbers_at(a, time_s), numbers_at(b, time_s));
 }
 
-/// All key times of a clip, times between them, and times before and after it.
+/// All key times of a clip, and times between, before and after them.
 std::vector<double> times_around(const Clip& clip) {
   std::vector<double> times{-1.0, 0.0, clip.duration_s(), clip.duration_s() + 1.0};
   for (const TimeGroup& group : clip.layout().groups)
@@ -35,7 +35,7 @@ std::vector<double> times_around(const Clip& clip) {
   return times;
 }
 
-/// Two keys at one time, where the value jumps, and tracks that begin late and end early.
+/// A clip with two keys at one time, where the value jumps, and with tracks that begin late and end early.
 Clip jumping_clip() {
   test::FixedRandom random(3);
   const std::vector<float> jump{0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 2.0f, 3.0f}, late{2.5f, 3.0f}, early{0.0f, 0.25f};
@@ -67,7 +67,7 @@ TEST(cut_clip, a_part_has_the_keys_around_its_times_and_no_others) {
     std::vector<std::size_t> counts;
     const Clip part = cut_clip(whole, first_s, last_s);
     for (const TimeGroup& group : part.layout().groups) counts.push_back(group.times.key_count());
-    return counts;  // of joints 0, 1 and 2
+    return counts;  // key counts of joints 0, 1 and 2
   };
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(keys_of(0.0, 0.0), (Counts{1, 1, 1}));
@@ -87,7 +87,7 @@ TEST(cut_clip, a_part_keeps_name_duration_and_certificate_and_shares_what_rests)
   EXPECT_EQ(part.counts().rotations, whole.counts().rotations);
 }
 
-/// Lanes of sample_clip read past the last number of a key.
+/// sample_clip reads vectors past the last lane of a key.
 TEST(cut_clip, rows_of_a_part_end_with_the_room_that_lanes_read) {
   const Clip part = cut_clip(varied_clip(1), 1.0, 2.0);
   std::size_t packed = 0, full = 0;
@@ -132,7 +132,7 @@ TEST(join_clips, pages_together_are_the_clip_that_was_cut_byte_for_byte) {
     }
 }
 
-/// Rotations that turn far from key to key in one part of the clip only.
+/// The rotation turns far from key to key in only one part of the clip.
 TEST(join_clips, wide_turns_of_packed_rotations_keep_their_bits_across_pages) {
   QuatTrack track{Interpolation::linear, {}, {}};
   for (int k = 0; k < 40; ++k) {
@@ -172,7 +172,7 @@ TEST(join_clips, what_does_not_continue_the_clip_is_refused) {
   EXPECT_TRUE(moves_alike(whole, cut_clip(whole, 2.0, 2.5)));
 }
 
-/// A clip of one joint with one track of two keys.
+/// A clip with one joint, whose only track has two keys.
 Clip clip_with(Vec3Track BoneAnimation::*part, Interpolation interpolation, float second, double tolerance = 0.0) {
   BoneAnimation bone;
   (bone.*part) = {interpolation, {0.0f, 1.0f}, {glm::vec3(0.0f), glm::vec3(second)}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A clip of an hour at 30 Hz plays from a window of four pages of four seconds.
+// A clip of one hour at 30 Hz plays from a window of four pages of four seconds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,8 +47,8 @@ struct HourTest : testing::Test {
   }
   static bool same(const PageSample& at, double time_s) {
     static test::PoseBuffer a(kJoints), b(kJoints);
-    run(SampleClipJob{&at.page, at.time_s, a.span(), {}});
-    run(SampleClipJob{whole, time_s, b.span(), {}});
+    EXPECT_EQ(run(SampleClipJob{&at.page, at.time_s, a.span(), {}}), ErrorCode::ok);
+    EXPECT_EQ(run(SampleClipJob{whole, time_s, b.span(), {}}), ErrorCode::ok);
     return same_bits<float>({a.span().planes, PoseSpan::floats_for(kJoints)},
                             {b.span().planes, PoseSpan::floats_for(kJoints)});
   }
@@ -62,7 +62,7 @@ TEST_F(HourTest, plays_with_the_bits_of_the_whole_clip_in_a_hundredth_of_its_mem
   PagedClip paged(first_keys(*whole), kHourPage_s, pages->size());
   std::size_t loads = 0, missing = 0, most_bytes = 0;
   for (double t = 0.0; t < 3600.0; t += 1.0 / 30.0) {
-    if (const auto page = paged.next_page()) {  // one a frame, before it is needed
+    if (const auto page = paged.next_page()) {  // loads one page a frame, before it is needed
       ASSERT_TRUE(paged.load_page(*page, (*pages)[*page]));
       ++loads;
     }
@@ -76,7 +76,7 @@ TEST_F(HourTest, plays_with_the_bits_of_the_whole_clip_in_a_hundredth_of_its_mem
   EXPECT_LT(most_bytes * 100, whole->byte_size());
 }
 
-/// A loader that needs 90 frames for each page is late after each jump.
+/// The loader needs 90 frames for each page, so it is late after each jump.
 TEST_F(HourTest, a_slow_loader_is_late_after_jumps_and_never_wrong) {
   PagedClip paged(first_keys(*whole), kHourPage_s, pages->size());
   test::FixedRandom random(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of characters whose clips lie in pages.
+// Layers of characters that play paged clips.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLayerPage_s = 0.3;
 
-/// The clips of a scene in pages, all of which are read the moment they are wanted.
+/// The clips of a scene as PagedClips whose pages are loaded as soon as they are needed.
 class Pages {
  public:
   explicit Pages(const Scene& scene, const std::vector<std::uint32_t>& kept_joints = {}) : clips_(scene.clips) {
@@ -119,7 +119,7 @@ TEST(page_layers, a_plan_compiled_with_first_keys_plays_all_pages) {
   }
 }
 
-/// What normals and winding depend on: keys that a plan does not see may have any scale.
+/// Scales decide normals and winding. Keys that a plan does not see may have any scale.
 TEST(page_layers, a_plan_expects_any_scale_of_keys_that_are_elsewhere) {
   const Vec3Track grows{
       Interpolation::linear, {0.0f, 1.0f, 2.0f}, {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f, -2.0f, 1.0f)}};

@@ -18,7 +18,7 @@ namespace {
 using test::numbers_at;
 using test::varied_clip;
 
-constexpr double kPage_s = 0.5;  // of 4 s: eight pages
+constexpr double kPage_s = 0.5;  // a clip of 4 s has eight pages
 
 struct PagedTest : testing::Test {
   const Clip whole = varied_clip(1);
@@ -26,7 +26,7 @@ struct PagedTest : testing::Test {
 
   PagedClip paged(PagedClip::Options options = {}) const { return {first_keys(whole), kPage_s, bytes.size(), options}; }
   bool load(PagedClip& clip, std::size_t page) const { return clip.load_page(page, bytes[page]).value(); }
-  /// The pages that a loader would read now, in their order.
+  /// Loads all pages of the window; returns them in the order of loading.
   std::vector<std::size_t> load_all(PagedClip& clip) const {
     std::vector<std::size_t> pages;
     while (const auto page = clip.next_page()) {
@@ -83,7 +83,7 @@ TEST_F(PagedTest, a_loaded_page_shows_the_bits_of_the_whole_clip) {
 
 TEST_F(PagedTest, a_missing_page_shows_the_nearest_pose_that_is_there_and_says_so) {
   PagedClip clip = paged();
-  expect_shows(clip.at(2.2), 0.0, true);  // the start, which the head has
+  expect_shows(clip.at(2.2), 0.0, true);  // the start of the clip, from the head
   clip.at(1.2);
   load(clip, 2);  // 1.0 to 1.5 s
   expect_shows(clip.at(1.7), 1.5, true);
@@ -98,7 +98,7 @@ TEST_F(PagedTest, a_missing_page_shows_the_nearest_pose_that_is_there_and_says_s
 
 TEST_F(PagedTest, a_page_that_the_window_has_left_is_not_taken) {
   PagedClip clip = paged();
-  clip.at(0.1);  // 0, 1, 2 and 7
+  clip.at(0.1);  // the window is pages 0, 1, 2 and 7
   EXPECT_FALSE(load(clip, 4));
   EXPECT_EQ(clip.loaded_pages(), 0u);
   EXPECT_TRUE(load(clip, 7));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// .sinew files whose long clips lie in pages.
+// .sinew files with paged clips.
 #include <gtest/gtest.h>
 #include <zstd.h>
 
@@ -40,7 +40,7 @@ Bytes saved(const Clip& clip) {
   return save_clips(clips);
 }
 
-/// The rule of reading all of it, and its sentence; empty where all is well.
+/// Rule and text of the first error when the whole file is read; empty if there is none.
 std::string error_of(const Bytes& file) {
   const auto opened = AssetFile::open(file);
   if (!opened) return describe(opened.error());
@@ -199,7 +199,7 @@ TEST(paged_files, a_table_that_leaves_pages_out_is_refused) {
   Bytes file = paged_file(scene);
   const AssetBlock table = *AssetFile::open(file)->find(AssetKind::pages);
   put_number(file, table.offset + 8,
-             2 * kFilePage_s);  // behind the number of tables: the length of the first one's pages
+             2 * kFilePage_s);  // after the number of tables: page_s of the first one
   sign_assets(file);
   EXPECT_NE(error_of(file).find("has more or fewer pages than its duration asks for"), std::string::npos)
       << error_of(file);
@@ -248,7 +248,7 @@ std::span<std::byte> page_of(Bytes& file, std::size_t clip, std::size_t page) {
 
 TEST(paged_files, a_page_in_the_place_of_another_is_refused) {
   Scene scene = full_scene(1);
-  for (const std::size_t c : {1, 0}) {  // two clips of the same keys, so that their pages have one size
+  for (const std::size_t c : {1, 0}) {  // both clips have the same keys, so their pages have equal sizes
     ClipLayout named = scene.clips[0].layout();
     named.name = c == 0 ? "a" : "b";
     scene.clips[c] = clip_of(named);
@@ -294,7 +294,7 @@ TEST(paged_files, whole_clips_of_a_damaged_packed_page_are_refused_where_the_pag
   EXPECT_GT(packed, 0);
 }
 
-/// Tables of no clip that anyone wrote.
+/// Page tables with invalid values.
 TEST(paged_files, tables_that_make_no_sense_are_refused) {
   const Bytes file = paged_file(full_scene(1));
   const AssetBlock table = *AssetFile::open(file)->find(AssetKind::pages);
@@ -304,7 +304,7 @@ TEST(paged_files, tables_that_make_no_sense_are_refused) {
     sign_assets(changed);
     return error_of(changed);
   };
-  // the number of tables | seconds of the first one's pages | the number of its offsets | 8 bytes of padding | offsets
+  // number of tables | page_s of the first | number of its offsets | 8 bytes of padding | offsets
   for (const double page_s : {0.0, -1.0, std::nan(""), HUGE_VAL})
     EXPECT_NE(with(8, page_s).find("the length of pages is not a time"), std::string::npos) << page_s;
   EXPECT_NE(with(32, std::uint64_t{1} << 60).find("pages do not lie one after another"), std::string::npos);
@@ -316,7 +316,7 @@ TEST(paged_files, a_table_of_pages_that_has_none_is_refused) {
   ASSERT_EQ(number_at<std::uint64_t>(file, table + 16), 6u) << "offsets of the first table";
   const auto put = [&](std::uint64_t at, auto number) { put_number(file, table + at, number); };
   put(0, std::uint64_t{3});
-  put(16, std::uint64_t{1});  // its first offset alone; the others become a table between the two
+  put(16, std::uint64_t{1});  // one offset only; the remaining ones are then read as another table
   put(40, 1.0);
   put(48, std::uint64_t{2});
   put(56, std::uint64_t{0});

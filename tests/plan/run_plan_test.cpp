@@ -169,7 +169,8 @@ TEST(run_plan, P06_one_layer_of_full_weight_has_the_bits_of_sample_clip) {
     std::vector<float> weights(scene.weight_count());
     alignas(64) float memory[PoseSpan::floats_for(16)];
     const PoseSpan pose = pose_over(memory, scene.skeleton.joint_count());
-    run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = pose, .weights = weights});
+    EXPECT_EQ(run(SampleClipJob{.clip = &scene.clips[0], .time_s = time_s, .pose = pose, .weights = weights}),
+              ErrorCode::ok);
     for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j) {
       const std::uint32_t parent = scene.skeleton.parents[j], fixed = scene.skeleton.fixed_matrix_of[j];
       const Affine local = fixed == kNone ? affine_from_transform(pose.get(j)) : scene.skeleton.fixed_matrices[fixed];

@@ -92,7 +92,7 @@ TEST(event_cursor, nothing_to_cross_without_events) {
   EXPECT_EQ(crossed(clock.advance(1e12), {}), Indices{});
 }
 
-/// What a cursor answers, at most `most` times.
+/// The results of a cursor's next(), at most `most` of them.
 struct Told {
   Indices events;
   std::uint64_t rounds_left_out = 0;
@@ -132,7 +132,7 @@ TEST(event_cursor, rounds_beyond_those_that_are_told_are_counted) {
     PlaybackClock clock(1.0, PlayMode::loop, sign), whole = clock;
     clock.advance(0.5);
     const Told seen = told(clock.advance(static_cast<double>(most) + 99.0), times, 4 * most);
-    EXPECT_EQ(seen.rounds_left_out, 100u);  // the step touches kMostRounds + 100 rounds, the first and the last in part
+    EXPECT_EQ(seen.rounds_left_out, 100u);  // of kMostRounds + 100 rounds, the first and the last partial
     ASSERT_EQ(seen.events.size(), 2 * (most - 1));
     const std::size_t next = sign > 0.0 ? 1 : 0;
     for (std::size_t i = 0; i < seen.events.size(); ++i) ASSERT_EQ(seen.events[i], (next + i) % 2) << i;
@@ -149,7 +149,7 @@ TEST(event_cursor, a_step_that_was_refused_crosses_nothing) {
   EXPECT_EQ(crossed(clock.advance(std::numeric_limits<double>::infinity()), times), Indices{});
 }
 
-// However play is cut into steps, the same events are seen in the same order: each belongs to exactly one step.
+// Any division of play into steps gives the same events in the same order, since each belongs to exactly one step.
 class CutPlay : public ::testing::TestWithParam<PlayMode> {};
 
 TEST_P(CutPlay, steps_of_any_length_see_what_one_long_step_sees) {

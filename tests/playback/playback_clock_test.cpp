@@ -207,7 +207,7 @@ TEST(playback_clock, N24_a_day_of_frames_does_not_drift) {
   }
 }
 
-// Plain summing in double drifts by more than that: the compensation is needed.
+// Plain summation in double drifts by more than that, so the compensation is needed.
 TEST(playback_clock, N24_plain_double_sums_do_drift) {
   double phase_s = 0.0;
   std::int64_t rounds = 0;

@@ -20,8 +20,8 @@ constexpr RootMotionParts kAll{true, true, true, RootTurn::full};
 
 glm::quat about(const Vec3d& axis, double angle_rad) { return quat_cast<float>(quat_from_axis_angle(axis, angle_rad)); }
 
-/// A step of a walk: a metre and a bit along z, bobbing, and a turn of 25 degrees, in a second. It starts somewhere,
-/// turned.
+/// A walk of one second: it moves 1.25 m along z and 0.25 m along x, bobs up and down, and turns by 25 degrees. It does
+/// not start at the origin, nor with heading 0.
 BoneAnimation walk() {
   BoneAnimation root;
   root.translation = {Interpolation::linear, {0.0f, 0.5f, 1.0f}, {{2, 1, -1}, {2.1f, 1.1f, -0.4f}, {2.25f, 1, 0.25f}}};
@@ -30,7 +30,7 @@ BoneAnimation walk() {
   return root;
 }
 
-/// What a clock at a frame rate carries the character to after `seconds`.
+/// The product of the root motions of `frames` steps of `dt_s`.
 DualQuatd carried(PlayMode mode, double speed, double dt_s, int frames, const RootMotionParts& parts = kAll) {
   const BoneAnimation root = walk();
   PlaybackClock clock(1.0, mode, speed);
@@ -50,7 +50,7 @@ TEST(root_motion, U07_a_step_within_the_clip_is_the_difference_of_two_places) {
 }
 
 TEST(root_motion, U07_rounds_go_on_where_the_last_one_ended) {
-  // Without turning, seven and a quarter rounds go seven and a quarter of 1.25 m.
+  // Without turning, 7.25 rounds move by 7.25 * 1.25 m.
   const BoneAnimation root = walk();
   PlaybackClock clock(1.0);
   const RootMotionParts parts{true, true, true, RootTurn::none};
@@ -68,8 +68,8 @@ TEST(root_motion, U07_a_whole_round_carries_from_the_start_to_the_end_and_two_do
   EXPECT_LT(apart(root_motion(root, {}, kAll, twice.advance(2.0)), round * round), 1e-14);
 }
 
-// The truth is one step over the whole time. Two minutes at rates that divide them: 120 rounds, some frames end on the
-// seam, some jump over it.
+// The truth is one step over the whole time. Each rate divides two minutes, which are 120 rounds. Some frames end on
+// the seam, others cross it.
 TEST(root_motion, U07_frame_rates_agree) {
   for (const double speed : {1.0, -1.0, 0.3, 2.5}) {
     const DualQuatd truth = carried(PlayMode::loop, speed, 120.0, 1);
@@ -80,8 +80,8 @@ TEST(root_motion, U07_frame_rates_agree) {
   }
 }
 
-// A round carries by a fixed rigid motion: after n rounds the heading is n * 25 degrees, and the path is a circle, so
-// that after 72 rounds (five full turns) the character is back.
+// Each round adds the same rigid motion. After n rounds the heading is n * 25 degrees, and the path is a circle. After
+// 72 rounds (five full turns) the character is back.
 TEST(root_motion, U07_N24_many_rounds_stay_exact) {
   const BoneAnimation root = walk();
   const double exact_rad = 25 * kPi / 180;
@@ -131,7 +131,7 @@ TEST(root_motion, parts_that_are_not_named_stay_in_the_pose) {
   const DualQuatd place = root_place(root, {}, ground, 1.0);
   EXPECT_TRUE(test::is_near(translation_of(place), Vec3d(2.25, 0, 0.25), 1e-15));
   EXPECT_LT(test::angle_between(place.real, quat_from_axis_angle(Vec3d(0, 1, 0), 0.4)), 1e-7);
-  // What is left has no heading, and stands above the origin.
+  // The rest of the pose has no heading and stands above the origin.
   const Transformd local = root.interpolate<double>(1.0, {});
   const DualQuatd left = dual_quat_conjugate(place) * dual_quat_from(local.rotation, local.translation);
   EXPECT_NEAR(left.real.y, 0.0, 1e-8);
@@ -140,8 +140,7 @@ TEST(root_motion, parts_that_are_not_named_stay_in_the_pose) {
 
 TEST(root_motion, a_root_that_rests_turned_has_no_heading_at_rest) {
   Transform rest;
-  rest.rotation =
-      quat_xyzw(1.0f, 0.0f, 0.0f, 0.0f);  // as after an exchange of axes: a plain twist of it would be undefined
+  rest.rotation = quat_xyzw(1.0f, 0.0f, 0.0f, 0.0f);  // as after an exchange of axes; its twist about +Y is undefined
   BoneAnimation root;
   root.rotation = {Interpolation::linear, {0, 1}, {rest.rotation, about({0, 1, 0}, 0.5) * rest.rotation}};
   EXPECT_LT(apart(root_place(root, rest, {}, 0.0), {}), 1e-7);

@@ -69,7 +69,7 @@ TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_th
         Poses p(7), untouched(7);
         AddPoseJob job = p.job(weight);
         if (masked) job.joint_weights = p.mask;
-        run(job);
+        EXPECT_EQ(run(job), ErrorCode::ok);
         std::vector<Transform> found;
         for (std::size_t j = 0; j < kJoints; ++j) {
           found.push_back(p.base.span().get(j));
@@ -90,7 +90,7 @@ TEST(add_pose, the_reference_itself_adds_nothing) {
   Poses p(8), untouched(8);
   AddPoseJob job = p.job(1.0f);
   job.layer = job.reference;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < kJoints; ++j) EXPECT_EQ(p.base.span().get(j), untouched.base.span().get(j)) << j;
 }
 
@@ -100,7 +100,7 @@ TEST(add_pose, on_its_own_reference_a_layer_of_weight_one_comes_out) {
   job.reference = job.pose;
   test::PoseBuffer start = p.base;
   job.reference = start.span();
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   for (std::size_t j = 0; j < kJoints; ++j) {
     EXPECT_NEAR(std::abs(quat_dot(p.base.span().get(j).rotation, p.layer.span().get(j).rotation)), 1.0f, 1e-6f) << j;
     EXPECT_TRUE(test::is_near(p.base.span().get(j).scale, p.layer.span().get(j).scale, 1e-6)) << j;
@@ -110,7 +110,7 @@ TEST(add_pose, on_its_own_reference_a_layer_of_weight_one_comes_out) {
 TEST(add_pose, a_reference_without_scale_adds_no_scale) {
   Poses p(10), untouched(10);
   for (std::size_t j = 0; j < kJoints; ++j) p.reference.span().plane(PoseSpan::sx)[j] = 0.0f;
-  run(p.job(1.0f));
+  EXPECT_EQ(run(p.job(1.0f)), ErrorCode::ok);
   for (std::size_t j = 0; j < kJoints; ++j)
     EXPECT_EQ(p.base.span().get(j).scale.x, untouched.base.span().get(j).scale.x) << j;
 }

@@ -39,7 +39,7 @@ class Rig {
     for (std::size_t d = 0; d < rotations.size(); ++d) turn(d, rotations[d]);
     std::fill(weights.begin(), weights.end(), 0.0f);
     EXPECT_EQ(check(job()), ErrorCode::ok);
-    run(job());
+    EXPECT_EQ(run(job()), ErrorCode::ok);
     return weights;
   }
   float at(const glm::quat& rotation, std::size_t weight) { return at(std::span(&rotation, 1))[weight]; }
@@ -270,11 +270,11 @@ TEST(correct_pose, corrections_add_to_the_weights_that_are_there_and_N26_tiny_su
   Rig rig(test::hinge_samples());
   rig.turn(0, about_z(1.5));
   rig.weights = {0.25f, -1.0f};
-  run(rig.job());
+  EXPECT_EQ(run(rig.job()), ErrorCode::ok);
   EXPECT_EQ(rig.weights, (std::vector<float>{0.65f, 0.0f}));
   rig.turn(0, about_z(0));
   rig.weights = {1e-30f, -1e-39f};
-  run(rig.job());
+  EXPECT_EQ(run(rig.job()), ErrorCode::ok);
   EXPECT_EQ(rig.weights, (std::vector<float>{0.0f, 0.0f}));
 }
 
@@ -291,7 +291,7 @@ TEST(correct_pose, a_run_allocates_nothing) {
   Rig rig(test::random_samples(random, 3, 20, 5));
   const CorrectPoseJob job = rig.job();
   const test::AllocationCounter counter;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   EXPECT_EQ(counter.count(), 0u);
 }
 

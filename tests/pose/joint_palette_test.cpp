@@ -50,7 +50,7 @@ TEST(joint_palette, the_bind_pose_gives_identities) {
     skin.joints.push_back(j);
     skin.inverse_bind.push_back(affine_from_transform(inverse));
   }
-  run(JointPaletteJob{&skin, model, palette});
+  EXPECT_EQ(run(JointPaletteJob{&skin, model, palette}), ErrorCode::ok);
   for (const auto& m : palette) EXPECT_TRUE(test::is_near(affine_from(m), Affine{}, 1e-6));
 }
 
@@ -68,7 +68,7 @@ TEST(joint_palette, N27_N28_every_instruction_set_gives_the_bits_of_the_plain_pr
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> palette(skin.joints.size());
-    run(JointPaletteJob{&skin, model, palette});
+    EXPECT_EQ(run(JointPaletteJob{&skin, model, palette}), ErrorCode::ok);
     for (std::size_t i = 0; i < palette.size(); ++i) {
       const JointMatrix plain = joint_matrix_from(model[skin.joints[i]] * skin.inverse_bind[i]);
       EXPECT_TRUE(same_bits(palette[i], plain) || skin.joints[i] == 3) << i << ' ' << test::simd_name(target);
@@ -92,17 +92,17 @@ TEST(joint_palette, tells_whether_every_bit_is_as_before_in_place_and_beside_ano
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> made(kCount);
     bool unchanged = true;
-    run(JointPaletteJob{&skin, model, made, {}, &unchanged});
+    EXPECT_EQ(run(JointPaletteJob{&skin, model, made, {}, &unchanged}), ErrorCode::ok);
     EXPECT_FALSE(unchanged) << "there was nothing before";
     for (std::uint32_t changed = 0; changed <= kCount; ++changed) {
       SCOPED_TRACE(testing::Message() << changed << ' ' << test::simd_name(target));
       std::vector<JointMatrix> before = made, beside(kCount);
       if (changed < kCount) before[changed].column[3].z = std::nextafter(before[changed].column[3].z, 9.0f);
-      run(JointPaletteJob{&skin, model, beside, before, &unchanged});
+      EXPECT_EQ(run(JointPaletteJob{&skin, model, beside, before, &unchanged}), ErrorCode::ok);
       EXPECT_EQ(unchanged, changed == kCount);
       EXPECT_TRUE(same_bits<JointMatrix>(beside, made));
       unchanged = changed != kCount;
-      run(JointPaletteJob{&skin, model, before, before, &unchanged});
+      EXPECT_EQ(run(JointPaletteJob{&skin, model, before, before, &unchanged}), ErrorCode::ok);
       EXPECT_EQ(unchanged, changed == kCount);
       EXPECT_TRUE(same_bits<JointMatrix>(before, made));
     }
@@ -116,7 +116,7 @@ TEST(joint_palette, G33_joints_may_come_in_any_order) {
   std::vector<Affine> model(3);
   std::vector<JointMatrix> palette(2);
   for (int j = 0; j < 3; ++j) model[static_cast<std::size_t>(j)].row[0].w = static_cast<float>(j);
-  run(JointPaletteJob{&skin, model, palette});
+  EXPECT_EQ(run(JointPaletteJob{&skin, model, palette}), ErrorCode::ok);
   EXPECT_EQ(palette[0].column[3].x, 2.0f);
   EXPECT_EQ(palette[1].column[3].x, 0.0f);
 }
@@ -136,7 +136,7 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   palette.push_back(joint_matrix_from(affine_from(Mat3<float>(-1, 0, 0, 0, 1, 0, 0, 0, 1), {0, 0, 0})));  // mirrored
   std::vector<RigidStretch> split(palette.size());
   bool any = false;
-  run(SplitPaletteJob{palette, split, &any});
+  EXPECT_EQ(run(SplitPaletteJob{palette, split, &any}), ErrorCode::ok);
   EXPECT_TRUE(any);
   for (std::size_t i = 0; i < palette.size(); ++i) {
     EXPECT_TRUE(test::is_near(rebuilt(split[i]), affine_from(palette[i]), 1e-5)) << i;
@@ -169,14 +169,15 @@ TEST(split_palette, N27_N28_lanes_and_instruction_sets_give_each_matrix_the_same
   std::vector<RigidStretch> alone(all.size());
   {
     const test::OnlyTarget only(test::simd_targets().back());
-    for (std::size_t i = 0; i < all.size(); ++i) run(SplitPaletteJob{std::span(all).subspan(i, 1), {&alone[i], 1}});
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(run(SplitPaletteJob{std::span(all).subspan(i, 1), {&alone[i], 1}}), ErrorCode::ok);
   }
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     for (std::size_t first = 0; first < 12; ++first)
       for (std::size_t count = 1; count <= 17; ++count) {
         std::vector<RigidStretch> split(count);
-        run(SplitPaletteJob{std::span(all).subspan(first, count), split});
+        EXPECT_EQ(run(SplitPaletteJob{std::span(all).subspan(first, count), split}), ErrorCode::ok);
         for (std::size_t i = 0; i < count; ++i)
           EXPECT_TRUE(same_bits(split[i], alone[first + i]))
               << first << ' ' << i << " of " << count << ' ' << test::simd_name(target);
@@ -214,7 +215,7 @@ TEST(split_palette, N19_rotations_and_stretches_are_those_of_double_rounded_once
                                             random.vec3())));
         }
         std::vector<RigidStretch> split(palette.size());
-        run(SplitPaletteJob{palette, split});
+        EXPECT_EQ(run(SplitPaletteJob{palette, split}), ErrorCode::ok);
         for (std::size_t i = 0; i < palette.size(); ++i) {
           EXPECT_LE(roundings_from_double(split[i], palette[i]), 1.001) << least << ' ' << size << ' ' << i;
           EXPECT_EQ(determinant_sign(matrix_from_stretch(split[i].stretch)), determinant_sign(affine_from(palette[i])));
@@ -236,7 +237,7 @@ TEST(split_palette, G48_stretches_have_the_side_of_their_matrix_however_flat_it_
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<RigidStretch> split(palette.size());
-    run(SplitPaletteJob{palette, split});
+    EXPECT_EQ(run(SplitPaletteJob{palette, split}), ErrorCode::ok);
     for (std::size_t i = 0; i < palette.size(); ++i) {
       const int sign = determinant_sign(affine_from(palette[i]));
       EXPECT_EQ(determinant_sign(matrix_from_stretch(split[i].stretch)) < 0, sign < 0) << i;
@@ -254,8 +255,8 @@ TEST(split_palette, N17_signs_follow_the_joints_that_they_are_told_to) {
   std::vector<RigidStretch> split(40), plain(40);
   std::vector<JointPair> follow;
   for (std::uint16_t i = 1; i < 40; ++i) follow.push_back({static_cast<std::uint16_t>(i / 2), i});
-  run(SplitPaletteJob{palette, plain, nullptr, {}});
-  run(SplitPaletteJob{palette, split, nullptr, follow});
+  EXPECT_EQ(run(SplitPaletteJob{palette, plain, nullptr, {}}), ErrorCode::ok);
+  EXPECT_EQ(run(SplitPaletteJob{palette, split, nullptr, follow}), ErrorCode::ok);
   int turned = 0;
   for (const JointPair& pair : follow) {
     EXPECT_GE(quat_dot(split[pair.first].rigid.real, split[pair.second].rigid.real), 0.0f);
@@ -278,10 +279,10 @@ TEST(split_palette, P12_rigid_palettes_need_no_stretch_phase) {
   }
   std::vector<RigidStretch> split(palette.size());
   bool any = true;
-  run(SplitPaletteJob{palette, split, &any});
+  EXPECT_EQ(run(SplitPaletteJob{palette, split, &any}), ErrorCode::ok);
   EXPECT_FALSE(any);
   palette[7].column[2].z *= 1.01f;
-  run(SplitPaletteJob{palette, split, &any});
+  EXPECT_EQ(run(SplitPaletteJob{palette, split, &any}), ErrorCode::ok);
   EXPECT_TRUE(any);
   EXPECT_EQ(check(SplitPaletteJob{palette, std::span(split).first(3), &any}), ErrorCode::size_mismatch);
 }

@@ -63,7 +63,7 @@ TEST(mirror_pose, agrees_with_its_definition_and_every_instruction_set_gives_the
       for (const std::int64_t target : test::simd_targets()) {
         const test::OnlyTarget only(target);
         Mirrored m(right, seed);
-        run(m.job());
+        EXPECT_EQ(run(m.job()), ErrorCode::ok);
         const std::vector<Transformd> truth =
             reference::mirrored_pose(m.body.skeleton, m.body.skeleton.rest, m.local, m.body.partner, {1, 0, 0});
         std::vector<Transform> found;
@@ -86,8 +86,8 @@ TEST(mirror_pose, twice_mirrored_is_the_same_bit_for_bit_where_the_sides_are_mir
     Mirrored m(right);
     EXPECT_EQ(m.sums(), 0u) << "every number is copied";
     test::PoseBuffer twice(m.local.size());
-    run(m.job());
-    run(MirrorPoseJob{&m.tables, m.out.span(), twice.span()});
+    EXPECT_EQ(run(m.job()), ErrorCode::ok);
+    EXPECT_EQ(run(MirrorPoseJob{&m.tables, m.out.span(), twice.span()}), ErrorCode::ok);
     for (std::size_t j = 0; j < m.local.size(); ++j) {
       const Transform back = twice.span().get(j);
       EXPECT_EQ(0, std::memcmp(&back, &m.local[j], sizeof(Transform))) << j;
@@ -100,8 +100,8 @@ TEST(mirror_pose, twice_mirrored_differs_by_rounding_alone_elsewhere) {
     Mirrored m(right);
     EXPECT_GT(m.sums(), 0u);
     test::PoseBuffer twice(m.local.size());
-    run(m.job());
-    run(MirrorPoseJob{&m.tables, m.out.span(), twice.span()});
+    EXPECT_EQ(run(m.job()), ErrorCode::ok);
+    EXPECT_EQ(run(MirrorPoseJob{&m.tables, m.out.span(), twice.span()}), ErrorCode::ok);
     for (std::size_t j = 0; j < m.local.size(); ++j) {
       EXPECT_LT(test::angle_between(twice.span().get(j).rotation, m.local[j].rotation), 16 * test::kEps) << j;
       EXPECT_TRUE(test::is_near(twice.span().get(j).translation, m.local[j].translation, 16 * test::kEps)) << j;
@@ -115,8 +115,8 @@ TEST(mirror_pose, a_skeleton_of_no_joints_and_one_of_many_allocate_nothing) {
   test::PoseBuffer empty(0), empty_out(0), pose(67), out(67);
   for (std::size_t j = 0; j < 67; ++j) pose.span().set(j, biped.rest[j]);
   const test::AllocationCounter counter;
-  run(MirrorPoseJob{&none, empty.span(), empty_out.span()});
-  run(MirrorPoseJob{&many, pose.span(), out.span()});
+  EXPECT_EQ(run(MirrorPoseJob{&none, empty.span(), empty_out.span()}), ErrorCode::ok);
+  EXPECT_EQ(run(MirrorPoseJob{&many, pose.span(), out.span()}), ErrorCode::ok);
   EXPECT_EQ(counter.count(), 0u);
   for (std::size_t j = 0; j < 67; ++j)
     EXPECT_TRUE(test::is_near(out.span().get(j).translation, biped.rest[j].translation, 1e-6)) << j;

@@ -88,17 +88,17 @@ std::vector<double> weights_of(const Json& in) { return in["weights"].get<std::v
 glm::vec3 normal_of(const Json& in) { return in.contains("n") ? vec3<float>(in["n"]) : glm::vec3(0, 0, 1); }
 
 void skin_linearly(Vertices& v, const Palettes& palettes) {
-  run(SkinLinearJob{&v.influences(), palettes.matrices, v.in(), v.out()});
+  run_unchecked(SkinLinearJob{&v.influences(), palettes.matrices, v.in(), v.out()});
 }
 
 void skin_by_dual_quaternions(Vertices& v, const Palettes& palettes) {
-  run(SkinDualQuaternionJob{&v.influences(), palettes.split, palettes.any_stretch, v.in(), v.out()});
+  run_unchecked(SkinDualQuaternionJob{&v.influences(), palettes.split, palettes.any_stretch, v.in(), v.out()});
 }
 
 void skin_about_center(Vertices& v, const Palettes& palettes, const glm::vec3& center) {
   const std::vector<glm::vec3> centers(Vertices::kCount, center);
-  run(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch, centers, v.in(),
-                              v.out()});
+  run_unchecked(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch,
+                                        centers, v.in(), v.out()});
 }
 
 /// The job answers unit normals, the case a blend that is not: its length is taken from double precision.
@@ -147,7 +147,7 @@ Outcome candy_of(const Json& in) {
 Outcome normal_of_matrix(const Json& in) {
   Vertices v(glm::vec3(0), vec3<float>(in["n"]), {1.0});
   const std::vector<JointMatrix> palette{joint_matrix_from(affine_from(mat3<float>(in["m"]), glm::vec3(0)))};
-  run(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
+  run_unchecked(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
   const auto truth = mat3<double>(in["m"]);
   const double side = glm::determinant(truth) < 0 ? -1 : 1;
   return {{"n", numbers(Vec3<double>(v.normal()) * side)},
@@ -167,7 +167,7 @@ Outcome morph_of(const Json& in) {
   }
   const std::vector<glm::vec3> base{vec3<float>(in["base"])};
   std::vector<glm::vec3> out(1), scratch(1);
-  run(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
+  run_unchecked(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
   return {{"p", numbers(out[0])}};
 }
 

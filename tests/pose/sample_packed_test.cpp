@@ -58,7 +58,7 @@ TEST(sample_packed, G01_N01_poses_between_and_on_keys_are_as_near_as_the_keys) {
       const double t =
           i < 14 ? double(p.animation.bones[0].rotation.times_s[std::min<std::size_t>(static_cast<std::size_t>(i), 8)])
                  : random.in(-0.1, p.animation.duration_s + 0.1);
-      run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}});
+      EXPECT_EQ(run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}}), ErrorCode::ok);
       for (const BoneAnimation& bone : p.animation.bones) {
         const Transform found = pose.span().get(bone.joint);
         EXPECT_TRUE(test::is_near(Vec3<double>(found.translation),
@@ -80,7 +80,7 @@ TEST(sample_packed, N27_N28_every_instruction_set_gives_the_same_bits) {
     std::vector<float> numbers;
     test::PoseBuffer pose(kPackedJoints);
     for (double t = -0.1; t < p.animation.duration_s; t += 0.031) {
-      run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}});
+      EXPECT_EQ(run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}}), ErrorCode::ok);
       for (std::size_t plane = 0; plane < PoseSpan::plane_count; ++plane)
         numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(plane)),
                        pose.span().plane(PoseSpan::Plane(plane)) + kPackedJoints);
@@ -111,7 +111,7 @@ TEST(sample_packed, packed_weights_are_within_their_tolerance) {
   test::PoseBuffer pose(1);
   for (int i = 0; i < 100; ++i) {
     const double t = random.in(0, 15);
-    run(SampleClipJob{.clip = &clip, .time_s = t, .pose = pose.span(), .weights = found});
+    EXPECT_EQ(run(SampleClipJob{.clip = &clip, .time_s = t, .pose = pose.span(), .weights = found}), ErrorCode::ok);
     sample_track<double>(animation.weights[0].weights, t, expected);
     for (std::size_t w = 0; w < 21; ++w) EXPECT_NEAR(static_cast<double>(found[w]), expected[w], 1.001e-3);
   }

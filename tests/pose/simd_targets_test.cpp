@@ -40,11 +40,15 @@ std::vector<float> results() {
   for (float& m : mask) m = static_cast<float>(random.unit());
   std::vector<float> numbers;
   for (int i = 0; i < 50; ++i) {
-    run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = a.span(), .weights = {}});
-    run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = b.span(), .weights = {}});
+    EXPECT_EQ(
+        run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = a.span(), .weights = {}}),
+        ErrorCode::ok);
+    EXPECT_EQ(
+        run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = b.span(), .weights = {}}),
+        ErrorCode::ok);
     const BlendLayer layers[] = {{a.span(), 0.4f, {}}, {b.span(), 0.7f, mask}};
-    run(BlendPosesJob{layers, rest.span(), out.span()});
-    run(LocalToModelJob{&skeleton, out.span(), {}, model});
+    EXPECT_EQ(run(BlendPosesJob{layers, rest.span(), out.span()}), ErrorCode::ok);
+    EXPECT_EQ(run(LocalToModelJob{&skeleton, out.span(), {}, model}), ErrorCode::ok);
     append(numbers, model);
     for (const PoseSpan& pose : {a.span(), out.span()})
       for (std::size_t p = 0; p < PoseSpan::plane_count; ++p)
@@ -73,7 +77,7 @@ TEST(simd_targets, N28_model_matrices_have_the_bits_of_the_plain_product) {
   for (std::size_t j = 0; j < kTargetJoints; ++j) pose.span().set(j, random.transform(0.9, 1.1));
   const Affine root = affine_from_transform(random.transform());
   std::vector<Affine> model(kTargetJoints);
-  run(LocalToModelJob{&skeleton, pose.span(), root, model});
+  EXPECT_EQ(run(LocalToModelJob{&skeleton, pose.span(), root, model}), ErrorCode::ok);
   Affine expected = root;
   for (std::size_t j = 0; j < kTargetJoints; ++j) {
     expected = expected * (j == 20 ? skeleton.fixed_matrices[0] : affine_from_transform(pose.span().get(j)));

@@ -75,7 +75,7 @@ inline std::vector<Real> joint_errors(const Skeleton& skeleton, const Animation&
     if (!bone.scale.empty()) local.scale = sample(bone.scale, time_s);
   }
   test::PoseBuffer pose(skeleton.joint_count());
-  run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
+  run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
   for (std::size_t j = 0; j < skeleton.joint_count(); ++j) found.push_back(local_of(pose.span().get(j)));
   const std::vector<Matrix> a = model_of(skeleton, expected), b = model_of(skeleton, found);
   std::vector<Real> errors(a.size(), 0);

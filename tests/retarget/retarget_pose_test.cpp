@@ -57,7 +57,7 @@ Retargeted scaled_bodies() {
 
 TEST(retarget_pose, scales_multiply_those_at_rest_axis_by_axis) {
   Retargeted r = scaled_bodies();
-  run(r.job());
+  EXPECT_EQ(run(r.job()), ErrorCode::ok);
   for (std::size_t j = 0; j < 14; ++j)
     EXPECT_TRUE(test::is_near(r.out.span().get(j).scale, r.to.rest[j].scale * r.local[j].scale, 1e-6)) << j;
 }
@@ -92,7 +92,7 @@ TEST(retarget_pose, agrees_with_double_and_every_instruction_set_gives_the_same_
         for (const Transform& t : r.local) exact.push_back(in_double(t));
         retarget_pose(r.map, r.from, r.to, exact, truth);
         const test::AllocationCounter counter;
-        run(r.job());
+        EXPECT_EQ(run(r.job()), ErrorCode::ok);
         EXPECT_EQ(counter.count(), 0u);
         std::vector<Transform> found;
         for (std::size_t j = 0; j < 14; ++j) {
@@ -119,7 +119,7 @@ TEST(retarget_pose, joints_of_the_source_with_a_fixed_matrix_rest_whatever_the_p
     Skeleton free = r.from;
     free.fixed_matrix_of[fixed] = kNone;
     retarget_pose(r.map, free, r.to, exact, truth);
-    run(r.job());
+    EXPECT_EQ(run(r.job()), ErrorCode::ok);
     for (std::size_t j = 0; j < 14; ++j) {
       EXPECT_TRUE(test::is_near(Vec3<double>(r.out.span().get(j).translation), truth[j].translation, 1e-6)) << j;
       EXPECT_LT(test::angle_between(r.out.span().get(j).rotation, truth[j].rotation), 1e-6) << j;
@@ -142,8 +142,7 @@ TEST(retarget_pose, a_joint_of_the_source_is_seen_from_different_joints_above_at
     std::vector<Transformd> exact, truth(14);
     for (const Transform& t : r.local) exact.push_back(in_double(t));
     retarget_pose(r.map, r.from, r.to, exact, truth);
-    ASSERT_EQ(check(r.job()), ErrorCode::ok);
-    run(r.job());
+    ASSERT_EQ(run(r.job()), ErrorCode::ok);
     for (std::size_t j = 0; j < 14; ++j) {
       const Transform found = r.out.span().get(j);
       EXPECT_TRUE(test::is_near(Vec3<double>(found.translation), truth[j].translation, 1e-6)) << j;
@@ -155,7 +154,7 @@ TEST(retarget_pose, a_joint_of_the_source_is_seen_from_different_joints_above_at
 TEST(retarget_pose, on_its_own_skeleton_a_pose_keeps_its_bits) {
   const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
   Retargeted r(skeleton, skeleton, 3);
-  run(r.job());
+  EXPECT_EQ(run(r.job()), ErrorCode::ok);
   for (std::size_t j = 0; j < 14; ++j) {
     const Transform same = r.out.span().get(j);
     EXPECT_EQ(0, std::memcmp(&same, &r.local[j], sizeof same)) << j;

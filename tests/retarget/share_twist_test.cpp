@@ -164,7 +164,7 @@ TEST(share_twist, the_job_has_the_bits_of_the_truth_in_float_and_allocates_nothi
   const ShareTwistJob job{&twists, memory.span()};
   ASSERT_EQ(check(job), ErrorCode::ok);
   const test::AllocationCounter allocations;
-  run(job);
+  EXPECT_EQ(run(job), ErrorCode::ok);
   EXPECT_EQ(allocations.count(), 0u);
   share_twist(twists, pose);
   for (std::uint32_t j = 0; j < 8; ++j) {

@@ -25,15 +25,15 @@ inline std::ostream& operator<<(std::ostream& out, Way way) {
 inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers, const InfluenceStreams& influences) {
   if (way == Way::linear || way == Way::linear_cofactor) {
     const auto rule = way == Way::linear ? NormalRule::linear : NormalRule::cofactor;
-    return run(SkinLinearJob{influences, s.palette, s.in(), s.out(), rule});
+    return run_unchecked(SkinLinearJob{influences, s.palette, s.in(), s.out(), rule});
   }
   std::vector<RigidStretch> split(s.palette.size());
   bool any_stretch = false;
-  run(SplitPaletteJob{s.palette, split, &any_stretch});
+  run_unchecked(SplitPaletteJob{s.palette, split, &any_stretch});
   if (way == Way::dual_quaternion)
-    run(SkinDualQuaternionJob{influences, split, any_stretch, s.in(), s.out()});
+    run_unchecked(SkinDualQuaternionJob{influences, split, any_stretch, s.in(), s.out()});
   else
-    run(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
+    run_unchecked(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
 }
 
 /// The same by the influences of `s`.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -36,7 +37,6 @@ std::size_t threads_of_this_process() {
 
 TEST(job_tasks, a_loop_that_polls_gives_the_bits_of_a_frame_without_threads) {
   Crowd crowd(7);
-  const std::size_t threads_before = threads_of_this_process();
   for (const bool in_parts : {true, false}) {
     JobThreadOptions options;
     if (in_parts) options = spread();
@@ -56,8 +56,22 @@ TEST(job_tasks, a_loop_that_polls_gives_the_bits_of_a_frame_without_threads) {
         EXPECT_EQ(hash_of(*jobs.latest(c)), crowd.hash_without_threads(c, expected)) << "character " << c;
       }
     }
-    EXPECT_EQ(threads_of_this_process(), threads_before) << "no thread is made";
   }
+}
+
+/// In a process of its own: threads of earlier tests that were joined are counted until the system has removed them.
+TEST(job_tasks, a_loop_that_polls_makes_no_thread) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto poll_some_frames = [] {
+    Crowd crowd(7);
+    const std::size_t threads_before = threads_of_this_process();
+    JobThread jobs(handed_out());
+    crowd.add_to(jobs);
+    for (Ticket frame = 1; frame <= 20; ++frame)
+      if (jobs.submit(crowd.inputs(frame)) != frame || !jobs.poll()) std::_Exit(2);
+    std::_Exit(threads_of_this_process() == threads_before ? 0 : 1);
+  };
+  EXPECT_EXIT(poll_some_frames(), testing::ExitedWithCode(0), "");
 }
 
 TEST(job_tasks, a_frame_is_done_when_the_last_of_its_tasks_is_in_any_order) {

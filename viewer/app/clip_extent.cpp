@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "viewer/app/clip_poses.h"
 #include "viewer/app/skeleton_lines.h"
 

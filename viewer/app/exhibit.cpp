@@ -10,7 +10,7 @@
 #include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
 #include "runtime/base/contract.h"
-#include "runtime/model/show_scene.h"
+#include "runtime/model/scene.h"
 #include "samples/showcase/showcase.h"
 #include "viewer/app/bake_access.h"
 #include "viewer/app/load_environment.h"

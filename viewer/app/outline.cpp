@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::viewer {
 

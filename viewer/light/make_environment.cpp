@@ -5,11 +5,11 @@
 #include <span>
 #include <utility>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "runtime/base/contract.h"
 #include "runtime/math/interpolate.h"
+#include "runtime/threads/default_executor.h"
 #include "viewer/light/environment.h"
 #include "viewer/light/reflected_directions.h"
 
@@ -91,7 +91,8 @@ CubeMap filtered_level(std::span<const CubeMap> source, std::uint32_t level) {
   const std::uint32_t size = source[0].size >> level;
   const auto directions = reflected_directions(roughness, kSamples[level], source[0].size);
   CubeMap cube{size, std::vector<glm::vec3>(std::size_t{kCubeFaces} * size * size)};
-  tbb::parallel_for(0u, kCubeFaces * size, [&](std::uint32_t row) {
+  run_in_parallel(kCubeFaces * size, [&](std::size_t item) {
+    const auto row = static_cast<std::uint32_t>(item);
     for (std::uint32_t x = 0; x < size; ++x)
       cube.texels[std::size_t{row} * size + x] =
           filtered(source, directions, texel_direction(row / size, x, row % size, size));

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "runtime/threads/default_executor.h"
 #include "viewer/light/sheen_albedo.h"
 
 namespace sinew::viewer {
@@ -66,7 +66,7 @@ glm::vec3 visible_half_vector(const GgxView& view, const glm::vec2& point) noexc
 std::vector<glm::vec3> make_table() {
   constexpr float last = kSplitSumSize - 1;
   std::vector<glm::vec3> table(std::size_t{kSplitSumSize} * kSplitSumSize);
-  tbb::parallel_for(0u, kSplitSumSize, [&](std::uint32_t row) {
+  run_in_parallel(kSplitSumSize, [&](std::size_t row) {
     for (std::uint32_t i = 0; i < kSplitSumSize; ++i) {
       const float root = static_cast<float>(i) / last, n_v = root * root;
       const float roughness = static_cast<float>(row) / last;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "runtime/math/determinant_sign.h"
-#include "runtime/model/mesh_copies.h"
+#include "runtime/model/scene.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {

@@ -28,7 +28,7 @@ struct Bodies {
       : source(subject.scene.skeleton), other(std::move(made)), animation(*subject.animation()) {
     for (const double time_s : timed_moments(animation.duration_s)) {
       PoseMemory& pose = poses.emplace_back(source.joint_count());
-      run(SampleClipJob{
+      run_unchecked(SampleClipJob{
           .clip = &subject.scene.clips[subject.clip], .time_s = time_s, .pose = pose.span(), .weights = {}});
     }
   }
@@ -110,8 +110,8 @@ void add_rule(Study& study, const std::shared_ptr<Bodies>& bodies, const Rule& r
   point.is_default = rule.rule == TranslationRule::hips_by_height && !held;
   const auto work = [bodies, own, held] {
     for (PoseMemory& pose : bodies->poses) {
-      run(RetargetPoseJob{&own->tables, pose.span(), bodies->scratch.span(), bodies->out.span()});
-      if (held) run(HoldFeetJob{&own->feet, own->ground, pose.span(), bodies->out.span()});
+      run_unchecked(RetargetPoseJob{&own->tables, pose.span(), bodies->scratch.span(), bodies->out.span()});
+      if (held) run_unchecked(HoldFeetJob{&own->feet, own->ground, pose.span(), bodies->out.span()});
     }
   };
   study.add(std::move(point), {bodies->poses.size() * source.joint_count(), work});

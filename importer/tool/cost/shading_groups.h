@@ -9,8 +9,8 @@ namespace sinew::cost {
 
 /// Measures the viewer's texture filters, on a plane that reaches the horizon, each with its error against
 /// supersampling, and both its interpolations of normals, on a sphere, on the Vulkan device of this machine. Neither
-/// depends on a file. A separate program (viewer/study) does it, so that this program needs no Vulkan.
-/// out  JSON as viewer/study/shading_main.cpp writes it, for the groups below; they say why where that fails
+/// depends on a file. A separate program (tests/study) does it, so that this program needs no Vulkan.
+/// out  JSON as tests/study/shading_main.cpp writes it, for the groups below; they say why where that fails
 std::string measure_shading(bool quick);
 
 Group filter_group(const std::string& measured);

@@ -32,18 +32,18 @@ class Skinner {
   /// Splitting the joint matrices belongs to the rigid methods; it is done once a frame.
   void run(Skinning kind, const PosedSkin& pose) {
     const VertexInfluences* influences = &part_.primitive->influences;
-    if (kind != Skinning::linear) sinew::run(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
+    if (kind != Skinning::linear) sinew::run_unchecked(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
     switch (kind) {
       case Skinning::linear:
-        sinew::run(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
+        sinew::run_unchecked(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
         break;
       case Skinning::dual_quaternion:
-        sinew::run(
+        sinew::run_unchecked(
             SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_, pose.palette});
         break;
       case Skinning::center_of_rotation:
-        sinew::run(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(),
-                                           out_.out(), pairs_});
+        sinew::run_unchecked(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_,
+                                                     part_.in(), out_.out(), pairs_});
         break;
     }
   }

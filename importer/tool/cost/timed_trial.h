@@ -6,7 +6,7 @@
 
 namespace sinew::cost {
 
-/// The name and the time of a trial that a measuring program (viewer/study) answers.
+/// The name and the time of a trial that a measuring program (tests/study) answers.
 /// in   key     of its list of milliseconds, one a repetition;   pixels  that each took
 Point timed_point(const nlohmann::json& trial, const char* key, double pixels);
 

@@ -2,11 +2,16 @@
 #pragma once
 #include <hwy/highway.h>
 
-/// Defines `run(const Job&)` inside namespace sinew: it calls `kernel(job)` of the best instruction set that this
-/// machine has. The kernel is compiled once per instruction set, in namespace sinew::HWY_NAMESPACE (Highway's
-/// foreach_target); the macro belongs into the part of the file that is compiled once (HWY_ONCE).
-#define SINEW_DISPATCH_RUN(Job, kernel) \
-  namespace {                           \
-  HWY_EXPORT(kernel);                   \
-  }                                     \
-  void run(const Job& job) noexcept { HWY_DYNAMIC_DISPATCH(kernel)(job); }
+#include <cassert>
+
+/// Defines `run_unchecked(const Job&)`, which calls `kernel(job)` compiled for the best instruction set of this
+/// machine. Highway compiles the kernel once per instruction set, in namespace sinew::HWY_NAMESPACE (its
+/// foreach_target). The macro belongs inside namespace sinew, in the part of the file that is compiled once (HWY_ONCE).
+#define SINEW_DISPATCH_RUN(Job, kernel)                                                           \
+  namespace {                                                                                     \
+  HWY_EXPORT(kernel);                                                                             \
+  }                                                                                               \
+  void run_unchecked(const Job& job) noexcept {                                                   \
+    assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts"); \
+    HWY_DYNAMIC_DISPATCH(kernel)(job);                                                            \
+  }

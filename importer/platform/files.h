@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+/// Calls of the operating system about files: files_posix.cpp, and its twin files_windows.cpp. Files are descriptors of
+/// the C library, as zlib takes them. Where a call fails, errno says why.
+namespace sinew::platform {
+
+/// Names a file on the disk, whatever its path: device and number of its entry.
+using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;
+
+/// Does not wait for the other end of a pipe and does not take over a terminal.   out   a descriptor, or -1
+int open_to_read(const std::filesystem::path& path) noexcept;
+
+/// Fails where the file exists.   out   a descriptor, or -1
+int create_new(const std::filesystem::path& path) noexcept;
+void close(int descriptor) noexcept;
+
+/// Nothing for folders, pipes and devices.
+std::optional<std::uint64_t> regular_size(int descriptor) noexcept;
+FileIdentity identity_of(int descriptor) noexcept;
+
+/// Fills `out` from where the last call ended.   out   false where the file ends early
+bool read_all(int descriptor, std::span<std::byte> out) noexcept;
+/// Writes all bytes, and waits until the disk has them.
+bool write_to_disk(int descriptor, std::span<const std::byte> bytes) noexcept;
+
+bool remove(const std::filesystem::path& path) noexcept;
+/// Gives a file another name, in place of the file that has it.
+bool rename_over(const std::filesystem::path& from, const std::filesystem::path& to) noexcept;
+
+/// A name beside `path` that no other process uses at this time.
+std::filesystem::path temporary_beside(const std::filesystem::path& path);
+
+}  // namespace sinew::platform
