@@ -26,8 +26,8 @@ enum class PoseOpKind : std::uint8_t {
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
 };
 
-/// One operation. `weight` and `mask` are the share of the pose that it leaves, in the operation that takes it: a mean,
-/// an overlay (of the upper pose), an addition (of the layer). override_joints has its own share in `time_s`.
+/// One operation. `weight` and `mask` are the share of its pose in the operation that takes it as an operand of a mean,
+/// as the upper pose of an overlay, or as the layer of an addition. override_joints has its own share in `time_s`.
 struct PoseOp {
   double time_s = 0.0;          ///< sample: seconds in the clip;  mean: its threshold;  override_joints: its weight
   float weight = 1.0f;          ///< finite, >= 0
@@ -46,7 +46,7 @@ static_assert(sizeof(PoseOp) == 16, "programs are compared, stored and sent as b
 using PoseProgramSpan = std::span<const PoseOp>;
 inline constexpr std::size_t kMostPoseOps = 255;
 
-/// What the operations of a program may refer to.
+/// Sizes of the tables that a program refers to.
 struct PoseProgramLimits {
   std::size_t clips = 0, externals = 0, masks = 0, overrides = 0;
   bool mirror = false;    ///< mirror tables are there

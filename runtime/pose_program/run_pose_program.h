@@ -30,7 +30,7 @@ struct JointOverride {
   OverrideSpace space = OverrideSpace::local;
 };
 
-/// What programs of one skeleton read; the same for all its characters. Immutable while frames run.
+/// The tables that programs of one skeleton read. All its characters share them. Immutable while frames run.
 struct PoseProgramAssets {
   const Skeleton* skeleton = nullptr;
   std::span<const Clip> clips;
@@ -42,7 +42,7 @@ struct PoseProgramAssets {
   std::span<const std::uint32_t> mirrored_weight_source = {};  ///< [W] MirrorMap::weight_source; empty = weights stay
 };
 
-/// Work of one run. What a program does not contain counts zero.
+/// Work of one run. An operation that the program does not contain counts zero.
 struct PoseProgramWork {
   std::uint32_t clips_sampled = 0, poses_mirrored = 0, poses_blended = 0, poses_overlaid = 0, poses_added = 0,
                 joints_overridden = 0;
