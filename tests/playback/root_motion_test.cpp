@@ -7,11 +7,13 @@
 
 #include "runtime/animation/mirror_animation.h"
 #include "runtime/math/axis_angle.h"
+#include "tests/playback/motion_distance.h"
 #include "tests/support/near.h"
 
 namespace sinew {
 namespace {
 
+using test::apart;
 using Vec3d = Vec3<double>;
 constexpr double kPi = 3.14159265358979323846;
 constexpr RootMotionParts kAll{true, true, true, RootTurn::full};
@@ -26,10 +28,6 @@ BoneAnimation walk() {
   root.rotation = {
       Interpolation::linear, {0.0f, 1.0f}, {about({0, 1, 0}, 0.7), about({0, 1, 0}, 0.7 + 25 * kPi / 180)}};
   return root;
-}
-
-double apart(const DualQuatd& a, const DualQuatd& b) {
-  return std::max(test::distance(translation_of(a), translation_of(b)), test::angle_between(a.real, b.real));
 }
 
 /// The product of the root motions of `frames` steps of `dt_s`.

@@ -7,17 +7,15 @@
 #include <cmath>
 
 #include "runtime/math/axis_angle.h"
+#include "tests/playback/motion_distance.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
 namespace sinew {
 namespace {
 
+using test::apart;
 using Vec3d = Vec3<double>;
-
-double apart(const DualQuatd& a, const DualQuatd& b) {
-  return std::max(test::distance(translation_of(a), translation_of(b)), test::angle_between(a.real, b.real));
-}
 
 glm::quat heading(double angle_rad) { return quat_cast<float>(quat_from_axis_angle(Vec3d(0, 1, 0), angle_rad)); }
 

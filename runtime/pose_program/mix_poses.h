@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/animation/skeleton.h"
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// Share of one pose in a mix, per joint. Internal to pose_program/.
+struct MixShare {
+  float weight = 1.0f;
+  std::span<const float> joint_weights;  ///< [J] or empty
+
+  float of(std::size_t joint) const noexcept {
+    const float share = joint_weights.empty() ? weight : weight * joint_weights[joint];
+    return share < 1.0f ? share : 1.0f;
+  }
+};
+
+/// eq   t = (1 - w) t_below + w t_above, s likewise; q = normalise((1 - w) q_below +- w q_above), the sign by hemisphere.
+///      At w = 0 and w = 1 the bits of the one pose.
+Transform mixed(const Transform& below, const Transform& above, float w) noexcept;
+
+/// Lays `above` over `below`, joint by joint in local space.
+/// out  below  in place
+void overlay_pose(const PoseSpan& above, const MixShare& share, const PoseSpan& below) noexcept;
+
+/// As overlay_pose, but rotations are mixed in model space. Joints with a share of 0 below joints with one keep their
+/// local rotation of `below`; those with a share of 1 stand in model space as in `above`.
+/// eq   G = slerp(G_below, G_above, w) along the short arc, G the rotation in model space; q = conj(G_parent) G
+/// in   skeleton  parents before children;   rotations[3 J]  scratch
+/// out  below  in place
+void overlay_pose_in_model_space(const Skeleton& skeleton, const PoseSpan& above, const MixShare& share,
+                                 std::span<glm::quat> rotations, const PoseSpan& below) noexcept;
+
+}  // namespace sinew

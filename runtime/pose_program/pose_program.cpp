@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose_program/pose_program.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+constexpr const char* kNames[] = {"rest",        "sample", "sample_mirrored", "rest_mirrored",
+                                  "external",    "mean",   "overlay",         "overlay_model",
+                                  "add_to_rest", "add",    "override_joints"};
+constexpr std::size_t kKinds = std::size(kNames);
+
+bool is_kind(PoseOpKind kind) noexcept { return static_cast<std::size_t>(kind) < kKinds; }
+
+std::size_t operands_of(const PoseOp& op) noexcept {
+  switch (op.kind) {
+    case PoseOpKind::mean: return op.index;
+    case PoseOpKind::overlay:
+    case PoseOpKind::overlay_model:
+    case PoseOpKind::add_to_rest: return 2;
+    case PoseOpKind::add: return 3;
+    case PoseOpKind::override_joints: return 1;
+    default: return 0;
+  }
+}
+
+struct Rule {
+  ErrorCode code;
+  const char* text;
+};
+constexpr Rule kKept{ErrorCode::ok, ""};
+
+/// The rule that an operation breaks by itself, whatever lies on the stack.
+Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
+  const bool samples = op.kind == PoseOpKind::sample || op.kind == PoseOpKind::sample_mirrored;
+  const bool mirrors = op.kind == PoseOpKind::sample_mirrored || op.kind == PoseOpKind::rest_mirrored;
+  if (!is_kind(op.kind)) return {ErrorCode::unsupported, "the kind of operation is not known"};
+  if (!std::isfinite(op.weight)) return {ErrorCode::not_finite, "its weight is not finite"};
+  if (op.weight < 0.0f) return {ErrorCode::unsupported, "its weight is negative"};
+  if (!std::isfinite(op.time_s)) return {ErrorCode::not_finite, "its time is not finite"};
+  if (op.mask != PoseOp::kNoMask && op.mask >= limits.masks)
+    return {ErrorCode::index_out_of_range, "there is no mask of that index"};
+  if (samples && op.index >= limits.clips) return {ErrorCode::index_out_of_range, "there is no clip of that index"};
+  if (op.kind == PoseOpKind::external && op.index >= limits.externals)
+    return {ErrorCode::index_out_of_range, "there is no external pose of that index"};
+  if (op.kind == PoseOpKind::override_joints && op.index >= limits.overrides)
+    return {ErrorCode::index_out_of_range, "there is no override of that index"};
+  if (op.kind == PoseOpKind::override_joints && !(op.time_s >= 0.0 && op.time_s <= 1.0))
+    return {ErrorCode::unsupported, "the share of an override lies in [0, 1]"};
+  if (mirrors && !limits.mirror) return {ErrorCode::unsupported, "nothing says how the skeleton is mirrored"};
+  if (op.kind == PoseOpKind::mean && !(op.time_s > 0.0 && op.time_s <= 1.0))
+    return {ErrorCode::unsupported, "the threshold of a mean lies in (0, 1]"};
+  return kKept;
+}
+
+struct Found {
+  Rule rule = kKept;
+  std::size_t op = 0;
+};
+
+Found find_broken_rule(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
+  if (program.size() > kMostPoseOps)
+    return {{ErrorCode::size_mismatch, "a program has at most 255 operations"}, program.size()};
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < program.size(); ++i) {
+    if (const Rule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok) return {rule, i};
+    const std::size_t taken = operands_of(program[i]);
+    if (taken > depth) return {{ErrorCode::size_mismatch, "it takes more poses than those before it leave"}, i};
+    depth = depth - taken + 1;
+    if (depth > limits.slots) return {{ErrorCode::size_mismatch, "the memory has room for fewer poses"}, i};
+  }
+  if (depth != 1)
+    return {{ErrorCode::size_mismatch, "exactly one pose remains at the end of a program"}, program.size()};
+  return {};
+}
+
+}  // namespace
+
+std::size_t pose_slots(PoseProgramSpan program) noexcept {
+  std::size_t depth = 0, most = 0;
+  for (const PoseOp& op : program) {
+    if (operands_of(op) > depth) break;
+    depth = depth - operands_of(op) + 1;
+    most = std::max(most, depth);
+  }
+  return most;
+}
+
+PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) {
+  const Found found = find_broken_rule(program, limits);
+  if (found.rule.code == ErrorCode::ok) return {};
+  std::string where = "program";
+  if (found.op < program.size()) {
+    const PoseOpKind kind = program[found.op].kind;
+    where =
+        "operation " + std::to_string(found.op) + " (" +
+        (is_kind(kind) ? kNames[static_cast<std::size_t>(kind)] : "kind " + std::to_string(static_cast<int>(kind))) +
+        ")";
+  }
+  return {found.rule.code, found.op, where + ": " + found.rule.text};
+}
+
+ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
+  return find_broken_rule(program, limits).rule.code;
+}
+
+}  // namespace sinew

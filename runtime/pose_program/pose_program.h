@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "runtime/base/api.h"
+#include "runtime/base/result.h"
+
+namespace sinew {
+
+/// An operation on a stack of poses. Each takes its operands from the stack and leaves one pose there. With the pose go
+/// its morph weights and its properties.
+enum class PoseOpKind : std::uint8_t {
+  rest,             ///< pushes the rest pose
+  sample,           ///< pushes clip `index` at `time_s`
+  sample_mirrored,  ///< the same, left and right exchanged
+  rest_mirrored,    ///< the rest pose, left and right exchanged: what a mirrored additive clip is compared with
+  external,         ///< pushes pose `index` of the caller: a ragdoll, the network, another skeleton's motion
+  mean,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
+  overlay,          ///< lays the topmost pose over the one below, by weight and mask
+  overlay_model,    ///< overlay, but rotations are mixed in model space: an aim stays level while the hips sway
+  add_to_rest,      ///< adds the difference of the topmost pose from the rest pose to the pose below
+  add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
+  override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
+};
+
+/// One operation. `weight` and `mask` are the share of its pose in the operation that takes it as an operand of a mean,
+/// as the upper pose of an overlay, or as the layer of an addition. override_joints has its own share in `time_s`.
+struct PoseOp {
+  double time_s = 0.0;          ///< sample: seconds in the clip;  mean: its threshold;  override_joints: its weight
+  float weight = 1.0f;          ///< finite, >= 0
+  std::uint16_t index = 0;      ///< of a clip, an external pose or an override; mean: number of operands
+  std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
+  PoseOpKind kind = PoseOpKind::rest;
+
+  static constexpr std::uint8_t kNoMask = 255;
+
+  friend bool operator==(const PoseOp&, const PoseOp&) = default;
+};
+static_assert(sizeof(PoseOp) == 16, "programs are compared, stored and sent as bytes");
+
+/// Operations in postfix order: those that make an operand stand before the one that takes it. At most 255. A program
+/// is plain bytes: copy it, compare it, hash it, store it.
+using PoseProgramSpan = std::span<const PoseOp>;
+inline constexpr std::size_t kMostPoseOps = 255;
+
+/// Sizes of the tables that a program refers to.
+struct PoseProgramLimits {
+  std::size_t clips = 0, externals = 0, masks = 0, overrides = 0;
+  bool mirror = false;    ///< mirror tables are there
+  std::size_t slots = 0;  ///< poses that memory has room for
+};
+
+/// The first fault of a program.
+struct PoseProgramFault {
+  ErrorCode code = ErrorCode::ok;
+  std::size_t op = 0;    ///< index of the operation; the number of operations for a fault of the program as a whole
+  std::string sentence;  ///< names the operation and the rule, for people
+};
+
+/// Poses that lie on the stack at once, at most: the memory that a program needs.
+/// in   program  of any operations; one that lacks operands answers what it reaches until then
+/// cost O(ops), no allocation
+SINEW_API std::size_t pose_slots(PoseProgramSpan program) noexcept;
+
+/// err  code  index_out_of_range (of clips, externals, masks, overrides), not_finite, unsupported (negative weight, mirrored
+///      without tables), size_mismatch (operands, length, slots)
+/// cost O(ops), allocates only the sentence of a fault
+SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits);
+
+/// As find_fault, without the sentence.     cost O(ops), no allocation
+SINEW_API ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept;
+
+/// A program in the making, in memory of its own: nothing is allocated. Operations beyond kMostPoseOps are counted and
+/// left out, and `is_complete` tells.
+class PoseProgram {
+ public:
+  PoseProgram& rest(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({.weight = weight, .mask = mask, .kind = PoseOpKind::rest});
+  }
+  PoseProgram& sample(std::uint32_t clip, double time_s, float weight = 1.0f,
+                      std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({time_s, weight, index_of(clip), mask, PoseOpKind::sample});
+  }
+  PoseProgram& sample_mirrored(std::uint32_t clip, double time_s, float weight = 1.0f,
+                               std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({time_s, weight, index_of(clip), mask, PoseOpKind::sample_mirrored});
+  }
+  PoseProgram& external(std::uint32_t pose, float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({.weight = weight, .index = index_of(pose), .mask = mask, .kind = PoseOpKind::external});
+  }
+  /// in   threshold  in (0, 1]: weights that sum to less are filled up with the rest pose, others are normalised
+  PoseProgram& mean(std::size_t operands, float weight = 1.0f, double threshold = 1.0,
+                    std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({threshold, weight, index_of(operands), mask, PoseOpKind::mean});
+  }
+  PoseProgram& overlay(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({.weight = weight, .mask = mask, .kind = PoseOpKind::overlay});
+  }
+  PoseProgram& overlay_model(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({.weight = weight, .mask = mask, .kind = PoseOpKind::overlay_model});
+  }
+  PoseProgram& add_to_rest(float weight = 1.0f) noexcept {
+    return push({.weight = weight, .kind = PoseOpKind::add_to_rest});
+  }
+  PoseProgram& add(float weight = 1.0f) noexcept { return push({.weight = weight, .kind = PoseOpKind::add}); }
+  PoseProgram& override_joints(std::uint32_t joints, double share = 1.0, float weight = 1.0f) noexcept {
+    return push({share, weight, index_of(joints), PoseOp::kNoMask, PoseOpKind::override_joints});
+  }
+  PoseProgram& push(const PoseOp& op) noexcept {
+    if (count_ < kMostPoseOps) ops_[count_] = op;
+    ++count_;
+    return *this;
+  }
+
+  void clear() noexcept { count_ = 0; }
+  bool is_complete() const noexcept { return count_ <= kMostPoseOps; }
+  PoseProgramSpan ops() const noexcept { return {ops_.data(), count_ < kMostPoseOps ? count_ : kMostPoseOps}; }
+
+ private:
+  /// An index too large for an operation stays out of range, so that the check refuses it.
+  static constexpr std::uint16_t index_of(std::size_t index) noexcept {
+    return index < 0xFFFF ? static_cast<std::uint16_t>(index) : std::uint16_t{0xFFFF};
+  }
+
+  std::array<PoseOp, kMostPoseOps> ops_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace sinew

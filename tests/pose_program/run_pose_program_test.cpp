@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose_program/run_pose_program.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/math/axis_angle.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/pose/pose_memory.h"
+#include "tests/reference/pose_program.h"
+#include "tests/scenes/random_scene.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
+
+namespace sinew::test {
+namespace {
+
+/// A scene with what programs read of it, and memory to run them in.
+struct Stage {
+  Scene scene;
+  std::vector<float> rest_weights;
+  PoseMemory rest, result, external_memory;
+  std::vector<std::vector<float>> mask_memory;
+  std::vector<std::span<const float>> masks;
+  PoseProgramAssets assets;
+  ExternalPose external;
+  std::vector<float> external_weights, weights, properties;
+  std::vector<std::vector<JointOverride>> override_memory;
+  std::vector<std::span<const JointOverride>> overrides;
+  std::unique_ptr<std::byte[], decltype(&std::free)> block{nullptr, std::free};
+  std::size_t bytes = 0;
+  PoseProgramWork work;
+
+  explicit Stage(std::uint64_t seed)
+      : scene(random_scene(seed)),
+        rest_weights(rest_weights_of(scene)),
+        rest(joints()),
+        result(joints()),
+        external_memory(joints()) {
+    FixedRandom random(seed);
+    mask_memory.resize(2);
+    for (std::size_t j = 0; j < joints(); ++j) {
+      rest.span().set(j, scene.skeleton.rest[j]);
+      Transform moved = scene.skeleton.rest[j];
+      moved.translation += random.vec3(-0.2, 0.2);
+      moved.rotation = random.rotation_by(0.4) * moved.rotation;
+      external_memory.span().set(j, moved);
+      mask_memory[0].push_back(static_cast<float>(random.unit()));
+      mask_memory[1].push_back(random.below(2) == 0 ? 0.0f : 1.0f);
+    }
+    masks.assign(mask_memory.begin(), mask_memory.end());
+    for (std::size_t i = 0; i < rest_weights.size(); ++i) external_weights.push_back(static_cast<float>(random.unit()));
+    external = {external_memory.span(), external_weights, {}};
+    override_memory.resize(2);
+    for (const OverrideSpace space : {OverrideSpace::local, OverrideSpace::model})
+      for (int i = 0; i < 2; ++i)
+        override_memory[space == OverrideSpace::model].push_back(
+            {random.below(static_cast<std::uint32_t>(joints())),
+             {random.vec3(-1, 1), random.rotation_by(0.3), {1, 1, 1}},
+             space});
+    overrides.assign(override_memory.begin(), override_memory.end());
+    assets = {.skeleton = &scene.skeleton,
+              .clips = scene.clips,
+              .rest = rest.span(),
+              .rest_weights = rest_weights,
+              .rest_properties = scene.properties.rest,
+              .masks = masks};
+    weights.resize(rest_weights.size());
+    properties.resize(scene.properties.rest.size());
+    bytes = pose_program_bytes(assets, 8);
+    block.reset(static_cast<std::byte*>(std::aligned_alloc(64, bytes)));
+  }
+
+  std::size_t joints() const { return scene.skeleton.joint_count(); }
+
+  PoseProgramJob job(PoseProgramSpan program) {
+    return {.program = program,
+            .assets = &assets,
+            .externals = {&external, 1},
+            .overrides = overrides,
+            .memory = {block.get(), bytes},
+            .pose = result.span(),
+            .weights = weights,
+            .properties = properties,
+            .work = &work};
+  }
+  ErrorCode run_program(const PoseProgram& program) { return run(job(program.ops())); }
+
+  reference::SlowPose run_slowly(PoseProgramSpan program) const {
+    reference::SlowPose slow_external;
+    for (std::size_t j = 0; j < joints(); ++j) slow_external.joints.push_back(in_double(external.pose.get(j)));
+    slow_external.weights.assign(external_weights.begin(), external_weights.end());
+    slow_external.properties.assign(scene.properties.rest.begin(), scene.properties.rest.end());
+    return reference::SlowProgram(scene, rest_weights, masks, {&slow_external, 1}, overrides).run(program);
+  }
+};
+
+/// A random program whose stack holds at most six poses. Rotations stay near each other, so that means have one
+/// meaning.
+PoseProgram random_program(FixedRandom& random, const Scene& scene) {
+  PoseProgram program;
+  std::uint32_t depth = 0;
+  const auto weight = [&] { return static_cast<float>(random.below(4) == 0 ? 1.0 : random.unit()); };
+  const auto mask = [&]() -> std::uint8_t { return random.below(3) == 0 ? static_cast<std::uint8_t>(random.below(2)) : PoseOp::kNoMask; };
+  const auto push = [&] {
+    if (random.below(5) == 0)
+      program.external(0, weight(), mask());
+    else
+      program.sample(random.below(static_cast<std::uint32_t>(scene.clips.size())), random.in(-0.2, 1.5), weight(),
+                     mask());
+    ++depth;
+  };
+  push();
+  for (int i = 0; i < 12; ++i) {
+    const std::uint32_t kind = random.below(8);
+    if (kind < 3 || depth < 2) {
+      if (depth < 5) push();
+    } else if (kind == 3) {
+      const std::uint32_t count = 1 + random.below(depth);
+      program.mean(count, weight(), random.below(2) == 0 ? 1.0 : 0.1, mask());
+      depth -= count - 1;
+    } else if (kind == 4) {
+      program.overlay(weight(), mask());
+      --depth;
+    } else if (kind == 5) {
+      program.overlay_model(weight(), mask());
+      --depth;
+    } else if (kind == 6) {
+      program.add_to_rest(weight());
+      --depth;
+    } else {
+      program.override_joints(random.below(2), random.unit(), weight());
+    }
+  }
+  program.mean(depth);
+  return program;
+}
+
+double difference(const Transform& a, const Transformd& b) {
+  return std::max({test::distance(Vec3<double>(a.translation), b.translation),
+                   test::angle_between(quat_cast<double>(a.rotation), b.rotation),
+                   test::distance(Vec3<double>(a.scale), b.scale)});
+}
+
+TEST(run_pose_program, random_programs_agree_with_the_equations_of_their_operations) {
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Stage stage(seed);
+    FixedRandom random(100 + seed);
+    for (int i = 0; i < 60; ++i) {
+      const PoseProgram program = random_program(random, stage.scene);
+      ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
+      const reference::SlowPose slow = stage.run_slowly(program.ops());
+      for (std::size_t j = 0; j < stage.joints(); ++j)
+        worst = std::max(worst, difference(stage.result.span().get(j), slow.joints[j]));
+      for (std::size_t w = 0; w < slow.weights.size(); ++w) EXPECT_NEAR(stage.weights[w], slow.weights[w], 2e-6);
+      for (std::size_t p = 0; p < slow.properties.size(); ++p)
+        EXPECT_NEAR(stage.properties[p], slow.properties[p], 2e-6 * (1.0 + std::fabs(slow.properties[p])));
+    }
+  }
+  EXPECT_LT(worst, 2e-5);
+}
+
+TEST(run_pose_program, the_same_program_gives_the_same_bits_and_allocates_nothing) {
+  Stage stage(3);
+  FixedRandom random(5);
+  for (int i = 0; i < 20; ++i) {
+    const PoseProgram program = random_program(random, stage.scene);
+    ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
+    std::vector<Transform> first;
+    for (std::size_t j = 0; j < stage.joints(); ++j) first.push_back(stage.result.span().get(j));
+    std::memset(stage.block.get(), 0xEE, stage.bytes);
+    const AllocationCounter allocations;
+    ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
+    EXPECT_EQ(allocations.count(), 0u);
+    for (std::size_t j = 0; j < stage.joints(); ++j) EXPECT_TRUE(same_bits(first[j], stage.result.span().get(j)));
+  }
+}
+
+TEST(run_pose_program, a_full_overlay_has_the_bits_of_the_upper_pose_and_one_of_weight_0_those_of_the_lower) {
+  Stage stage(4);
+  const auto joint_bits = [&](const PoseProgram& program) {
+    EXPECT_EQ(stage.run_program(program), ErrorCode::ok);
+    std::vector<Transform> out;
+    for (std::size_t j = 0; j < stage.joints(); ++j) out.push_back(stage.result.span().get(j));
+    return out;
+  };
+  const std::vector<Transform> lower = joint_bits(PoseProgram().sample(0, 0.3));
+  const std::vector<Transform> upper = joint_bits(PoseProgram().sample(1, 0.7));
+  EXPECT_EQ(joint_bits(PoseProgram().sample(0, 0.3).sample(1, 0.7).overlay()), upper);
+  EXPECT_EQ(joint_bits(PoseProgram().sample(0, 0.3).sample(1, 0.7, 0.0f).overlay()), lower);
+  EXPECT_EQ(joint_bits(PoseProgram().sample(0, 0.3).sample(1, 0.7, 0.0f).overlay_model()), lower);
+  const std::vector<Transform> masked = joint_bits(PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 1).overlay());
+  for (std::size_t j = 0; j < stage.joints(); ++j)
+    EXPECT_EQ(masked[j], stage.mask_memory[1][j] == 1.0f ? upper[j] : lower[j]) << j;
+}
+
+// An upper body of weight 1 over a walk of weight 1 is the upper body, and no mean of both.
+TEST(run_pose_program, a_mean_below_its_threshold_fills_with_the_rest_pose_and_above_it_normalises) {
+  Stage stage(6);
+  const auto x = [&](const PoseProgram& program) {
+    EXPECT_EQ(stage.run_program(program), ErrorCode::ok);
+    return static_cast<double>(stage.result.span().get(1).translation.x);
+  };
+  const double a = x(PoseProgram().external(0)), rest = static_cast<double>(stage.scene.skeleton.rest[1].translation.x);
+  EXPECT_NEAR(x(PoseProgram().external(0, 0.25f).mean(1)), rest + 0.25 * (a - rest), 1e-6);
+  EXPECT_NEAR(x(PoseProgram().external(0, 0.25f).mean(1, 1.0f, 0.1)), a, 1e-6);
+  EXPECT_NEAR(x(PoseProgram().external(0, 0.05f).mean(1, 1.0f, 0.1)), rest + 0.5 * (a - rest), 1e-6);
+  EXPECT_NEAR(x(PoseProgram().mean(0)), rest, 0.0);
+}
+
+TEST(run_pose_program, an_overlay_in_model_space_keeps_the_upper_rotations_whatever_the_joints_above_do) {
+  Stage stage(7);
+  const auto model_rotations = [&](const PoseProgram& program) {
+    EXPECT_EQ(stage.run_program(program), ErrorCode::ok);
+    std::vector<Quat<double>> model;
+    for (std::size_t j = 0; j < stage.joints(); ++j) {
+      const Quat<double> local = quat_cast<double>(stage.result.span().get(j).rotation);
+      const std::uint32_t parent = stage.scene.skeleton.parents[j];
+      model.push_back(parent == kNone ? local : model[parent] * local);
+    }
+    return model;
+  };
+  const auto upper = model_rotations(PoseProgram().sample(1, 0.7));
+  const auto mixed = model_rotations(PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 1).overlay_model());
+  double moved = 0.0;
+  for (std::size_t j = 0; j < stage.joints(); ++j) {
+    if (stage.mask_memory[1][j] == 1.0f) {
+      EXPECT_LT(test::angle_between(mixed[j], upper[j]), 1e-6);
+    } else {
+      moved = std::max(moved, test::angle_between(mixed[j], upper[j]));
+    }
+  }
+  EXPECT_GT(moved, 0.05) << "joints outside of the mask follow the lower pose";
+}
+
+TEST(run_pose_program, joints_are_placed_in_model_space_under_any_parent_but_a_flat_one) {
+  Stage stage(8);
+  const auto joint = static_cast<std::uint32_t>(stage.joints() - 1);
+  const std::uint32_t parent = stage.scene.skeleton.parents[joint];
+  ASSERT_NE(parent, kNone);
+  Transform above = stage.scene.skeleton.rest[parent];
+  above.scale = {2, 2, 2};
+  const Transform given{{0.5f, 1, -2}, quat_cast<float>(quat_from_axis_angle(Vec3<double>(1, 0, 0), 0.8)), {1, 1, 1}};
+  const JointOverride joints[] = {{parent, above}, {joint, given, OverrideSpace::model}};
+  stage.overrides[0] = joints;
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).override_joints(0)), ErrorCode::ok);
+  std::vector<Affine> model(stage.joints());
+  ASSERT_EQ(run(LocalToModelJob{&stage.scene.skeleton, stage.result.span(), {}, model}), ErrorCode::ok);
+  EXPECT_LT(test::distance(translation_of(model[joint]), given.translation), 2e-6);
+  EXPECT_EQ(stage.result.span().get(parent), above) << "local transforms keep their bits";
+
+  above.scale = {2, 0, 2};
+  const JointOverride flat[] = {{parent, above}, {joint, given, OverrideSpace::model}};
+  stage.overrides[0] = flat;
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).override_joints(0)), ErrorCode::ok);
+  const Transform stayed = stage.result.span().get(joint);
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3)), ErrorCode::ok);
+  EXPECT_EQ(stayed, stage.result.span().get(joint));
+}
+
+TEST(run_pose_program, work_is_counted_by_kind_and_what_is_not_in_the_program_counts_zero) {
+  Stage stage(9);
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.1).sample(1, 0.2).mean(2)), ErrorCode::ok);
+  EXPECT_EQ(stage.work.clips_sampled, 2u);
+  EXPECT_EQ(stage.work.poses_blended, 2u);
+  EXPECT_EQ(
+      stage.work.poses_overlaid + stage.work.poses_added + stage.work.poses_mirrored + stage.work.joints_overridden,
+      0u);
+}
+
+TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_are_refused) {
+  Stage stage(10);
+  PoseProgram program;
+  program.sample(0, 0.1).external(0).overlay().override_joints(0);
+  const auto code = [&](auto change) {
+    PoseProgramJob job = stage.job(program.ops());
+    change(job);
+    return run(job);
+  };
+  EXPECT_EQ(code([](PoseProgramJob&) {}), ErrorCode::ok);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.assets = nullptr; }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.memory = job.memory.first(64); }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.joint_count -= 1; }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.planes = nullptr; }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.weights = job.weights.first(1); }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.externals = {}; }), ErrorCode::index_out_of_range);
+  const Clip* const one_page[] = {nullptr};
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.pages = one_page; }), ErrorCode::size_mismatch);
+  ExternalPose smaller = stage.external;
+  smaller.weights = smaller.weights.first(1);
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.externals = {&smaller, 1}; }), ErrorCode::size_mismatch);
+  JointOverride bad{0, {}, OverrideSpace::local};
+  bad.transform.rotation.y = std::numeric_limits<float>::infinity();
+  const std::span<const JointOverride> bad_joints(&bad, 1);
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::not_finite);
+  bad = {static_cast<std::uint32_t>(stage.joints()), {}, OverrideSpace::local};
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::index_out_of_range);
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "runtime/animation/truth_pose.h"
+#include "runtime/math/decompose.h"
+#include "runtime/math/interpolate.h"
+#include "runtime/math/inverse.h"
+#include "runtime/model/scene.h"
+#include "runtime/pose_program/run_pose_program.h"
+#include "tests/reference/sampling.h"
+
+namespace sinew::reference {
+
+/// A pose with its numbers, in double precision.
+struct SlowPose {
+  std::vector<Transformd> joints;
+  std::vector<double> weights, properties;
+};
+
+/// Runs a program by the equations of its operations, from the authoring form: the truth for run(PoseProgramJob).
+/// Mirrored operations are not evaluated.
+class SlowProgram {
+ public:
+  SlowProgram(const Scene& scene, std::span<const float> rest_weights, std::span<const std::span<const float>> masks,
+              std::span<const SlowPose> externals, std::span<const std::span<const JointOverride>> overrides)
+      : scene_(scene), masks_(masks), externals_(externals), overrides_(overrides) {
+    for (const Transform& t : scene.skeleton.rest) rest_.joints.push_back(in_double(t));
+    rest_.weights.assign(rest_weights.begin(), rest_weights.end());
+    rest_.properties.assign(scene.properties.rest.begin(), scene.properties.rest.end());
+  }
+
+  SlowPose run(PoseProgramSpan program) {
+    stack_.clear();
+    for (const PoseOp& op : program) {
+      SlowPose made = apply(op);
+      stack_.push_back({std::move(made), double(op.weight), op.mask});
+    }
+    return stack_.back().pose;
+  }
+
+ private:
+  struct Entry {
+    SlowPose pose;
+    double weight;
+    std::uint8_t mask;
+  };
+
+  SlowPose apply(const PoseOp& op) {
+    switch (op.kind) {
+      case PoseOpKind::sample: return sampled(op.index, op.time_s);
+      case PoseOpKind::external: return externals_[op.index];
+      case PoseOpKind::mean: return mean(op.index, op.time_s);
+      case PoseOpKind::overlay: return overlaid(false);
+      case PoseOpKind::overlay_model: return overlaid(true);
+      case PoseOpKind::add_to_rest: {
+        const Entry layer = popped();
+        return added(popped().pose, layer, rest_);
+      }
+      case PoseOpKind::add: {
+        const SlowPose reference = popped().pose;
+        const Entry layer = popped();
+        return added(popped().pose, layer, reference);
+      }
+      case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index], op.time_s);
+      default: return rest_;
+    }
+  }
+
+  Entry popped() {
+    Entry top = std::move(stack_.back());
+    stack_.pop_back();
+    return top;
+  }
+
+  double share(const Entry& entry, std::size_t joint) const {
+    return entry.weight * (entry.mask == PoseOp::kNoMask ? 1.0 : double(masks_[entry.mask][joint]));
+  }
+
+  SlowPose sampled(std::size_t clip, double time_s) const {
+    SlowPose pose = rest_;
+    const Animation& animation = scene_.animations[clip];
+    for (const BoneAnimation& bone : animation.bones)
+      pose.joints[bone.joint] = bone.interpolate<double>(time_s, rest_.joints[bone.joint]);
+    for (const WeightAnimation& animated : animation.weights)
+      set_numbers(sample(animated.weights, time_s), scene_.first_weight[animated.instance] + animated.first_target,
+                  pose.weights);
+    for (const PropertyTrack& track : animation.properties)
+      for (const PropertyTable::Entry& entry : scene_.properties.entries)
+        if (entry.target == track.target) set_numbers(sample(track.values, time_s), entry.first, pose.properties);
+    return pose;
+  }
+
+  static void set_numbers(const Numbers& from, std::size_t first, std::vector<double>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[first + i] = double(from[i]);
+  }
+
+  /// eq   (sum w x + r rest) / (sum w + r), r = max(0, threshold - sum w)
+  SlowPose mean(std::size_t count, double threshold) {
+    std::vector<Entry> operands(count);
+    for (std::size_t i = count; i-- > 0;) operands[i] = popped();
+    SlowPose out = rest_;
+    for (std::size_t j = 0; j < out.joints.size(); ++j) {
+      double total = 0.0;
+      for (const Entry& entry : operands) total += share(entry, j);
+      const double fill = std::max(0.0, threshold - total);
+      const Transformd& rest = rest_.joints[j];
+      Transformd sum{rest.translation * fill, rest.rotation * fill, rest.scale * fill};
+      for (const Entry& entry : operands) {
+        const double w = share(entry, j);
+        const Transformd& x = entry.pose.joints[j];
+        sum.translation += x.translation * w;
+        sum.rotation = sum.rotation + aligned_with(rest.rotation, x.rotation) * w;
+        sum.scale += x.scale * w;
+      }
+      const double by = 1.0 / (total + fill);
+      out.joints[j] = {sum.translation * by, normalised(sum.rotation), sum.scale * by};
+    }
+    const auto numbers = [&](auto member) {
+      double total = 0.0;
+      for (const Entry& entry : operands) total += entry.weight;
+      const double fill = std::max(0.0, threshold - total);
+      for (std::size_t i = 0; i < (out.*member).size(); ++i) {
+        double sum = fill * (rest_.*member)[i];
+        for (const Entry& entry : operands) sum += entry.weight * (entry.pose.*member)[i];
+        (out.*member)[i] = sum / (total + fill);
+      }
+    };
+    numbers(&SlowPose::weights);
+    numbers(&SlowPose::properties);
+    return out;
+  }
+
+  SlowPose overlaid(bool in_model_space) {
+    const Entry above = popped();
+    SlowPose out = popped().pose;
+    std::vector<Quat<double>> below_model, above_model, model;
+    for (std::size_t j = 0; j < out.joints.size(); ++j) {
+      const double w = std::min(1.0, share(above, j));
+      const Transformd a = out.joints[j], b = above.pose.joints[j];
+      out.joints[j] = {a.translation * (1.0 - w) + b.translation * w,
+                       normalised(a.rotation * (1.0 - w) + aligned_with(a.rotation, b.rotation) * w),
+                       a.scale * (1.0 - w) + b.scale * w};
+      if (!in_model_space) continue;
+      const std::uint32_t parent = scene_.skeleton.parents[j];
+      const bool is_root = parent == kNone;
+      below_model.push_back(is_root ? a.rotation : below_model[parent] * a.rotation);
+      above_model.push_back(is_root ? b.rotation : above_model[parent] * b.rotation);
+      if (w > 0.0) {
+        model.push_back(slerp_short_arc(below_model[j], above_model[j], w));
+        out.joints[j].rotation = is_root ? model[j] : quat_conjugate(model[parent]) * model[j];
+      } else {
+        out.joints[j].rotation = a.rotation;
+        model.push_back(is_root ? a.rotation : model[parent] * a.rotation);
+      }
+    }
+    const double w = std::min(1.0, above.weight);
+    for (std::size_t i = 0; i < out.weights.size(); ++i)
+      out.weights[i] = out.weights[i] * (1.0 - w) + above.pose.weights[i] * w;
+    for (std::size_t i = 0; i < out.properties.size(); ++i)
+      out.properties[i] = out.properties[i] * (1.0 - w) + above.pose.properties[i] * w;
+    return out;
+  }
+
+  SlowPose added(SlowPose base, const Entry& layer, const SlowPose& reference) const {
+    const Quat<double> one = quat_identity<double>();
+    for (std::size_t j = 0; j < base.joints.size(); ++j) {
+      const double w = share(layer, j);
+      const Transformd &l = layer.pose.joints[j], &r = reference.joints[j];
+      Transformd& x = base.joints[j];
+      x.translation += (l.translation - r.translation) * w;
+      const Quat<double> d = aligned_with(one, l.rotation * quat_conjugate(r.rotation));
+      x.rotation = normalised((one * (1.0 - w) + d * w) * x.rotation);
+      for (int c = 0; c < 3; ++c) x.scale[c] *= 1.0 + w * ((r.scale[c] == 0.0 ? 1.0 : l.scale[c] / r.scale[c]) - 1.0);
+    }
+    for (std::size_t i = 0; i < base.weights.size(); ++i)
+      base.weights[i] += layer.weight * (layer.pose.weights[i] - reference.weights[i]);
+    return base;
+  }
+
+  SlowPose overridden(SlowPose pose, std::span<const JointOverride> joints, double share) const {
+    for (const JointOverride& given : joints) {
+      Transformd to = in_double(given.transform);
+      if (given.space == OverrideSpace::model && scene_.skeleton.parents[given.joint] != kNone) {
+        std::vector<Affined> model(pose.joints.size());
+        model_from_local(scene_.skeleton, pose.joints, model);
+        const auto back = inverse_of(model[scene_.skeleton.parents[given.joint]]);
+        if (!back) continue;
+        to = decompose_trs(*back * affine_from_transform(to)).transform;
+      }
+      Transformd& x = pose.joints[given.joint];
+      x = {x.translation * (1.0 - share) + to.translation * share,
+           normalised(x.rotation * (1.0 - share) + aligned_with(x.rotation, to.rotation) * share),
+           x.scale * (1.0 - share) + to.scale * share};
+    }
+    return pose;
+  }
+
+  const Scene& scene_;
+  std::span<const std::span<const float>> masks_;
+  std::span<const SlowPose> externals_;
+  std::span<const std::span<const JointOverride>> overrides_;
+  SlowPose rest_;
+  std::vector<Entry> stack_;
+};
+
+}  // namespace sinew::reference
