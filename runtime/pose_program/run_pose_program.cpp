@@ -9,7 +9,6 @@
 #include "runtime/math/negligible.h"
 #include "runtime/pose/add_pose.h"
 #include "runtime/pose/blend_poses.h"
-#include "runtime/pose/blend_weights.h"
 #include "runtime/pose/sample_clip.h"
 #include "runtime/pose_program/mix_poses.h"
 #include "runtime/pose_program/override_joints.h"
