@@ -11,7 +11,7 @@
 #include "runtime/math/euler.h"
 #include "runtime/math/inverse.h"
 #include "runtime/math/normal_transform.h"
-#include "runtime/math/rotation_about.h"
+#include "runtime/math/matrix_rotation.h"
 #include "runtime/math/rotation_between.h"
 #include "runtime/math/swing_twist.h"
 
