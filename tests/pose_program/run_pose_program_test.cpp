@@ -104,7 +104,9 @@ PoseProgram random_program(FixedRandom& random, const Scene& scene) {
   PoseProgram program;
   std::uint32_t depth = 0;
   const auto weight = [&] { return static_cast<float>(random.below(4) == 0 ? 1.0 : random.unit()); };
-  const auto mask = [&]() -> std::uint8_t { return random.below(3) == 0 ? static_cast<std::uint8_t>(random.below(2)) : PoseOp::kNoMask; };
+  const auto mask = [&]() -> std::uint8_t {
+    return random.below(3) == 0 ? static_cast<std::uint8_t>(random.below(2)) : PoseOp::kNoMask;
+  };
   const auto push = [&] {
     if (random.below(5) == 0)
       program.external(0, weight(), mask());

@@ -10,8 +10,8 @@
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/euler.h"
 #include "runtime/math/inverse.h"
-#include "runtime/math/normal_transform.h"
 #include "runtime/math/matrix_rotation.h"
+#include "runtime/math/normal_transform.h"
 #include "runtime/math/rotation_between.h"
 #include "runtime/math/swing_twist.h"
 

@@ -15,7 +15,7 @@ struct CacheFacts {
   double frame_s = 0.0;
   std::size_t vertex_count = 0;         ///< vertices of one frame
   double bytes_per_s = 0.0;             ///< current read rate from the file
-  std::uint32_t frames_loaded = 0;       ///< loaded frames in the window
+  std::uint32_t frames_loaded = 0;      ///< loaded frames in the window
   std::uint32_t window_frames = 0;      ///< capacity of the window
   std::size_t window_bytes = 0;         ///< memory of the window
   std::optional<double> ns_per_vertex;  ///< stage time per vertex and decoded frame; unset = nothing decoded yet
