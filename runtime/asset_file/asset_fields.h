@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of each asset, in file order. Structured bindings name all members, so adding a member is a compile error
-// here. Add the field and raise kAssetBlockVersion.
+// The fields of each asset, in file order. A new member is a compile error here: add it and raise kAssetBlockVersion.
 #pragma once
-#include <concepts>
 #include <tuple>
 #include <type_traits>
 
@@ -13,7 +11,7 @@
 namespace sinew {
 
 template <class T, class Asset>
-concept Is = std::same_as<std::remove_const_t<T>, Asset>;
+concept Is = std::is_same_v<std::remove_const_t<T>, Asset>;
 
 auto fields(Is<Skeleton> auto& s) {
   auto& [parents, rest, fixed_matrices, fixed_matrix_of, names, node_of_joint, joint_of_node, level_begin] = s;
@@ -149,5 +147,4 @@ auto fields(Is<PageTable> auto& t) {
   auto& [page_s, offsets] = t;
   return std::tie(page_s, offsets);
 }
-
 }  // namespace sinew

@@ -25,8 +25,8 @@ typedef struct sinew_layer {
   uint32_t kind;  ///< sinew_layer_kind, and SINEW_LAYER_MIRRORED
 } sinew_layer;
 
-/// Where a frame takes vertices of mesh instances from in place of their pose: from sinew_geometry_player_source
-/// (sinew_geometry.h). Valid as long as what it was asked from. This struct never grows.
+/// Vertices of mesh instances in place of their pose, from sinew_geometry_player_source (sinew_geometry.h). Valid as
+/// long as that player. This struct never grows.
 typedef struct sinew_vertex_source {
   uint64_t inside[6];  ///< all zero = none
 } sinew_vertex_source;
@@ -35,8 +35,7 @@ typedef struct sinew_vertex_source {
 typedef struct sinew_geometry_input {
   sinew_vertex_source source;
   double time_s;  ///< on the source's clock; the same for all instances of a source
-  float weight;   ///< [0, 1] 1 = vertices are those of the source, and the mesh is neither morphed nor skinned;
-                  ///< between: blended with the pose in world space
+  float weight;   ///< [0, 1] 1 = vertices of the source alone; below: blended with the pose in world space
 } sinew_geometry_input;
 
 /// The keys of a clip for one time (pages.h).
@@ -93,12 +92,10 @@ SINEW_API sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* inp
 /// character before this one runs.
 SINEW_API void sinew_frame_prefetch(const sinew_frame* frame);
 
-/// 1 = runs write vertices past the caches. Worth it for results that no code reads soon: a crowd larger than the
-/// caches, or memory that the GPU reads. The bits are the same.
+/// 1 = runs write vertices past the caches: for results that no code reads soon, as for a GPU. The bits are the same.
 SINEW_API void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
 
-/// The result of a frame. It belongs to the frame or the jobs that answered it. Its spans are valid until they run
-/// again.
+/// The result of a frame. It belongs to the frame or the jobs that gave it, and is valid until they run again.
 typedef struct sinew_result sinew_result;
 SINEW_API const sinew_result* sinew_frame_result(const sinew_frame* frame);
 
@@ -133,7 +130,7 @@ typedef struct sinew_instance_result {
   uint32_t mirrored;             ///< 1: front faces wind clockwise
   uint32_t visible;              ///< 0: on a hidden joint, or out of view
   uint32_t from_cache;           ///< 1: vertices are those of its source, in part or in full
-  uint32_t late;                 ///< 1: the source had not what was asked for; its newest frame is shown, or the pose
+  uint32_t late;                 ///< 1: the cache had not loaded this frame yet, so an older one (or the pose) is shown
 } sinew_instance_result;
 SINEW_API sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance,
                                                 sinew_instance_result* out);
@@ -144,8 +141,7 @@ typedef struct sinew_shape {
   uint32_t instance, primitive;
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
-  uint64_t since_frame;  ///< vertices are bit-identical since this frame: skip the upload if yours are as new.
-                         ///< 0 = nothing to upload
+  uint64_t since_frame;  ///< vertices are bit-identical since this frame; 0 = nothing to upload
 } sinew_shape;
 SINEW_API sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 

@@ -9,11 +9,11 @@
 #include "runtime/base/api.h"
 #include "runtime/base/result.h"
 #include "runtime/math/affine.h"
+#include "runtime/plan/frame_block.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
 
-struct CompiledPlan;
 struct FrameInput;
 class Plan;
 struct Refusal;
@@ -24,49 +24,6 @@ template <class Memory>
 concept BlockMemory = requires(Memory& memory, void* block) {
   { memory.allocate(std::size_t{}, std::size_t{}) } -> std::same_as<void*>;
   memory.deallocate(block, std::size_t{}, std::size_t{});
-};
-
-/// A share of a compiled plan: a std::shared_ptr, which is made and given back in frame_buffer.cpp. Including <memory>
-/// would cost every source file that runs frames 15,000 lines more. Internal to plan/.
-class SINEW_API PlanShare {
- public:
-  explicit PlanShare(const Plan& plan) noexcept;
-  PlanShare(PlanShare&& other) noexcept;
-  PlanShare& operator=(PlanShare&& other) noexcept;
-  ~PlanShare();
-
-  const CompiledPlan* get() const noexcept { return plan_; }  ///< null: moved from
-  const CompiledPlan& operator*() const noexcept { return *plan_; }
-  const CompiledPlan* operator->() const noexcept { return plan_; }
-  bool operator==(std::nullptr_t) const noexcept { return plan_ == nullptr; }
-
- private:
-  const CompiledPlan* plan_;
-  alignas(void*) std::byte shared_[2 * sizeof(void*)];
-};
-
-/// Memory of a frame buffer, given back where it came from. Internal to plan/.
-class FrameBlock {
- public:
-  using Deallocate = void (*)(void* context, void* block, std::size_t byte_count);
-
-  explicit FrameBlock(std::byte* callers) noexcept : start_(callers) {}
-  FrameBlock(std::byte* start, std::size_t byte_count, void* context, Deallocate deallocate) noexcept
-      : start_(start), byte_count_(byte_count), context_(context), deallocate_(deallocate) {}
-  FrameBlock(FrameBlock&& other) noexcept { *this = static_cast<FrameBlock&&>(other); }
-  FrameBlock& operator=(FrameBlock&& other) noexcept;
-  ~FrameBlock() {
-    if (deallocate_ != nullptr) deallocate_(context_, start_, byte_count_);
-  }
-
-  std::byte* get() const noexcept { return start_; }
-  std::size_t owned_bytes() const noexcept { return byte_count_; }
-
- private:
-  std::byte* start_ = nullptr;
-  std::size_t byte_count_ = 0;
-  void* context_ = nullptr;
-  Deallocate deallocate_ = nullptr;  // null: the caller's block
 };
 
 /// The input of a frame buffer's last run, but for the arrays, which are in its block. Internal to plan/.
