@@ -11,7 +11,7 @@
 
 #include "importer/tool/cost/report_json.h"
 #include "importer/tool/files/output.h"
-#include "importer/tool/messages.h"
+#include "importer/visible_text.h"
 
 namespace sinew::cost {
 namespace fs = std::filesystem;
@@ -34,9 +34,13 @@ std::optional<std::string> write_file(const fs::path& file, const std::string& t
   return fmt::format("{} cannot be written", file.string());
 }
 
+std::string json_of(const Report& report) {
+  return visible_json(report_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)) + '\n';
+}
+
 std::optional<std::string> fill(const Report& report, const fs::path& folder) {
   for (const std::string_view name : kFiles) {
-    const std::string text = name == "report.json"  ? tool::json_text(report_json(report)) + "\n"
+    const std::string text = name == "report.json"  ? json_of(report)
                              : name == "report.csv" ? report_csv(report)
                                                     : report_page(report);
     if (auto failed = write_file(folder / name, text)) return failed;
