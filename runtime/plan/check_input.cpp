@@ -127,10 +127,10 @@ Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
 }
 
 Refusal check_root(const Affine& root) noexcept {
-  bool usual = true;  // without a branch per number
+  int unusual = 0;  // counted, so that no number costs a branch
   for (const glm::vec4& row : root.row)
-    usual = usual & is_usual(row.x) & is_usual(row.y) & is_usual(row.z) & is_usual(row.w);
-  if (usual) return kFine;
+    unusual += !is_usual(row.x) + !is_usual(row.y) + !is_usual(row.z) + !is_usual(row.w);
+  if (unusual == 0) return kFine;
   for (const glm::vec4& row : root.row)
     for (int c = 0; c < 4; ++c)
       if (!std::isfinite(row[c])) return {ErrorCode::not_finite, "root"};
