@@ -32,13 +32,35 @@ struct Option {
   /// Only for an argument after one that takes many: true if the last of the words belongs to this argument.
   bool (*takes_last)(const std::string& word) = nullptr;
 
-  Option& required() { return is_required = true, *this; }
-  Option& one_of(std::vector<std::string> values) { return choices = std::move(values), *this; }
-  Option& within(double low, double high) { return least = low, most = high, *this; }
-  Option& list() { return is_list = true, *this; }
-  Option& bare(const char* text) { return value_if_bare = text, *this; }
-  Option& excludes(const char* name) { return other.emplace_back(name), *this; }
-  Option& needs(const char* name) { return needed.emplace_back(name), *this; }
+  Option& required() {
+    is_required = true;
+    return *this;
+  }
+  Option& one_of(std::vector<std::string> values) {
+    choices = std::move(values);
+    return *this;
+  }
+  Option& within(double low, double high) {
+    least = low;
+    most = high;
+    return *this;
+  }
+  Option& list() {
+    is_list = true;
+    return *this;
+  }
+  Option& bare(const char* text) {
+    value_if_bare = text;
+    return *this;
+  }
+  Option& excludes(const char* name) {
+    other.emplace_back(name);
+    return *this;
+  }
+  Option& needs(const char* name) {
+    needed.emplace_back(name);
+    return *this;
+  }
 
   bool is_argument() const { return names.empty(); }
   bool takes_many() const { return is_argument() && std::holds_alternative<std::vector<std::string>*>(target); }

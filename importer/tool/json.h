@@ -35,7 +35,7 @@ class Json {
   Json(std::initializer_list<Json> entries);
   template <class Range>
   requires(!std::same_as<Range, Json> && !std::convertible_to<const Range&, std::string_view> &&
-           requires(const Range& range) { range.begin(), range.end(); }) Json(const Range& values)
+           requires(const Range& range) { range.begin() != range.end(); }) Json(const Range& values)
       : kind_(Kind::array) {
     for (const auto& value : values) values_.emplace_back(value);
   }

@@ -8,6 +8,7 @@
 
 #include <sinew/deform_jobs.h>
 #include <sinew/morphs.h>
+#include <glm/vec3.hpp>
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <sinew/animation.h>
 #include <sinew/clip.h>
 #include <sinew/pose_jobs.h>
+#include <glm/vec3.hpp>
 
 namespace {
 

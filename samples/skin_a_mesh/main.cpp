@@ -3,6 +3,7 @@
 // tube, at 180 degrees to a point. Dual quaternions keep its radius.
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <sinew/deform_jobs.h>
 #include <sinew/math.h>
 #include <sinew/pose_jobs.h>
+#include <glm/vec3.hpp>
 
 namespace {
 

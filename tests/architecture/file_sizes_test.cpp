@@ -36,7 +36,9 @@ TEST(file_sizes, the_tree_is_really_read) {
 TEST(file_sizes, each_file_starts_with_its_licence_and_headers_with_a_guard) {
   std::vector<std::string> bare;
   for (const SourceFile& file : source_tree()) {
-    if (!file.text.starts_with("// SPDX-License-Identifier: MIT\n")) bare.push_back(file.path);
+    const bool has_licence = file.text.starts_with("// SPDX-License-Identifier: MIT\n") ||
+                             file.text.starts_with("/* SPDX-License-Identifier: MIT\n");
+    if (!has_licence) bare.push_back(file.path);
     if (file.is_header() && !file.path.ends_with("-inl.h") && file.text.find("\n#pragma once\n") == std::string::npos)
       bare.push_back(file.path + " (no #pragma once)");
   }

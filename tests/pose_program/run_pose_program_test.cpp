@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <cstring>
+#include <limits>
 #include <memory>
 
 #include "runtime/base/same_bits.h"
