@@ -101,48 +101,71 @@ struct Stage {
   }
 };
 
-/// A random program whose stack holds at most six poses. Rotations stay near each other, so that means have one
-/// meaning.
-PoseProgram random_program(FixedRandom& random, const Scene& scene) {
-  PoseProgram program;
-  std::uint32_t depth = 0;
-  const auto weight = [&] { return static_cast<float>(random.below(4) == 0 ? 1.0 : random.unit()); };
-  const auto mask = [&]() -> std::uint8_t {
-    return random.below(3) == 0 ? static_cast<std::uint8_t>(random.below(2)) : PoseOp::kNoMask;
-  };
-  const auto push = [&] {
-    if (random.below(5) == 0)
-      program.external(0, weight(), mask());
+/// Random operations. Each number is drawn in a statement of its own, so that all compilers draw the same program.
+class RandomProgram {
+ public:
+  RandomProgram(std::uint64_t seed, const Scene& scene)
+      : random_(seed), clips_(static_cast<std::uint32_t>(scene.clips.size())) {}
+
+  /// The stack holds at most five poses. Operations that turn joints far from each other come last, since means of
+  /// rotations that are half a turn apart have no one meaning.
+  PoseProgram next() {
+    program_.clear();
+    depth_ = 0;
+    push();
+    for (int i = 0; i < 12; ++i) add_operation();
+    program_.mean(depth_);
+    if (random_.below(2) == 0) {
+      push();
+      program_.overlay_model();
+    }
+    if (random_.below(2) == 0) program_.override_joints(random_.below(2));
+    return program_;
+  }
+
+ private:
+  void push() {
+    const bool external = random_.below(5) == 0;
+    const std::uint32_t clip = random_.below(clips_);
+    const double time_s = random_.in(-0.2, 1.5);
+    const auto weight = static_cast<float>(random_.below(4) == 0 ? 1.0 : random_.unit());
+    const std::uint8_t mask = random_mask();
+    if (external)
+      program_.external(0, weight, mask);
     else
-      program.sample(random.below(static_cast<std::uint32_t>(scene.clips.size())), random.in(-0.2, 1.5), weight(),
-                     mask());
-    ++depth;
-  };
-  push();
-  for (int i = 0; i < 12; ++i) {
-    const std::uint32_t kind = random.below(8);
-    if (kind < 3 || depth < 2) {
-      if (depth < 5) push();
-    } else if (kind == 3) {
-      const std::uint32_t count = 1 + random.below(depth);
-      program.mean(count, weight(), random.below(2) == 0 ? 1.0 : 0.1, mask());
-      depth -= count - 1;
-    } else if (kind == 4) {
-      program.overlay(weight(), mask());
-      --depth;
-    } else if (kind == 5) {
-      program.overlay_model(weight(), mask());
-      --depth;
-    } else if (kind == 6) {
-      program.add_to_rest(weight());
-      --depth;
+      program_.sample(clip, time_s, weight, mask);
+    ++depth_;
+  }
+
+  void add_operation() {
+    const std::uint32_t kind = random_.below(6);
+    if (kind < 3 || depth_ < 2) {
+      if (depth_ < 5) push();
+      return;
+    }
+    const auto weight = static_cast<float>(random_.unit());
+    const std::uint8_t mask = random_mask();
+    if (kind == 3) {
+      const std::uint32_t count = 1 + random_.below(depth_);
+      const double threshold = random_.below(2) == 0 ? 1.0 : 0.1;
+      program_.mean(count, weight, threshold, mask);
+      depth_ -= count - 1;
     } else {
-      program.override_joints(random.below(2), random.unit(), weight());
+      kind == 4 ? program_.overlay(weight, mask) : program_.add_to_rest(0.1f * weight);
+      --depth_;
     }
   }
-  program.mean(depth);
-  return program;
-}
+
+  std::uint8_t random_mask() {
+    const bool masked = random_.below(3) == 0;
+    const auto mask = static_cast<std::uint8_t>(random_.below(2));
+    return masked ? mask : PoseOp::kNoMask;
+  }
+
+  FixedRandom random_;
+  std::uint32_t clips_, depth_ = 0;
+  PoseProgram program_;
+};
 
 double difference(const Transform& a, const Transformd& b) {
   return std::max({test::distance(Vec3<double>(a.translation), b.translation),
@@ -154,9 +177,9 @@ TEST(run_pose_program, random_programs_agree_with_the_equations_of_their_operati
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Stage stage(seed);
-    FixedRandom random(100 + seed);
+    RandomProgram random(100 + seed, stage.scene);
     for (int i = 0; i < 60; ++i) {
-      const PoseProgram program = random_program(random, stage.scene);
+      const PoseProgram program = random.next();
       ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
       const reference::SlowPose slow = stage.run_slowly(program.ops());
       for (std::size_t j = 0; j < stage.joints(); ++j)
@@ -171,9 +194,9 @@ TEST(run_pose_program, random_programs_agree_with_the_equations_of_their_operati
 
 TEST(run_pose_program, the_same_program_gives_the_same_bits_and_allocates_nothing) {
   Stage stage(3);
-  FixedRandom random(5);
+  RandomProgram random(5, stage.scene);
   for (int i = 0; i < 20; ++i) {
-    const PoseProgram program = random_program(random, stage.scene);
+    const PoseProgram program = random.next();
     ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
     std::vector<Transform> first;
     for (std::size_t j = 0; j < stage.joints(); ++j) first.push_back(stage.result.span().get(j));
