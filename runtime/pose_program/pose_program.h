@@ -27,8 +27,8 @@ enum class PoseOpKind : std::uint8_t {
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
 };
 
-/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that is
-/// the upper pose, in an addition the layer. override_joints has its own share in `time_s`.
+/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
+/// is the upper pose, in an addition the layer. override_joints has its own share in `time_s`.
 struct PoseOp {
   double time_s = 0.0;          ///< sample: seconds in the clip;  mean: its threshold;  override_joints: its weight
   float weight = 1.0f;          ///< finite, >= 0
