@@ -38,12 +38,6 @@ struct PrimitivePlan {
   bool deformed() const noexcept { return morph.any() || skin.any() || cached.any() || morph_colors || flat_normals; }
 };
 
-/// Tracks that one sample of a clip evaluates.
-struct ClipTracks {
-  std::uint32_t joints = 0, weights = 0, properties = 0;
-  bool moves_joints = false;  ///< by such tracks, or by constants other than the rest pose
-};
-
 /// The evaluation of one scene for given needs: which stages run, and what they do. Immutable. A plan is a handle:
 /// copies share what was compiled, and a FrameBuffer keeps that as long as it lives. All characters that show the scene
 /// share one plan.

@@ -10,22 +10,10 @@ namespace {
 
 constexpr const char* kNames[] = {"rest",        "sample", "sample_mirrored", "rest_mirrored",
                                   "external",    "mean",   "overlay",         "overlay_model",
-                                  "add_to_rest", "add",    "override_joints"};
+                                  "add_to_rest", "add",    "override_joints", "procedure"};
 constexpr std::size_t kKinds = std::size(kNames);
 
 bool is_kind(PoseOpKind kind) noexcept { return static_cast<std::size_t>(kind) < kKinds; }
-
-std::size_t operands_of(const PoseOp& op) noexcept {
-  switch (op.kind) {
-    case PoseOpKind::mean: return op.index;
-    case PoseOpKind::overlay:
-    case PoseOpKind::overlay_model:
-    case PoseOpKind::add_to_rest: return 2;
-    case PoseOpKind::add: return 3;
-    case PoseOpKind::override_joints: return 1;
-    default: return 0;
-  }
-}
 
 struct Rule {
   ErrorCode code;
@@ -37,9 +25,10 @@ constexpr Rule kKept{ErrorCode::ok, ""};
 Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   const bool samples = op.kind == PoseOpKind::sample || op.kind == PoseOpKind::sample_mirrored;
   const bool mirrors = op.kind == PoseOpKind::sample_mirrored || op.kind == PoseOpKind::rest_mirrored;
+  const bool has_share = op.kind == PoseOpKind::override_joints || op.kind == PoseOpKind::procedure;
   if (!is_kind(op.kind)) return {ErrorCode::unsupported, "the kind of operation is not known"};
   if (!std::isfinite(op.weight)) return {ErrorCode::not_finite, "its weight is not finite"};
-  if (op.weight < 0.0f) return {ErrorCode::unsupported, "its weight is negative"};
+  if (op.weight < 0.0f) return {ErrorCode::negative_weight, "its weight is negative"};
   if (!std::isfinite(op.time_s)) return {ErrorCode::not_finite, "its time is not finite"};
   if (op.mask != PoseOp::kNoMask && op.mask >= limits.masks)
     return {ErrorCode::index_out_of_range, "there is no mask of that index"};
@@ -48,11 +37,15 @@ Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
     return {ErrorCode::index_out_of_range, "there is no external pose of that index"};
   if (op.kind == PoseOpKind::override_joints && op.index >= limits.overrides)
     return {ErrorCode::index_out_of_range, "there is no override of that index"};
-  if (op.kind == PoseOpKind::override_joints && !(op.time_s >= 0.0 && op.time_s <= 1.0))
-    return {ErrorCode::unsupported, "the share of an override lies in [0, 1]"};
-  if (mirrors && !limits.mirror) return {ErrorCode::unsupported, "nothing says how the skeleton is mirrored"};
+  if (op.kind == PoseOpKind::procedure && op.index >= limits.procedures)
+    return {ErrorCode::index_out_of_range, "there is no procedure of that index"};
+  if (has_share && !(op.time_s >= 0.0 && op.time_s <= 1.0))
+    return {ErrorCode::not_a_fraction, "its share lies in [0, 1]"};
+  if (mirrors && !limits.mirror) return {ErrorCode::not_in_needs, "nothing says how the skeleton is mirrored"};
+  if (op.kind == PoseOpKind::overlay_model && !limits.overlays_in_model_space)
+    return {ErrorCode::not_in_needs, "the memory has no room for rotations in model space"};
   if (op.kind == PoseOpKind::mean && !(op.time_s > 0.0 && op.time_s <= 1.0))
-    return {ErrorCode::unsupported, "the threshold of a mean lies in (0, 1]"};
+    return {ErrorCode::not_a_fraction, "the threshold of a mean lies in (0, 1]"};
   return kKept;
 }
 
@@ -87,6 +80,34 @@ std::size_t pose_slots(PoseProgramSpan program) noexcept {
     most = std::max(most, depth);
   }
   return most;
+}
+
+PoseProgramRoom room_of(PoseProgramSpan program) noexcept {
+  PoseProgramRoom room{.ops = static_cast<std::uint32_t>(program.size()),
+                       .slots = static_cast<std::uint32_t>(pose_slots(program))};
+  const auto reach = [](std::uint32_t& count, std::uint32_t index) { count = std::max(count, index + 1); };
+  for (const PoseOp& op : program) {
+    if (op.mask != PoseOp::kNoMask) reach(room.masks, op.mask);
+    switch (op.kind) {
+      case PoseOpKind::external: reach(room.externals, op.index); break;
+      case PoseOpKind::override_joints: reach(room.overrides, op.index); break;
+      case PoseOpKind::procedure: reach(room.procedures, op.index); break;
+      case PoseOpKind::overlay_model: room.overlays_in_model_space = true; break;
+      default: break;
+    }
+  }
+  return room;
+}
+
+PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexcept {
+  return {std::max(a.ops, b.ops),
+          std::max(a.slots, b.slots),
+          std::max(a.externals, b.externals),
+          std::max(a.overrides, b.overrides),
+          std::max(a.masks, b.masks),
+          std::max(a.procedures, b.procedures),
+          std::max(a.overridden_joints, b.overridden_joints),
+          a.overlays_in_model_space || b.overlays_in_model_space};
 }
 
 PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) {

@@ -25,14 +25,15 @@ enum class PoseOpKind : std::uint8_t {
   add_to_rest,      ///< adds the difference of the topmost pose from the rest pose to the pose below
   add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
+  procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
 };
 
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
-/// is the upper pose, in an addition the layer. override_joints has its own share in `time_s`.
+/// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
 struct PoseOp {
-  double time_s = 0.0;          ///< sample: seconds in the clip;  mean: its threshold;  override_joints: its weight
-  float weight = 1.0f;          ///< finite, >= 0
-  std::uint16_t index = 0;      ///< of a clip, an external pose or an override; mean: number of operands
+  double time_s = 0.0;      ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
+  float weight = 1.0f;      ///< finite, >= 0
+  std::uint16_t index = 0;  ///< of a clip, an external pose, an override or a procedure; mean: number of operands
   std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
   PoseOpKind kind = PoseOpKind::rest;
 
@@ -42,6 +43,20 @@ struct PoseOp {
 };
 static_assert(sizeof(PoseOp) == 16, "programs are compared, stored and sent as bytes");
 
+/// Poses that an operation takes from the stack.
+constexpr std::size_t operands_of(const PoseOp& op) noexcept {
+  switch (op.kind) {
+    case PoseOpKind::mean: return op.index;
+    case PoseOpKind::overlay:
+    case PoseOpKind::overlay_model:
+    case PoseOpKind::add_to_rest: return 2;
+    case PoseOpKind::add: return 3;
+    case PoseOpKind::override_joints:
+    case PoseOpKind::procedure: return 1;
+    default: return 0;
+  }
+}
+
 /// Operations in postfix order: those that make an operand stand before the one that takes it. At most 255. A program
 /// is plain bytes: copy it, compare it, hash it, store it.
 using PoseProgramSpan = std::span<const PoseOp>;
@@ -49,9 +64,21 @@ inline constexpr std::size_t kMostPoseOps = 255;
 
 /// Sizes of the tables that a program refers to.
 struct PoseProgramLimits {
-  std::size_t clips = 0, externals = 0, masks = 0, overrides = 0;
-  bool mirror = false;    ///< mirror tables are there
-  std::size_t slots = 0;  ///< poses that memory has room for
+  std::size_t clips = 0, externals = 0, masks = 0, overrides = 0, procedures = 0;
+  bool mirror = false;                  ///< mirror tables are there
+  std::size_t slots = 0;                ///< poses that memory has room for
+  bool overlays_in_model_space = true;  ///< memory has room for their rotations
+};
+
+/// The memory that programs need, and the tables that they refer to: the most of each.
+struct PoseProgramRoom {
+  std::uint32_t ops = 0;
+  std::uint32_t slots = 0;  ///< poses on the stack at once
+  std::uint32_t externals = 0, overrides = 0, masks = 0, procedures = 0;  ///< of the caller
+  std::uint32_t overridden_joints = 0;                                    ///< of all overrides together
+  bool overlays_in_model_space = false;
+
+  friend bool operator==(const PoseProgramRoom&, const PoseProgramRoom&) = default;
 };
 
 /// The first fault of a program.
@@ -66,8 +93,17 @@ struct PoseProgramFault {
 /// cost O(ops), no allocation
 SINEW_API std::size_t pose_slots(PoseProgramSpan program) noexcept;
 
-/// err  code  index_out_of_range (of clips, externals, masks, overrides), not_finite, unsupported (negative weight, mirrored
-///      without tables), size_mismatch (operands, length, slots)
+/// The room that a program needs. Tables are as long as its largest index asks for, so masks of the plan count too.
+/// `overridden_joints` is left at 0, since a program does not say how many joints an override has.
+/// cost O(ops), no allocation
+SINEW_API PoseProgramRoom room_of(PoseProgramSpan program) noexcept;
+
+/// The room that either of two programs needs.
+SINEW_API PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexcept;
+
+/// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight,
+///      not_a_fraction (a share or threshold), not_in_needs (mirrored without tables), unsupported (an unknown kind),
+///      size_mismatch (operands, length, slots)
 /// cost O(ops), allocates only the sentence of a fault
 SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits);
 
@@ -109,6 +145,9 @@ class PoseProgram {
   PoseProgram& add(float weight = 1.0f) noexcept { return push({.weight = weight, .kind = PoseOpKind::add}); }
   PoseProgram& override_joints(std::uint32_t joints, double share = 1.0, float weight = 1.0f) noexcept {
     return push({share, weight, index_of(joints), PoseOp::kNoMask, PoseOpKind::override_joints});
+  }
+  PoseProgram& procedure(std::uint32_t index, double share = 1.0, float weight = 1.0f) noexcept {
+    return push({share, weight, index_of(index), PoseOp::kNoMask, PoseOpKind::procedure});
   }
   PoseProgram& push(const PoseOp& op) noexcept {
     if (count_ < kMostPoseOps) ops_[count_] = op;

@@ -10,20 +10,22 @@ std::span<T> PoseSlots::take(std::size_t count) noexcept {
   return memory_ == nullptr ? std::span<T>{} : std::span<T>(reinterpret_cast<T*>(memory_ + at), count);
 }
 
-PoseSlots::PoseSlots(const PoseProgramAssets& assets, std::size_t slots, std::byte* memory,
+PoseSlots::PoseSlots(const PoseProgramAssets& assets, const PoseProgramRoom& room, std::byte* memory,
                      const PoseSlot& output) noexcept
     : memory_(memory), output_(output) {
   const std::size_t joints = assets.skeleton->joint_count(), floats = PoseSpan::floats_for(joints);
-  const std::size_t above = slots > 0 ? slots - 1 : 0;
+  const std::size_t above = room.slots > 0 ? room.slots - 1 : 0;
   poses_ = take<float>(above * floats);
   weights_ = take<float>(above * assets.rest_weights.size());
   properties_ = take<float>(above * assets.rest_properties.size());
-  const std::span<float> pose = take<float>(floats);
-  scratch_.weights = take<float>(assets.rest_weights.size());
-  scratch_.properties = take<float>(assets.rest_properties.size());
-  blend_layers_ = take<BlendLayer>(slots);
-  model_rotations_ = take<glm::quat>(3 * joints);
-  if (memory_ != nullptr) scratch_.pose = pose_over(pose, joints);
+  if (assets.mirror != nullptr) {
+    const std::span<float> pose = take<float>(floats);
+    unmirrored_.weights = take<float>(assets.rest_weights.size());
+    if (memory_ != nullptr) unmirrored_.pose = pose_over(pose, joints);
+  }
+  shares_ = take<Share>(room.slots);
+  blend_layers_ = take<BlendLayer>(room.slots);
+  model_rotations_ = take<glm::quat>(room.overlays_in_model_space ? 3 * joints : 0);
 }
 
 PoseSlot PoseSlots::slot(std::size_t index) const noexcept {

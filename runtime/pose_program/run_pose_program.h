@@ -8,28 +8,13 @@
 #include "runtime/base/api.h"
 #include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
+#include "runtime/clip/clip_tracks.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/pose.h"
 #include "runtime/pose_program/pose_program.h"
+#include "runtime/pose_program/program_inputs.h"
 
 namespace sinew {
-
-/// A pose of the caller. Weights and properties may be empty: then the rest values stand in.
-struct ExternalPose {
-  PoseSpan pose;                      ///< of the skeleton's joint count
-  std::span<const float> weights;     ///< [W] or empty
-  std::span<const float> properties;  ///< [P] or empty
-};
-
-/// Space of an overriding transform. World is model space above FrameInput::root: the caller takes the root out.
-enum class OverrideSpace : std::uint8_t { local, model };
-
-/// A joint that the caller places.
-struct JointOverride {
-  std::uint32_t joint = 0;
-  Transform transform;
-  OverrideSpace space = OverrideSpace::local;
-};
 
 /// The tables that programs of one skeleton read. All its characters share them. Immutable while frames run.
 struct PoseProgramAssets {
@@ -41,17 +26,31 @@ struct PoseProgramAssets {
   std::span<const std::span<const float>> masks;               ///< [any][J] joint weights, finite and >= 0
   const MirrorTables* mirror = nullptr;                        ///< null: nothing is mirrored
   std::span<const std::uint32_t> mirrored_weight_source = {};  ///< [W] MirrorMap::weight_source; empty = weights stay
+  std::span<const ClipTracks> clip_tracks = {};                ///< [clips] or empty; only to count work
 };
 
 /// Work of one run. An operation that the program does not contain counts zero.
 struct PoseProgramWork {
-  std::uint32_t clips_sampled = 0, poses_mirrored = 0, poses_blended = 0, poses_overlaid = 0, poses_added = 0,
-                joints_overridden = 0;
+  std::uint64_t clips_sampled = 0, tracks_sampled = 0, properties_sampled = 0;  ///< tracks where assets count them
+  std::uint64_t poses_copied = 0;                                               ///< of the caller
+  std::uint64_t poses_mirrored = 0, poses_blended = 0, poses_overlaid = 0, poses_added = 0, joints_overridden = 0,
+                procedures_run = 0;
+
+  friend bool operator==(const PoseProgramWork&, const PoseProgramWork&) = default;
+};
+
+/// A kind of work whose time is told.
+enum class PosePhase : std::uint8_t { sample, external, mirror, blend, overlay, add, override_joints, procedure };
+
+/// Hears of the end of each piece of work: a clock that charges the time since the last one to a phase.
+struct PosePhaseClock {
+  void (*ended)(void* context, PosePhase phase) noexcept = nullptr;
+  void* context = nullptr;
 };
 
 /// Bytes that run(PoseProgramJob) needs as memory, a multiple of 64.
-/// in   slots  pose_slots of the largest program
-SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, std::size_t slots) noexcept;
+/// in   room  of the largest program; only `slots` and `overlays_in_model_space` count
+SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept;
 
 /// Runs a program: one pose remains, with its morph weights and properties.
 /// eq   mean      t = (sum w t + r rest) / (sum w + r), r = max(0, threshold - sum w), per joint by its masks; rotations
@@ -62,25 +61,45 @@ SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, std::s
 ///      add       AddPoseJob;   override_joints   mix of the pose's local transform and the given one, brought to the
 ///                parent's space
 ///      Morph weights and properties follow the same rules without masks; additions leave properties as they are.
-/// in   memory     64-byte aligned, pose_program_bytes;   pages  [ops] or empty: the part of the op's clip that has the keys
-///      of its time (paging/paged_clip.h), null = the clip itself
-/// out  pose, weights[W], properties[P]    must not overlap the inputs
-/// err  of find_fault; size_mismatch (memory, poses, tables), not_finite (an override's transform)
+/// in   memory     64-byte aligned, pose_program_bytes
+///      first, end  the operations to run in this call. With first > 0 the memory and the output hold what the operations
+///                 before have left: a caller may look at the pose in between, and change it
+///      holds_clip  the output holds a sample of the clip that the first operation samples, so that joints which it does
+///                 not animate are not written again
+/// out  pose, weights[W], properties[P]    must not overlap the inputs; weights and properties may be empty: not wanted
+/// err  of find_fault; size_mismatch (memory, poses, tables), not_finite (an override's transform, a mask),
+///      negative_weight (in a mask)
 /// cost of the operations; no allocation. The same program and input give the same bits.
 struct PoseProgramJob {
   PoseProgramSpan program;
   const PoseProgramAssets* assets = nullptr;
-  std::span<const ExternalPose> externals = {};
-  std::span<const std::span<const JointOverride>> overrides = {};
-  std::span<const Clip* const> pages = {};
+  PoseProgramInputs inputs = {};
   std::span<std::byte> memory;
   PoseSpan pose;
   std::span<float> weights = {};
   std::span<float> properties = {};
   PoseProgramWork* work = nullptr;  ///< added to, where the caller counts
+  PosePhaseClock clock = {};
+  std::size_t first = 0, end = kMostPoseOps;
+  bool holds_clip = false;
 };
 
 SINEW_API ErrorCode check(const PoseProgramJob& job) noexcept;
 SINEW_API void run_unchecked(const PoseProgramJob& job) noexcept;
+
+/// The first rule that a program's inputs break, and where.
+struct PoseInputFault {
+  ErrorCode code = ErrorCode::ok;
+  const char* list = "";    ///< of PoseProgramInputs
+  std::uint32_t index = 0;  ///< into the list
+  const char* rule = "";    ///< in words
+};
+
+/// Checks what inputs promise whatever the program is: sizes, indices of joints, numbers.
+/// in   joint_count  of poses;   weight_count, property_count  of the tables
+/// err  size_mismatch, index_out_of_range, not_finite, negative_weight, unsupported (a procedure without code)
+/// cost O(joints of external poses, overrides and masks), no allocation
+SINEW_API PoseInputFault find_fault(const PoseProgramInputs& inputs, std::size_t joint_count, std::size_t weight_count,
+                                    std::size_t property_count) noexcept;
 
 }  // namespace sinew

@@ -41,13 +41,14 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
       {of().sample(70000, 0.0), ErrorCode::index_out_of_range, "operation 0 (sample): there is no clip"},
       {of().rest().sample(0, nan), ErrorCode::not_finite, "operation 1 (sample): its time"},
       {of().sample(0, 0.0, infinity), ErrorCode::not_finite, "operation 0 (sample): its weight is not finite"},
-      {of().sample(0, 0.0, -0.5f), ErrorCode::unsupported, "operation 0 (sample): its weight is negative"},
+      {of().sample(0, 0.0, -0.5f), ErrorCode::negative_weight, "operation 0 (sample): its weight is negative"},
       {of().sample(0, 0.0, 1.0f, 1), ErrorCode::index_out_of_range, "operation 0 (sample): there is no mask"},
-      {of().sample_mirrored(0, 0.0), ErrorCode::unsupported, "operation 0 (sample_mirrored): nothing says how"},
+      {of().sample_mirrored(0, 0.0), ErrorCode::not_in_needs, "operation 0 (sample_mirrored): nothing says how"},
       {of().external(1), ErrorCode::index_out_of_range, "operation 0 (external): there is no external pose"},
       {of().rest().override_joints(1), ErrorCode::index_out_of_range, "operation 1 (override_joints): there is no"},
-      {of().rest().override_joints(0, 1.5), ErrorCode::unsupported, "operation 1 (override_joints): the share"},
-      {of().rest().mean(1, 1.0f, 0.0), ErrorCode::unsupported, "operation 1 (mean): the threshold"},
+      {of().rest().override_joints(0, 1.5), ErrorCode::not_a_fraction, "operation 1 (override_joints): its share"},
+      {of().rest().mean(1, 1.0f, 0.0), ErrorCode::not_a_fraction, "operation 1 (mean): the threshold"},
+      {of().rest().procedure(0), ErrorCode::index_out_of_range, "operation 1 (procedure): there is no procedure"},
       {of().rest().mean(2), ErrorCode::size_mismatch, "operation 1 (mean): it takes more poses"},
       {of().rest().overlay(), ErrorCode::size_mismatch, "operation 1 (overlay): it takes more poses"},
       {of().rest().rest().add(), ErrorCode::size_mismatch, "operation 2 (add): it takes more poses"},
@@ -60,6 +61,28 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
     EXPECT_EQ(check(misuse.program.ops(), kLimits), misuse.code) << misuse.sentence;
     EXPECT_THAT(fault.sentence, testing::StartsWith(misuse.sentence));
   }
+}
+
+TEST(pose_program, the_room_of_a_program_reaches_to_its_largest_indices) {
+  PoseProgram program;
+  program.sample(0, 0.1, 1.0f, 4).external(2).mean(2).rest().overlay_model().override_joints(1).procedure(3);
+  const PoseProgramRoom room = room_of(program.ops());
+  EXPECT_EQ(room, (PoseProgramRoom{.ops = 7,
+                                   .slots = 2,
+                                   .externals = 3,
+                                   .overrides = 2,
+                                   .masks = 5,
+                                   .procedures = 4,
+                                   .overlays_in_model_space = true}));
+  const PoseProgramRoom other{.ops = 3, .slots = 9, .overridden_joints = 5};
+  EXPECT_EQ(larger(room, other), larger(other, room));
+  EXPECT_EQ(larger(room, other).slots, 9u);
+  EXPECT_EQ(larger(room, other).procedures, 4u);
+  PoseProgramLimits limits{.externals = 3, .masks = 5, .overrides = 2, .procedures = 4, .slots = 2};
+  limits.clips = 1;
+  EXPECT_EQ(check(program.ops(), limits), ErrorCode::ok);
+  limits.overlays_in_model_space = false;
+  EXPECT_EQ(check(program.ops(), limits), ErrorCode::not_in_needs);
 }
 
 TEST(pose_program, more_than_255_operations_are_counted_and_refused) {

@@ -32,7 +32,8 @@ struct Stage {
   ExternalPose external;
   std::vector<float> external_weights, weights, properties;
   std::vector<std::vector<JointOverride>> override_memory;
-  std::vector<std::span<const JointOverride>> overrides;
+  std::vector<JointOverrides> overrides;
+  std::vector<PoseProcedure> procedures;
   std::unique_ptr<std::byte[], decltype(&std::free)> block{nullptr, std::free};
   std::size_t bytes = 0;
   PoseProgramWork work;
@@ -56,7 +57,7 @@ struct Stage {
     }
     masks.assign(mask_memory.begin(), mask_memory.end());
     for (std::size_t i = 0; i < rest_weights.size(); ++i) external_weights.push_back(static_cast<float>(random.unit()));
-    external = {external_memory.span(), external_weights, {}};
+    external = {external_memory.span(), external_weights, {}, 0};
     override_memory.resize(2);
     for (const OverrideSpace space : {OverrideSpace::local, OverrideSpace::model})
       for (int i = 0; i < 2; ++i)
@@ -64,7 +65,7 @@ struct Stage {
             {random.below(static_cast<std::uint32_t>(joints())),
              {random.vec3(-1, 1), random.rotation_by(0.3), {1, 1, 1}},
              space});
-    overrides.assign(override_memory.begin(), override_memory.end());
+    for (const std::vector<JointOverride>& joints_of : override_memory) overrides.push_back({joints_of, 0});
     assets = {.skeleton = &scene.skeleton,
               .clips = scene.clips,
               .rest = rest.span(),
@@ -73,7 +74,7 @@ struct Stage {
               .masks = masks};
     weights.resize(rest_weights.size());
     properties.resize(scene.properties.rest.size());
-    bytes = pose_program_bytes(assets, 8);
+    bytes = pose_program_bytes(assets, {.slots = 8, .overlays_in_model_space = true});
     block.reset(static_cast<std::byte*>(std::aligned_alloc(64, bytes)));
   }
 
@@ -82,8 +83,7 @@ struct Stage {
   PoseProgramJob job(PoseProgramSpan program) {
     return {.program = program,
             .assets = &assets,
-            .externals = {&external, 1},
-            .overrides = overrides,
+            .inputs = {.externals = {&external, 1}, .overrides = overrides, .procedures = procedures},
             .memory = {block.get(), bytes},
             .pose = result.span(),
             .weights = weights,
@@ -274,7 +274,7 @@ TEST(run_pose_program, joints_are_placed_in_model_space_under_any_parent_but_a_f
   above.scale = {2, 2, 2};
   const Transform given{{0.5f, 1, -2}, quat_cast<float>(quat_from_axis_angle(Vec3<double>(1, 0, 0), 0.8)), {1, 1, 1}};
   const JointOverride joints[] = {{parent, above}, {joint, given, OverrideSpace::model}};
-  stage.overrides[0] = joints;
+  stage.overrides[0] = {joints, 0};
   ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).override_joints(0)), ErrorCode::ok);
   std::vector<Affine> model(stage.joints());
   ASSERT_EQ(run(LocalToModelJob{&stage.scene.skeleton, stage.result.span(), {}, model}), ErrorCode::ok);
@@ -283,21 +283,90 @@ TEST(run_pose_program, joints_are_placed_in_model_space_under_any_parent_but_a_f
 
   above.scale = {2, 0, 2};
   const JointOverride flat[] = {{parent, above}, {joint, given, OverrideSpace::model}};
-  stage.overrides[0] = flat;
+  stage.overrides[0] = {flat, 0};
   ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).override_joints(0)), ErrorCode::ok);
   const Transform stayed = stage.result.span().get(joint);
   ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3)), ErrorCode::ok);
   EXPECT_EQ(stayed, stage.result.span().get(joint));
 }
 
+/// Raises the first joint, and remembers what it was called with.
+struct Raise {
+  int calls = 0;
+  float share = 0.0f;
+
+  PoseProcedure procedure() { return {&Raise::run, this, 0}; }
+  static void run(void* context, const ProcedurePose& pose) {
+    Raise& self = *static_cast<Raise*>(context);
+    ++self.calls;
+    self.share = pose.share;
+    pose.local.plane(PoseSpan::ty)[0] += pose.share;
+  }
+};
+
+TEST(run_pose_program, a_procedure_changes_the_topmost_pose_and_without_a_share_it_does_not_run) {
+  Stage stage(11);
+  Raise raise;
+  stage.procedures = {raise.procedure()};
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3)), ErrorCode::ok);
+  const float low = stage.result.span().get(0).translation.y;
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).procedure(0, 0.5)), ErrorCode::ok);
+  EXPECT_EQ(stage.result.span().get(0).translation.y, low + 0.5f);
+  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).procedure(0, 0.0)), ErrorCode::ok);
+  EXPECT_EQ(raise.calls, 1);
+  EXPECT_EQ(raise.share, 0.5f);
+  stage.procedures[0].run = nullptr;
+  EXPECT_EQ(stage.run_program(PoseProgram().sample(0, 0.3).procedure(0)), ErrorCode::unsupported);
+}
+
+// A caller looks at the pose in the middle, so both halves together give the bits of the whole.
+TEST(run_pose_program, a_program_that_runs_in_two_parts_gives_the_bits_of_the_whole) {
+  Stage stage(12);
+  RandomProgram random(17, stage.scene);
+  for (int i = 0; i < 20; ++i) {
+    const PoseProgram program = random.next();
+    ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
+    std::vector<Transform> whole;
+    for (std::size_t j = 0; j < stage.joints(); ++j) whole.push_back(stage.result.span().get(j));
+    const std::vector<float> weights = stage.weights, properties = stage.properties;
+    PoseProgramJob first = stage.job(program.ops()), second = first;
+    first.end = second.first = 1 + static_cast<std::size_t>(i) % program.ops().size();
+    ASSERT_EQ(run(first), ErrorCode::ok);
+    ASSERT_EQ(run(second), ErrorCode::ok);
+    for (std::size_t j = 0; j < stage.joints(); ++j) EXPECT_TRUE(same_bits(whole[j], stage.result.span().get(j)));
+    EXPECT_EQ(stage.weights, weights);
+    EXPECT_EQ(stage.properties, properties);
+  }
+}
+
+TEST(run_pose_program, masks_of_the_caller_follow_those_of_the_tables) {
+  Stage stage(13);
+  const auto pose = [&](const PoseProgram& program, std::span<const JointMask> masks) {
+    PoseProgramJob job = stage.job(program.ops());
+    job.inputs.masks = masks;
+    EXPECT_EQ(run(job), ErrorCode::ok);
+    std::vector<Transform> out;
+    for (std::size_t j = 0; j < stage.joints(); ++j) out.push_back(stage.result.span().get(j));
+    return out;
+  };
+  const PoseProgram by_table = PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 0).overlay();
+  const PoseProgram by_caller = PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 2).overlay();
+  const JointMask mask{stage.mask_memory[0], 1};
+  EXPECT_EQ(pose(by_table, {}), pose(by_caller, {&mask, 1}));
+  std::vector<float> negative = stage.mask_memory[0];
+  negative[1] = -0.1f;
+  const JointMask bad{negative, 1};
+  PoseProgramJob job = stage.job(by_caller.ops());
+  job.inputs.masks = {&bad, 1};
+  EXPECT_EQ(run(job), ErrorCode::negative_weight);
+  job.inputs.masks = {};
+  EXPECT_EQ(run(job), ErrorCode::index_out_of_range);
+}
+
 TEST(run_pose_program, work_is_counted_by_kind_and_what_is_not_in_the_program_counts_zero) {
   Stage stage(9);
   ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.1).sample(1, 0.2).mean(2)), ErrorCode::ok);
-  EXPECT_EQ(stage.work.clips_sampled, 2u);
-  EXPECT_EQ(stage.work.poses_blended, 2u);
-  EXPECT_EQ(
-      stage.work.poses_overlaid + stage.work.poses_added + stage.work.poses_mirrored + stage.work.joints_overridden,
-      0u);
+  EXPECT_EQ(stage.work, (PoseProgramWork{.clips_sampled = 2, .poses_blended = 2}));
 }
 
 TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_are_refused) {
@@ -315,18 +384,18 @@ TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_ar
   EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.joint_count -= 1; }), ErrorCode::size_mismatch);
   EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.planes = nullptr; }), ErrorCode::size_mismatch);
   EXPECT_EQ(code([](PoseProgramJob& job) { job.weights = job.weights.first(1); }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.externals = {}; }), ErrorCode::index_out_of_range);
+  EXPECT_EQ(code([](PoseProgramJob& job) { job.inputs.externals = {}; }), ErrorCode::index_out_of_range);
   const Clip* const one_page[] = {nullptr};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.pages = one_page; }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.pages = one_page; }), ErrorCode::size_mismatch);
   ExternalPose smaller = stage.external;
   smaller.weights = smaller.weights.first(1);
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.externals = {&smaller, 1}; }), ErrorCode::size_mismatch);
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.externals = {&smaller, 1}; }), ErrorCode::size_mismatch);
   JointOverride bad{0, {}, OverrideSpace::local};
   bad.transform.rotation.y = std::numeric_limits<float>::infinity();
-  const std::span<const JointOverride> bad_joints(&bad, 1);
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::not_finite);
+  const JointOverrides bad_joints{{&bad, 1}, 0};
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.overrides = {&bad_joints, 1}; }), ErrorCode::not_finite);
   bad = {static_cast<std::uint32_t>(stage.joints()), {}, OverrideSpace::local};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::index_out_of_range);
+  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.overrides = {&bad_joints, 1}; }), ErrorCode::index_out_of_range);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct SlowPose {
 class SlowProgram {
  public:
   SlowProgram(const Scene& scene, std::span<const float> rest_weights, std::span<const std::span<const float>> masks,
-              std::span<const SlowPose> externals, std::span<const std::span<const JointOverride>> overrides)
+              std::span<const SlowPose> externals, std::span<const JointOverrides> overrides)
       : scene_(scene), masks_(masks), externals_(externals), overrides_(overrides) {
     for (const Transform& t : scene.skeleton.rest) rest_.joints.push_back(in_double(t));
     rest_.weights.assign(rest_weights.begin(), rest_weights.end());
@@ -65,7 +65,7 @@ class SlowProgram {
         const Entry layer = popped();
         return added(popped().pose, layer, reference);
       }
-      case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index], op.time_s);
+      case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index].joints, op.time_s);
       default: return rest_;
     }
   }
@@ -202,7 +202,7 @@ class SlowProgram {
   const Scene& scene_;
   std::span<const std::span<const float>> masks_;
   std::span<const SlowPose> externals_;
-  std::span<const std::span<const JointOverride>> overrides_;
+  std::span<const JointOverrides> overrides_;
   SlowPose rest_;
   std::vector<Entry> stack_;
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/pose_program/pose_slots.h"
+#include "runtime/pose_program/run_pose_program.h"
+
+namespace sinew {
+
+/// Runs operations one by one on the poses of a memory. Whoever feeds it has checked them. Internal to the runtime.
+class PoseMachine {
+ public:
+  /// How one operation runs, beside what it says itself.
+  struct Step {
+    const Clip* page = nullptr;    ///< as PoseProgramInputs::pages
+    bool with_properties = true;   ///< some operation after it reads its properties
+    bool holds_clip = false;       ///< as PoseProgramJob::holds_clip
+  };
+
+  /// Keeps the references.
+  PoseMachine(const PoseProgramAssets& assets, const PoseProgramInputs& inputs, const PoseSlots& slots,
+              PoseProgramWork& work, PosePhaseClock clock) noexcept
+      : assets_(assets), inputs_(inputs), slots_(slots), work_(work), clock_(clock) {}
+
+  void run(const PoseOp& op, const Step& step) noexcept;
+  /// Counts an operation that an earlier machine has run on this memory.
+  void skip(const PoseOp& op) noexcept;
+
+  /// The topmost pose; there must be one.
+  PoseSlot top() const noexcept { return slots_.slot(depth_ - 1); }
+
+ private:
+  void ended(PosePhase phase) const noexcept {
+    if (clock_.ended != nullptr) clock_.ended(clock_.context, phase);
+  }
+  PoseSlot slot(std::size_t index) const noexcept;
+  std::span<const float> mask(std::uint8_t index) const noexcept;
+
+  void push_rest() noexcept;
+  void push_external(std::size_t index) noexcept;
+  void sample(const PoseOp& op, const PoseSlot& to, bool holds_clip) noexcept;
+  void push_mirrored_sample(const PoseOp& op) noexcept;
+  void push_mirrored_rest() noexcept;
+  void mirror(const PoseSpan& from, std::span<const float> weights, const PoseSlot& to) noexcept;
+  void mean(std::size_t operands, double threshold) noexcept;
+  void overlay(bool in_model_space) noexcept;
+  void add_to_rest() noexcept;
+  void add_to_reference() noexcept;
+  void add(const PoseSlot& layer, const PoseSlots::Share& share, const PoseSpan& reference,
+           std::span<const float> reference_weights) noexcept;
+  void override_top(const PoseOp& op) noexcept;
+  void run_procedure(const PoseOp& op) noexcept;
+
+  const PoseProgramAssets& assets_;
+  const PoseProgramInputs& inputs_;
+  PoseSlots slots_;
+  PoseProgramWork& work_;
+  PosePhaseClock clock_;
+  Step step_;                // of the operation at hand
+  std::size_t depth_ = 0;  // poses on the stack
+};
+
+}  // namespace sinew

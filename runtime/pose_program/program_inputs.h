@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "runtime/animation/skeleton.h"
+#include "runtime/clip/clip.h"
+#include "runtime/math/transform.h"
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// Says whether something of the caller has changed since an earlier frame. Equal versions of one table entry promise
+/// equal content. 0 promises nothing: the content may differ in each frame.
+using ContentVersion = std::uint64_t;
+
+/// A pose of the caller: a ragdoll, the network, another skeleton's motion. Weights and properties may be empty: then
+/// the rest values stand in.
+struct ExternalPose {
+  PoseSpan pose;                      ///< of the joint count of poses; not written
+  std::span<const float> weights;     ///< [W] or empty
+  std::span<const float> properties;  ///< [P] or empty
+  ContentVersion version = 0;
+};
+
+/// Space of an overriding transform. `model` is the space above all root joints, below FrameInput::root.
+enum class OverrideSpace : std::uint8_t { local, model };
+
+/// A joint that the caller places.
+struct JointOverride {
+  std::uint32_t joint = 0;  ///< of poses
+  Transform transform;
+  OverrideSpace space = OverrideSpace::local;
+};
+
+/// Joints that one operation places, in this order: a parent before its children.
+struct JointOverrides {
+  std::span<const JointOverride> joints;
+  ContentVersion version = 0;
+};
+
+/// Joint weights of the caller, which multiply the weight of an operation.
+struct JointMask {
+  std::span<const float> weights;  ///< [J of poses] finite, >= 0
+  ContentVersion version = 0;
+};
+
+/// The pose that a procedure may change, in memory of the frame.
+struct ProcedurePose {
+  const Skeleton& skeleton;      ///< of poses
+  PoseSpan local;                ///< may be written
+  std::span<float> weights;      ///< [W] may be written; empty where the frame's input gives all morph weights
+  std::span<float> properties;   ///< [P] may be written; empty where they are not wanted
+  float share = 1.0f;            ///< (0, 1] of the operation; what it means is the procedure's own
+};
+
+/// Code of the caller that runs in the middle of a program. It must not throw. The same version and the same pose before
+/// it promise the same pose after it.
+struct PoseProcedure {
+  void (*run)(void* context, const ProcedurePose& pose) = nullptr;
+  void* context = nullptr;
+  ContentVersion version = 0;
+};
+
+/// What the indices of a program name, beside the tables that all characters share.
+/// owns  nothing: views of the caller's memory, which stays unchanged while the program runs
+struct PoseProgramInputs {
+  std::span<const ExternalPose> externals = {};
+  std::span<const JointOverrides> overrides = {};
+  std::span<const PoseProcedure> procedures = {};
+  std::span<const JointMask> masks = {};  ///< their indices follow those of the shared masks
+  /// [ops] or empty: the part of the operation's clip that has the keys of its time (paging/paged_clip.h), null = the
+  /// clip itself
+  std::span<const Clip* const> pages = {};
+};
+
+}  // namespace sinew

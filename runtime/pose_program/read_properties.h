@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <bitset>
+
+#include "runtime/pose_program/pose_program.h"
+
+namespace sinew {
+
+/// Says which operations make properties that some operation after them reads. An addition leaves properties as they
+/// are, so its layer and its reference need none. Internal to the runtime.
+class ReadProperties {
+ public:
+  /// in   program  checked;   any  false: nobody wants properties
+  ReadProperties(PoseProgramSpan program, bool any) noexcept {
+    if (!any) return;
+    std::array<bool, kMostPoseOps + 1> wanted;  // of the operations that are still to come, the next one on top
+    std::size_t depth = 0;
+    wanted[depth++] = true;
+    for (std::size_t i = program.size(); i-- > 0;) {
+      const bool reads = wanted[--depth];
+      read_[i] = reads;
+      const bool adds = program[i].kind == PoseOpKind::add || program[i].kind == PoseOpKind::add_to_rest;
+      for (std::size_t o = 0; o < operands_of(program[i]); ++o) wanted[depth++] = reads && (!adds || o == 0);
+    }
+  }
+
+  bool of(std::size_t op) const noexcept { return read_[op]; }
+
+ private:
+  std::bitset<kMostPoseOps> read_;
+};
+
+}  // namespace sinew
