@@ -5,6 +5,8 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/playing_layers.h"
+#include "runtime/plan/pose_operations.h"
+#include "runtime/plan/reuse/program_versions.h"
 
 namespace sinew {
 namespace {
@@ -39,9 +41,9 @@ Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
   if (!std::isfinite(layer.time_s)) return {ErrorCode::not_finite, "time_s"};
   if (!is_usual(layer.weight)) return {unusual(layer.weight), "weight"};
   if (layer.weight < 0.0f) return {ErrorCode::negative_weight, "weight"};
-  if (adds && !plan.needs.additive)
+  if (adds && !plan.needs.in.additive)
     return {ErrorCode::not_in_needs, "kind", "additive layers are not declared in the needs"};
-  if (layer.mirrored && plan.needs.mirror == nullptr)
+  if (layer.mirrored && plan.needs.in.mirror == nullptr)
     return {ErrorCode::not_in_needs, "mirrored", "the needs have no mirror"};
   return kFine;
 }
@@ -59,7 +61,7 @@ Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers
     blended += layers[i].weight != 0.0f;
     total_weight += static_cast<double>(layers[i].weight);
   }
-  if (blended > plan.needs.max_layers)
+  if (blended > plan.needs.in.max_layers)
     return {ErrorCode::too_many_layers, nullptr, "more layers blend than the needs declare", list};
   if (plan.sample && !plan.blend && blended > 0 && total_weight < 1.0)
     return {ErrorCode::not_in_needs, nullptr, "a plan of one layer does not blend: the weight must be 1", list};
@@ -76,7 +78,7 @@ bool has_two_times(std::span<const GeometryInput> geometry, std::size_t slot) no
 
 Refusal check_source(const CompiledPlan& plan, std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
   const GeometryInput& input = geometry[slot];
-  const std::uint32_t instance = plan.needs.cached_instances[slot];
+  const std::uint32_t instance = plan.needs.in.cached_instances[slot];
   if (!std::isfinite(input.time_s)) return {ErrorCode::not_finite, "time_s"};
   if (!std::isfinite(input.weight)) return {ErrorCode::not_finite, "weight"};
   if (!is_fraction(input.weight)) return {ErrorCode::not_a_fraction, "weight"};
@@ -114,14 +116,14 @@ Refusal check_counts(const CompiledPlan& plan, const FrameInput& input) noexcept
     return {ErrorCode::size_mismatch, nullptr, "not one for each morph weight of the scene", "weights"};
   if (!fits(input.out_of_view.size(), plan.scene->instances.size()))
     return {ErrorCode::size_mismatch, nullptr, "not one for each mesh instance of the scene", "out_of_view"};
-  if (!fits(input.geometry.size(), plan.needs.cached_instances.size()))
+  if (!fits(input.geometry.size(), plan.needs.in.cached_instances.size()))
     return {ErrorCode::size_mismatch, nullptr, "not one for each of the needs' cached instances", "geometry"};
   return kFine;
 }
 
 Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
   if (!is_fraction(factor)) return {ErrorCode::not_a_fraction, "interpolation_factor"};
-  if (factor != 0.0f && !plan.needs.between_updates)
+  if (factor != 0.0f && !plan.needs.in.between_updates)
     return {ErrorCode::not_in_needs, "interpolation_factor", "the needs declare no frames between updates"};
   return kFine;
 }
@@ -137,12 +139,65 @@ Refusal check_root(const Affine& root) noexcept {
   return {ErrorCode::too_large, "root"};
 }
 
+/// The lists of a program's inputs are as long as the needs say at most.
+Refusal check_program_lists(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {
+  const PoseProgramRoom& room = plan.needs.in.program;
+  constexpr const char* kRule = "longer than the needs declare";
+  if (inputs.externals.size() > room.externals) return {ErrorCode::not_in_needs, nullptr, kRule, "externals"};
+  if (inputs.overrides.size() > room.overrides) return {ErrorCode::not_in_needs, nullptr, kRule, "overrides"};
+  if (inputs.procedures.size() > room.procedures) return {ErrorCode::not_in_needs, nullptr, kRule, "procedures"};
+  if (inputs.masks.size() > room.masks) return {ErrorCode::not_in_needs, nullptr, kRule, "masks"};
+  std::size_t joints = 0;
+  for (const JointOverrides& overrides : inputs.overrides) joints += overrides.joints.size();
+  if (joints > room.overridden_joints)
+    return {ErrorCode::not_in_needs, nullptr, "more joints than the needs declare", "overrides"};
+  return kFine;
+}
+
+Refusal check_program_pages(const CompiledPlan& plan, const FrameInput& input) noexcept {
+  const std::span<const Clip* const> pages = input.program_inputs.pages;
+  if (pages.empty()) return kFine;
+  if (pages.size() != input.program.size())
+    return {ErrorCode::size_mismatch, nullptr, "not one for each operation", "pages"};
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const PoseOpKind kind = input.program[i].kind;
+    const bool samples = kind == PoseOpKind::sample || kind == PoseOpKind::sample_mirrored;
+    if (pages[i] != nullptr && samples && !has_size_of(*pages[i], plan.assets.clips[input.program[i].index]))
+      return {ErrorCode::wrong_page, nullptr, nullptr, "pages", static_cast<std::uint32_t>(i)};
+  }
+  return kFine;
+}
+
+Refusal check_program(const CompiledPlan& plan, const FrameInput& input) noexcept {
+  if (input.program.empty()) return kFine;
+  const PoseProgramRoom& room = plan.needs.in.program;
+  if (room.ops == 0) return {ErrorCode::not_in_needs, "program", "the needs declare no programs"};
+  if (!input.layers.empty()) return {ErrorCode::unsupported, "program", "layers are given as well"};
+  if (input.interpolation_factor != 0.0f)
+    return {ErrorCode::unsupported, "interpolation_factor", "programs have no second pose: a mean has"};
+  if (input.program.size() > room.ops)
+    return {ErrorCode::not_in_needs, "program", "it has more operations than the needs declare"};
+  RETURN_IF_REFUSED(check_program_lists(plan, input.program_inputs));
+  const PoseProgramFault fault = find_fault(input.program, program_limits(plan, input.program_inputs));
+  if (fault.code != ErrorCode::ok)
+    return {fault.code, nullptr, fault.rule, "program", static_cast<std::uint32_t>(fault.op)};
+  for (std::size_t i = 0; i < input.program.size(); ++i)
+    if (!is_usual(input.program[i].weight))
+      return {ErrorCode::too_large, "weight", nullptr, "program", static_cast<std::uint32_t>(i)};
+  RETURN_IF_REFUSED(check_program_pages(plan, input));
+  const PoseInputFault wrong = find_fault(input.program_inputs, plan.assets.joint_count(), plan.rest_weights.size(),
+                                          plan.scene->properties.rest.size());
+  if (wrong.code != ErrorCode::ok) return {wrong.code, nullptr, wrong.rule, wrong.list, wrong.index};
+  return kFine;
+}
+
 }  // namespace
 
 Refusal check_input(const CompiledPlan& plan, const FrameInput& input) noexcept {
   RETURN_IF_REFUSED(check_factor(plan, input.interpolation_factor));
   RETURN_IF_REFUSED(check_layers(plan, input.layers, "layers"));
   RETURN_IF_REFUSED(check_layers(plan, next_layers_of(input), "next_layers"));
+  RETURN_IF_REFUSED(check_program(plan, input));
   RETURN_IF_REFUSED(check_counts(plan, input));
   RETURN_IF_REFUSED(check_numbers(input.weights, "weights"));
   RETURN_IF_REFUSED(check_root(input.root));

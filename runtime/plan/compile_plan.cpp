@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "runtime/animation/mirror_animation.h"
@@ -56,6 +58,32 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
   return joints;
 }
 
+/// True if the caller may place any joint anywhere.
+bool places_joints(const Inputs& in) {
+  return in.cut || in.program.externals > 0 || in.program.overrides > 0 || in.program.procedures > 0;
+}
+
+std::vector<std::uint32_t> all_joints(const PlanAssets& assets) {
+  std::vector<std::uint32_t> joints(assets.joint_count());
+  std::iota(joints.begin(), joints.end(), 0u);
+  return joints;
+}
+
+/// in   joints  rising
+std::vector<std::uint32_t> other_joints(const PlanAssets& assets, std::span<const std::uint32_t> joints) {
+  std::vector<std::uint32_t> others;
+  const std::vector<std::uint32_t> all = all_joints(assets);
+  std::set_difference(all.begin(), all.end(), joints.begin(), joints.end(), std::back_inserter(others));
+  return others;
+}
+
+std::vector<JointScale> any_scales(const PlanAssets& assets) {
+  return std::vector<JointScale>(assets.joint_count(), {ScaleKind::uneven, 0, true});
+}
+
+/// Additions may be asked for as layers, or be operations of a program.
+bool adds(const CompiledPlan& plan) { return plan.add || plan.needs.in.program.ops > 0; }
+
 std::vector<ClipTracks> tracks_of(std::span<const Clip> clips) {
   std::vector<ClipTracks> tracks;
   for (const Clip& clip : clips) {
@@ -106,18 +134,21 @@ void choose_pose_stages(CompiledPlan& plan) {
   const Scene& scene = *plan.scene;
   const Needs& needs = plan.needs;
   const bool has_clips = !plan.assets.clips.empty();
-  plan.local_to_model = scene.skeleton.joint_count() > 0 &&
-                        (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
+  plan.local_to_model =
+      scene.skeleton.joint_count() > 0 &&
+      (needs.out.joints || ((needs.out.vertices() || needs.out.palettes) && !scene.instances.empty()));
   plan.hide_per_frame =
-      has_animated_visibility(scene.properties) && (needs.properties || needs.vertices() || needs.palettes);
+      has_animated_visibility(scene.properties) && (needs.out.properties || needs.out.vertices() || needs.out.palettes);
   plan.hide = plan.hide_per_frame || !scene.hidden_joints.empty();
-  plan.properties = has_clips && ((needs.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
-  plan.sample = has_clips && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
-  plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
-  plan.mirror = plan.sample && needs.mirror != nullptr;
-  plan.add = plan.sample && needs.additive;
-  plan.interpolate = plan.sample && needs.between_updates;
-  plan.bounds = needs.bounds && !scene.instances.empty();
+  const bool has_programs = needs.in.program.ops > 0 || needs.in.cut;
+  plan.properties = (has_clips || has_programs) && ((needs.out.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
+  plan.poses = (has_clips || has_programs) && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
+  plan.sample = plan.poses && has_clips;
+  plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty());
+  plan.mirror = plan.poses && needs.in.mirror != nullptr;
+  plan.add = plan.sample && needs.in.additive;
+  plan.interpolate = plan.sample && needs.in.between_updates;
+  plan.bounds = needs.out.bounds && !scene.instances.empty();
 }
 
 /// All stages as one set, when the primitives are planned.
@@ -133,6 +164,7 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
   runs(Stage::mirror, plan.mirror);
   runs(Stage::blend, plan.blend);
   runs(Stage::add, plan.add);
+  runs(Stage::pose_program, plan.poses && plan.needs.in.program.ops > 0);
   runs(Stage::interpolate, plan.interpolate);
   runs(Stage::correctives, plan.correctives);
   runs(Stage::properties, plan.properties);
@@ -166,30 +198,35 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
   CONTRACT(shared != nullptr && "a plan needs a scene");
   const Scene& scene = *shared;
   CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
-  CONTRACT(needs.max_layers > 0);
+  CONTRACT(needs.in.max_layers > 0);
+  CONTRACT(clips.size() < 0xFFFF && "operations name clips by 16 bits");
+  CONTRACT(needs.in.masks.size() < PoseOp::kNoMask && needs.in.program.masks < PoseOp::kNoMask);
+  CONTRACT(needs.in.program.ops <= kMostPoseOps && needs.in.program.slots <= needs.in.program.ops);
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
-  CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
+  CONTRACT(std::all_of(needs.in.masks.begin(), needs.in.masks.end(),
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
-  CONTRACT(are_instances(needs.cached_instances, scene.instances.size()));
-  CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
-  CONTRACT(needs.mirror == nullptr || fits(*needs.mirror, scene));
+  CONTRACT(are_instances(needs.in.cached_instances, scene.instances.size()));
+  CONTRACT(needs.skin.per_instance.empty() || needs.skin.per_instance.size() == scene.instances.size());
+  CONTRACT(needs.in.mirror == nullptr || fits(*needs.in.mirror, scene));
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;
   plan.scene = std::move(shared);
   plan.needs = needs;
-  plan.assets = make_assets(scene, clips, needs.skeleton_lod, needs.mirror);
+  plan.assets = make_assets(scene, clips, needs.out.skeleton_lod, needs.in.mirror);
   plan.rest_weights = rest_weights_of(scene);
   plan.clip_tracks = tracks_of(plan.assets.clips);
-  plan.moved_joints = moved_joints(plan.assets);
-  for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of_poses(plan.assets, mask));
+  plan.moved_joints = places_joints(needs.in) ? all_joints(plan.assets) : moved_joints(plan.assets);
+  plan.unmoved_joints = other_joints(plan.assets, plan.moved_joints);
+  for (const std::vector<float>& mask : needs.in.masks) plan.mask_weights.push_back(mask_of_poses(plan.assets, mask));
+  plan.masks.assign(plan.mask_weights.begin(), plan.mask_weights.end());
   choose_pose_stages(plan);
   if (plan.mirror) plan.mirror_tables = make_mirror_tables(plan.assets.mirror->joints);
-  plan.joint_scales = joint_scales(plan.assets, plan.add);
+  plan.joint_scales = places_joints(needs.in) ? any_scales(plan.assets) : joint_scales(plan.assets, adds(plan));
   plan_primitives(plan);
   const bool morphs = std::any_of(plan.primitives.begin(), plan.primitives.end(),
                                   [](const PrimitivePlan& p) { return p.morph.any() || p.morph_colors; });
-  plan.correctives = !scene.correctives.empty() && (needs.weights || morphs);
+  plan.correctives = !scene.correctives.empty() && (needs.out.weights || morphs);
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
     plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s])
                                                   : std::vector<JointPair>{});
@@ -216,6 +253,12 @@ std::span<const std::uint32_t> Plan::moved_joints() const noexcept { return get(
 std::vector<std::uint32_t> kept_joints(const Plan& plan) {
   CONTRACT(plan.is_compiled() && "a default plan has no joints");
   return kept_joints(plan.compiled()->assets.joint_map);
+}
+
+std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexcept {
+  CONTRACT(plan.is_compiled() && "a default plan has no joints");
+  const JointMapping& mapped = plan.compiled()->assets.joint_map[joint];
+  return mapped.is_kept ? mapped.pose_index : kNone;
 }
 
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept {

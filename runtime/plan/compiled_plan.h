@@ -32,6 +32,7 @@ struct CompiledPlan {
   FrameLayout layout;
 
   // Which stages run. Of those that work on skins and vertices the tables below decide for each.
+  bool poses = false;  ///< clips or programs make poses: frames do not just show the rest pose
   bool sample = false, mirror = false, blend = false, add = false, interpolate = false, correctives = false,
        properties = false, local_to_model = false, bounds = false;
   bool hide = false, hide_per_frame = false;  ///< some joint may be hidden; clips decide it
@@ -41,9 +42,11 @@ struct CompiledPlan {
   std::vector<ClipTracks> clip_tracks;      ///< [clips]
   std::vector<std::uint32_t> moved_joints;  ///< of poses, by some clip, or below such joints: the others have their
                                             ///< rest pose in every frame
+  std::vector<std::uint32_t> unmoved_joints;  ///< all other joints of poses
   std::vector<JointScale> joint_scales;     ///< [joints of poses]
   MirrorTables mirror_tables;               ///< of poses, where `mirror`
-  std::vector<std::vector<float>> masks;    ///< [masks of the needs][joints of poses]
+  std::vector<std::vector<float>> mask_weights;  ///< [masks of the needs][joints of poses]
+  std::vector<std::span<const float>> masks;     ///< views of `mask_weights`
   std::vector<float> rest_weights;          ///< [W]
 
   // Mesh instances and their primitives.
@@ -52,8 +55,8 @@ struct CompiledPlan {
   std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`, of those with flat normals
   std::vector<std::shared_ptr<const SurfaceFaces>> surface_faces;  ///< parallel to `primitives`, of those that may play
   std::vector<std::uint32_t> first_primitive;                      ///< [instances + 1] into `primitives`
-  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::cached_instances where a primitive may
-                                             ///< play, else kNone; empty where none may
+  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::in.cached_instances where a primitive
+                                             ///< may play, else kNone; empty where none may
   std::vector<bool> instance_skinned;        ///< [instances] some primitive follows the instance's skin
   std::vector<JointScale> instance_scales;   ///< [instances] of the matrix whose determinant says which way faces
                                              ///< wind, without the root
@@ -64,7 +67,7 @@ struct CompiledPlan {
   std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
 };
 
-/// Index into what a frame keeps of Needs::cached_instances, or kNone.
+/// Index into what a frame keeps of Needs::in.cached_instances, or kNone.
 inline std::uint32_t geometry_slot_of(const CompiledPlan& plan, std::size_t instance) noexcept {
   return plan.geometry_slot.empty() ? kNone : plan.geometry_slot[instance];
 }

@@ -29,8 +29,8 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
   for (std::size_t p = 0; p < plan.primitives.size(); ++p)
     std::construct_at(&tables.primitives[p], nothing_deformed(plan.primitives[p]));
   std::uninitialized_value_construct(tables.palettes.begin(), tables.palettes.end());
-  std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
   std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
+  std::uninitialized_value_construct(tables.input_program.begin(), tables.input_program.end());
   std::uninitialized_value_construct(tables.shown.begin(), tables.shown.end());
   std::uninitialized_value_construct(tables.played.begin(), tables.played.end());
   std::uninitialized_value_construct(tables.input_geometry.begin(), tables.input_geometry.end());

@@ -14,6 +14,7 @@
 
 namespace sinew {
 
+struct CutPose;
 struct FrameInput;
 class Plan;
 struct Refusal;
@@ -32,7 +33,7 @@ struct LastInput {
   bool asleep = false;    ///< the pose in the block is of an earlier run
   bool is_late = false;   ///< a source had not loaded its frame yet, so the same input may show another one
   float interpolation_factor = 0.0f;
-  std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0;
+  std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0, op_count = 0, version_count = 0;
   Affine root;
 };
 
@@ -90,6 +91,8 @@ class SINEW_API FrameBuffer {
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
   friend std::string why_refused(const Plan&, const FrameInput&, const FrameBuffer&);
   friend Refusal check_run(const Plan&, const FrameInput&, const FrameBuffer&, const FrameBuffer*) noexcept;
+  friend ErrorCode run_to_cut(const Plan&, const FrameInput&, FrameBuffer&, CutPose&, std::size_t) noexcept;
+  friend ErrorCode run_from_cut(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
 
   struct SINEW_API Source {
@@ -106,6 +109,8 @@ class SINEW_API FrameBuffer {
   const FrameBuffer* before_ = nullptr;
   bool past_caches_ = false;
   LastInput last_;
+  PoseSpan cut_pose_;          // of a frame between its halves; no memory: there is none
+  std::size_t cut_ops_ = 0;
   FrameResult result_;
 };
 

@@ -6,6 +6,7 @@
 #include "runtime/deform/surface_normals.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_tables.h"
+#include "runtime/plan/pose_operations.h"
 #include "runtime/pose/correct_pose.h"
 
 namespace sinew {
@@ -37,9 +38,8 @@ class PoseMaker {
         properties_(plan.properties ? plan.scene->properties.rest.size() : 0) {}
 
   PoseBlock pose() { return {memory_.take<float>(floats()), joints_}; }
-  Block<float> weights(std::size_t poses = 1) { return memory_.take<float>(poses * weights_); }
-  Block<float> properties(std::size_t poses = 1) { return memory_.take<float>(poses * properties_); }
-  Block<float> poses(std::size_t count) { return memory_.take<float>(count * floats()); }
+  Block<float> weights() { return memory_.take<float>(weights_); }
+  Block<float> properties() { return memory_.take<float>(properties_); }
 
  private:
   std::size_t floats() const noexcept { return PoseSpan::floats_for(joints_); }
@@ -99,27 +99,28 @@ void lay_out_geometry(CompiledPlan& plan, MemoryLayout& memory) {
 
 void lay_out_tables(CompiledPlan& plan, MemoryLayout& memory) {
   const std::size_t instances = plan.scene->instances.size(), weights = plan.scene->weight_count(),
-                    slots = plan.geometry_slot.empty() ? 0 : plan.needs.cached_instances.size();
+                    slots = plan.geometry_slot.empty() ? 0 : plan.needs.in.cached_instances.size();
   TableLayout& tables = plan.layout.tables;
   tables.instances = memory.take<InstanceResult>(instances);
   tables.primitives = memory.take<DeformedPrimitive>(plan.primitives.size());
-  tables.blend_layers = memory.take<BlendLayer>(plan.needs.max_layers);
   tables.palettes = memory.take<SkinPalette>(plan.palette.size());
   tables.weights_since = memory.take<std::uint64_t>(instances);
   tables.winding_since = memory.take<std::uint64_t>(instances);
   tables.last_weights = memory.take<float>(weights);
   tables.input_weights = memory.take<float>(weights);
   tables.input_out_of_view = memory.take<std::uint8_t>(instances);
-  tables.stage_ns = memory.take<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
+  tables.stage_ns = memory.take<std::uint64_t>(plan.needs.out.stage_times ? kStageCount : 0);
   tables.shown = memory.take<ShownVertices>(slots);
   tables.played = memory.take<PlayedGeometry>(slots);
   tables.geometry_since = memory.take<std::uint64_t>(slots);
   tables.input_geometry = memory.take<GeometryInput>(slots);
-  tables.input_layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  tables.input_program = memory.take<PoseOp>(plan.needs.in.program.ops);
+  tables.input_versions = memory.take<ContentVersion>(most_versions(plan.needs.in.program));
+  tables.input_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
   if (!plan.interpolate) return;
-  tables.input_next_layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  tables.input_next_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
   tables.updates = memory.take<KeptUpdate>(2);
-  for (Block<ClipLayer>& layers : tables.update_layers) layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  for (Block<ClipLayer>& layers : tables.update_layers) layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
 }
 
 /// The front of the memory: frames of one clip touch it before vertices.
@@ -127,7 +128,7 @@ void lay_out_front(CompiledPlan& plan, PoseMaker& make, MemoryLayout& memory) {
   const Scene& scene = *plan.scene;
   FrameLayout& layout = plan.layout;
   lay_out_tables(plan, memory);
-  if (plan.sample) layout.pose.pose = make.pose();
+  if (plan.poses) layout.pose.pose = make.pose();
   layout.pose.weights = make.weights();
   layout.pose.properties = make.properties();
   layout.hidden = memory.take<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
@@ -151,24 +152,14 @@ std::size_t most_corrective_scratch(const CompiledPlan& plan) {
 }  // namespace
 
 void lay_out_frame(CompiledPlan& plan) {
-  const std::size_t more_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
   FrameLayout& layout = plan.layout;
   MemoryLayout memory;
   PoseMaker make(plan, memory);
   lay_out_front(plan, make, memory);
   layout.rest_pose = make.pose();
-  if (!plan.sample) layout.pose.pose = layout.rest_pose;
-  layout.layer_poses = make.poses(more_layers);
-  layout.layer_weights = make.weights(more_layers);
-  layout.layer_properties = make.properties(more_layers);
-  if (plan.mirror) layout.unmirrored = {make.pose(), make.weights(), {}};
+  if (!plan.poses) layout.pose.pose = layout.rest_pose;
+  if (plan.poses) layout.pose_program = memory.take<std::byte>(pose_memory_bytes(plan));
   layout.corrective_scratch = memory.take<double>(most_corrective_scratch(plan));
-  if (plan.add) {
-    layout.added.pose = make.pose();
-    layout.reference.pose = make.pose();
-    layout.added.weights = make.weights();
-    layout.reference.weights = make.weights();
-  }
   if (plan.interpolate)
     for (PoseBlocks& update : layout.updates) update = {make.pose(), make.weights(), make.properties()};
   lay_out_primitives(plan, memory);

@@ -8,7 +8,6 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
-#include "runtime/pose/blend_poses.h"
 #include "runtime/pose/joint_palette.h"
 
 namespace sinew {
@@ -27,7 +26,6 @@ struct VertexBlocks {
 struct TableLayout {
   Block<InstanceResult> instances;
   Block<DeformedPrimitive> primitives;
-  Block<BlendLayer> blend_layers;
   Block<SkinPalette> palettes;
   Block<std::uint64_t> weights_since, winding_since;
   Block<float> last_weights, input_weights;
@@ -37,6 +35,8 @@ struct TableLayout {
   Block<PlayedGeometry> played;
   Block<std::uint64_t> geometry_since;
   Block<GeometryInput> input_geometry;
+  Block<PoseOp> input_program;
+  Block<ContentVersion> input_versions;
   Block<KeptUpdate> updates;
   Block<ClipLayer> update_layers[2];
   Block<std::uint64_t> stage_ns;
@@ -46,11 +46,8 @@ struct TableLayout {
 /// written once, all else by every frame. Internal to plan/.
 struct FrameLayout {
   PoseBlock rest_pose;
-  PoseBlocks pose;           ///< of the frame; the first blended layer is sampled into it
-  Block<float> layer_poses;  ///< of the blended layers after the first, one behind the other
-  Block<float> layer_weights, layer_properties;
-  PoseBlocks unmirrored;                     ///< of the layer that is being mirrored; no properties
-  PoseBlocks added, reference;               ///< of the additive layer at hand, and its baseline; no properties
+  PoseBlocks pose;                           ///< of the frame, the lowest pose of the stack of pose operations
+  Block<std::byte> pose_program;             ///< the other poses of that stack, and scratch (pose_program_bytes)
   PoseBlocks updates[2];                     ///< poses of `layers` and `next_layers` of frames between updates
   Block<double> corrective_scratch;          ///< of one corrective at a time
   Block<bool> hidden;                        ///< [joints of the scene]
@@ -67,15 +64,6 @@ struct FrameLayout {
   TableLayout tables;
   std::size_t front_bytes = 0;  ///< the first bytes, which frames of one clip touch before vertices
   std::size_t frame_bytes = 0;  ///< all of it, a multiple of 64
-
-  /// Where blended layer `index` is sampled to.
-  PoseBlocks layer(std::size_t index) const noexcept {
-    if (index == 0) return pose;
-    const std::size_t floats = rest_pose.planes.count, weights = pose.weights.count, numbers = pose.properties.count;
-    return {{layer_poses.part((index - 1) * floats, floats), rest_pose.joint_count},
-            layer_weights.part((index - 1) * weights, weights),
-            layer_properties.part((index - 1) * numbers, numbers)};
-  }
 };
 
 /// Fills `plan.layout` from all else in the plan.

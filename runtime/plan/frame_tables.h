@@ -7,7 +7,6 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
-#include "runtime/pose/blend_poses.h"
 
 namespace sinew {
 
@@ -38,7 +37,6 @@ struct FrameTables {
 
   std::span<InstanceResult> instances;
   std::span<DeformedPrimitive> primitives;
-  std::span<BlendLayer> blend_layers;      ///< scratch of the blend stage
   std::span<SkinPalette> palettes;         ///< [skins]
   std::span<std::uint64_t> weights_since;  ///< [instances]
   std::span<std::uint64_t> winding_since;  ///< [instances] of InstanceResult::mirrored
@@ -52,6 +50,8 @@ struct FrameTables {
   std::span<PlayedGeometry> played;                 ///< [cached instances]
   std::span<std::uint64_t> geometry_since;          ///< [cached instances] of `played`
   std::span<GeometryInput> input_geometry;  ///< [cached instances] no source where nothing plays or nobody sees it
+  std::span<PoseOp> input_program;
+  std::span<ContentVersion> input_versions;  ///< of all program inputs, list by list
   std::span<KeptUpdate> updates;            ///< [2] of FrameLayout::updates
   std::span<std::uint64_t> stage_ns;        ///< FrameResult::stage_ns
 
@@ -59,7 +59,6 @@ struct FrameTables {
   FrameTables(const CompiledPlan& plan, const TableLayout& at, FrameMemory memory) noexcept
       : instances(memory.of(at.instances)),
         primitives(memory.of(at.primitives)),
-        blend_layers(memory.of(at.blend_layers)),
         palettes(memory.of(at.palettes)),
         weights_since(memory.of(at.weights_since)),
         winding_since(memory.of(at.winding_since)),
@@ -68,11 +67,13 @@ struct FrameTables {
         input_weights(memory.of(at.input_weights)),
         input_out_of_view(memory.of(at.input_out_of_view)),
         input_next_layers(memory.of(at.input_next_layers)),
-        cached_instances(std::span(plan.needs.cached_instances).first(at.shown.count)),
+        cached_instances(std::span(plan.needs.in.cached_instances).first(at.shown.count)),
         shown(memory.of(at.shown)),
         played(memory.of(at.played)),
         geometry_since(memory.of(at.geometry_since)),
         input_geometry(memory.of(at.input_geometry)),
+        input_program(memory.of(at.input_program)),
+        input_versions(memory.of(at.input_versions)),
         updates(memory.of(at.updates)),
         stage_ns(memory.of(at.stage_ns)) {}
 };

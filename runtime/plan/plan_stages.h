@@ -12,6 +12,7 @@ enum class Stage : std::uint8_t {
   mirror,
   blend,
   add,
+  pose_program,
   interpolate,
   correctives,
   properties,
@@ -28,7 +29,7 @@ enum class Stage : std::uint8_t {
   flat_normals,
   bounds
 };
-inline constexpr std::size_t kStageCount = 19;
+inline constexpr std::size_t kStageCount = 20;
 
 /// One stage in a plan: does it run, and why.
 struct PlanStage {

@@ -27,6 +27,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
     return refusal.error;
 
   // 2. Find what stands.
+  frame.cut_pose_ = {};
   const CompiledPlan& compiled = *plan.compiled();
   const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
   const FrameMemory memory{frame.block_.get()};

@@ -49,27 +49,6 @@ Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   return kKept;
 }
 
-struct Found {
-  Rule rule = kKept;
-  std::size_t op = 0;
-};
-
-Found find_broken_rule(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
-  if (program.size() > kMostPoseOps)
-    return {{ErrorCode::size_mismatch, "a program has at most 255 operations"}, program.size()};
-  std::size_t depth = 0;
-  for (std::size_t i = 0; i < program.size(); ++i) {
-    if (const Rule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok) return {rule, i};
-    const std::size_t taken = operands_of(program[i]);
-    if (taken > depth) return {{ErrorCode::size_mismatch, "it takes more poses than those before it leave"}, i};
-    depth = depth - taken + 1;
-    if (depth > limits.slots) return {{ErrorCode::size_mismatch, "the memory has room for fewer poses"}, i};
-  }
-  if (depth != 1)
-    return {{ErrorCode::size_mismatch, "exactly one pose remains at the end of a program"}, program.size()};
-  return {};
-}
-
 }  // namespace
 
 std::size_t pose_slots(PoseProgramSpan program) noexcept {
@@ -110,22 +89,29 @@ PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexc
           a.overlays_in_model_space || b.overlays_in_model_space};
 }
 
-PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) {
-  const Found found = find_broken_rule(program, limits);
-  if (found.rule.code == ErrorCode::ok) return {};
-  std::string where = "program";
-  if (found.op < program.size()) {
-    const PoseOpKind kind = program[found.op].kind;
-    where =
-        "operation " + std::to_string(found.op) + " (" +
-        (is_kind(kind) ? kNames[static_cast<std::size_t>(kind)] : "kind " + std::to_string(static_cast<int>(kind))) +
-        ")";
+PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
+  if (program.size() > kMostPoseOps)
+    return {ErrorCode::size_mismatch, program.size(), "a program has at most 255 operations"};
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < program.size(); ++i) {
+    if (const Rule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok) return {rule.code, i, rule.text};
+    const std::size_t taken = operands_of(program[i]);
+    if (taken > depth) return {ErrorCode::size_mismatch, i, "it takes more poses than those before it leave"};
+    depth = depth - taken + 1;
+    if (depth > limits.slots) return {ErrorCode::size_mismatch, i, "the memory has room for fewer poses"};
   }
-  return {found.rule.code, found.op, where + ": " + found.rule.text};
+  if (depth != 1) return {ErrorCode::size_mismatch, program.size(), "exactly one pose remains at the end of a program"};
+  return {};
 }
 
-ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
-  return find_broken_rule(program, limits).rule.code;
+std::string describe(const PoseProgramFault& fault, PoseProgramSpan program) {
+  if (fault.code == ErrorCode::ok) return {};
+  if (fault.op >= program.size()) return std::string("program: ") + fault.rule;
+  const PoseOpKind kind = program[fault.op].kind;
+  const std::string name = is_kind(kind) ? name_of(kind) : "kind " + std::to_string(static_cast<int>(kind));
+  return "operation " + std::to_string(fault.op) + " (" + name + "): " + fault.rule;
 }
+
+const char* name_of(PoseOpKind kind) noexcept { return is_kind(kind) ? kNames[static_cast<std::size_t>(kind)] : "?"; }
 
 }  // namespace sinew

@@ -84,8 +84,8 @@ struct PoseProgramRoom {
 /// The first fault of a program.
 struct PoseProgramFault {
   ErrorCode code = ErrorCode::ok;
-  std::size_t op = 0;    ///< index of the operation; the number of operations for a fault of the program as a whole
-  std::string sentence;  ///< names the operation and the rule, for people
+  std::size_t op = 0;     ///< index of the operation; the number of operations for a fault of the program as a whole
+  const char* rule = "";  ///< in words
 };
 
 /// Poses that lie on the stack at once, at most: the memory that a program needs.
@@ -104,11 +104,18 @@ SINEW_API PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom
 /// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight,
 ///      not_a_fraction (a share or threshold), not_in_needs (mirrored without tables), unsupported (an unknown kind),
 ///      size_mismatch (operands, length, slots)
-/// cost O(ops), allocates only the sentence of a fault
-SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits);
+/// cost O(ops), no allocation
+SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept;
+inline ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
+  return find_fault(program, limits).code;
+}
 
-/// As find_fault, without the sentence.     cost O(ops), no allocation
-SINEW_API ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept;
+/// Names the operation and the rule ("operation 3 (overlay): it takes more poses than those before it leave"). Empty
+/// without a fault.
+SINEW_API std::string describe(const PoseProgramFault& fault, PoseProgramSpan program);
+
+/// "sample", "mean", ...; "?" for a kind that is not known.
+SINEW_API const char* name_of(PoseOpKind kind) noexcept;
 
 /// A program in the making, in memory of its own: nothing is allocated. Operations beyond kMostPoseOps are counted and
 /// left out, and `is_complete` tells.

@@ -59,7 +59,7 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
     const PoseProgramFault fault = find_fault(misuse.program.ops(), kLimits);
     EXPECT_EQ(fault.code, misuse.code) << misuse.sentence;
     EXPECT_EQ(check(misuse.program.ops(), kLimits), misuse.code) << misuse.sentence;
-    EXPECT_THAT(fault.sentence, testing::StartsWith(misuse.sentence));
+    EXPECT_THAT(describe(fault, misuse.program.ops()), testing::StartsWith(misuse.sentence));
   }
 }
 
@@ -92,7 +92,7 @@ TEST(pose_program, more_than_255_operations_are_counted_and_refused) {
   EXPECT_FALSE(program.rest().is_complete());
   EXPECT_EQ(program.ops().size(), 255u);
   const std::vector<PoseOp> long_program(256);
-  EXPECT_THAT(find_fault(long_program, kLimits).sentence, testing::HasSubstr("at most 255"));
+  EXPECT_THAT(describe(find_fault(long_program, kLimits), long_program), testing::HasSubstr("at most 255"));
 }
 
 }  // namespace

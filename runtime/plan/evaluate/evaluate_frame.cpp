@@ -36,24 +36,20 @@ std::span<const float> correct_weights(const CompiledPlan& plan, const PoseSpan&
   return weights;
 }
 
-/// Sets joints that no clip moves to the rest pose, to the last bit, since a mean of layers rounds them. Writes the
-/// frame's own pose, since `local` may be a pose that is kept for later frames.
-PoseSpan with_unmoved_at_rest(const CompiledPlan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
-  const PoseSpan rest = memory.of(plan.layout.rest_pose), own = memory.of(plan.layout.pose.pose);
-  if (local.planes != own.planes) copy_pose(local, own);
-  std::size_t next = 0;
-  for (std::size_t j = 0; j < own.joint_count; ++j) {
-    if (next < plan.moved_joints.size() && plan.moved_joints[next] == j)
-      ++next;
-    else
-      own.set(j, rest.get(j));
-  }
-  return own;
+/// A mean or an overlay of poses rounds joints that rest.
+bool mixes_poses(const CompiledPlan& plan, const FrameInput& input) noexcept {
+  return plan.poses &&
+         (!input.program.empty() || input.interpolation_factor != 0.0f || !plays_alone(input.layers));
 }
 
-/// A mean of several poses rounds joints that rest.
-bool mixes_poses(const CompiledPlan& plan, const FrameInput& input) noexcept {
-  return plan.sample && (input.interpolation_factor != 0.0f || !plays_alone(input.layers));
+/// Sets joints that nothing moves to the rest pose, to the last bit. Writes the frame's own pose, since `local` may be a
+/// pose that is kept for later frames.
+PoseSpan with_unmoved_at_rest(const CompiledPlan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
+  if (plan.unmoved_joints.empty()) return local;
+  const PoseSpan rest = memory.of(plan.layout.rest_pose), own = memory.of(plan.layout.pose.pose);
+  if (local.planes != own.planes) copy_pose(local, own);
+  for (const std::uint32_t joint : plan.unmoved_joints) own.set(joint, rest.get(joint));
+  return own;
 }
 
 /// Stage local_to_model: the world matrices of all joints. Empty where the plan leaves them out.
@@ -64,10 +60,7 @@ std::span<const Affine> compose(const CompiledPlan& plan, const PoseSpan& local,
   const StandingMatrices stand = step.reuse.stands().matrices;
   if (stand == StandingMatrices::all) return model;
   LocalToModelJob job{.skeleton = plan.assets.skeleton, .local = local, .root = input.root, .model = model};
-  if (stand == StandingMatrices::of_unmoved_joints)
-    job.only = plan.moved_joints;
-  else if (mixes_poses(plan, input))
-    job.local = with_unmoved_at_rest(plan, local, step.memory);
+  if (stand == StandingMatrices::of_unmoved_joints) job.only = plan.moved_joints;
   assert(check(job) == ErrorCode::ok);
   run_unchecked(job);
   work.joints_composed += job.only.empty() ? model.size() : job.only.size();
@@ -89,7 +82,7 @@ std::span<const bool> hide(const CompiledPlan& plan, std::span<const float> prop
 }
 
 void show_tables(const CompiledPlan& plan, const FrameTables& tables, FrameResult& result) noexcept {
-  if (plan.needs.palettes) result.palettes = tables.palettes;
+  if (plan.needs.out.palettes) result.palettes = tables.palettes;
   result.instances = tables.instances;
   result.primitives = tables.primitives;
   result.stage_ns = tables.stage_ns;
@@ -98,6 +91,7 @@ void show_tables(const CompiledPlan& plan, const FrameTables& tables, FrameResul
 void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) noexcept {
   reuse.forget_all();
   hide_instances(plan, reuse.tables());
+  result.local = {};
   result.model = {};
   result.weights = {};
   result.properties = {};
@@ -106,15 +100,24 @@ void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) no
   result.work = FrameWork(reuse.tables().stage_ns).counters();
 }
 
-/// All stages in the order in which they run.
-void run_stages(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step,
-                FrameResult& result) noexcept {
+/// in   ops  operations of a program that run
+PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, std::size_t ops,
+                   FrameWork& work) noexcept {
+  const PoseStep pose_step{.given_weights = input.weights,
+                           .memory = step.memory,
+                           .has_base = step.reuse.stands().base_pose,
+                           .end = ops};
+  if (!input.program.empty()) return evaluate_program(plan, input, pose_step, work);
+  return plan.interpolate ? interpolate_poses(plan, input, step, work)
+                          : evaluate_layers(plan, input.layers, pose_step, work);
+}
+
+/// The stages that follow a pose.
+void run_stages_after_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, PoseSpan local,
+                           FrameWork& work, FrameResult& result) noexcept {
   const FrameMemory memory = step.memory;
-  FrameWork work(step.tables.stage_ns);
-  const PoseSpan local =
-      plan.interpolate ? interpolate_poses(plan, input, step, work)
-                       : evaluate_pose(plan, input.layers, input.weights, memory, step.reuse.stands().base_pose, work);
   const std::span<const float> weights = correct_weights(plan, local, memory, work);
+  if (mixes_poses(plan, input)) local = with_unmoved_at_rest(plan, local, memory);
   const std::span<const Affine> model = compose(plan, local, input, step, work);
   const std::span<const float> properties = memory.of(plan.layout.pose.properties);
   const Visibility visibility{hide(plan, properties, memory, work), input.out_of_view};
@@ -125,9 +128,10 @@ void run_stages(const CompiledPlan& plan, const FrameInput& input, const FrameSt
                  : wanted_palettes(plan, visibility, input.geometry, step.tables.shown, memory);
   make_palettes(plan, model, wanted, step, work);
   show_instances(plan, {model, weights, input.root, visibility, input.geometry}, step, work);
-  result.model = plan.needs.joints ? model : std::span<const Affine>{};
+  result.local = local;
+  result.model = plan.needs.out.joints ? model : std::span<const Affine>{};
   result.weights = weights;
-  result.properties = plan.needs.properties ? properties : std::span<const float>{};
+  result.properties = plan.needs.out.properties ? properties : std::span<const float>{};
   result.hidden = visibility.hidden;
   show_tables(plan, step.tables, result);
   result.work = work.counters();
@@ -143,8 +147,32 @@ void evaluate_frame(const CompiledPlan& plan, const FrameInput& input, FrameMemo
   } else if (input.asleep) {
     sleep(plan, reuse, result);
   } else {
-    run_stages(plan, input, {memory, reuse, reuse.tables(), past_caches}, result);
+    const FrameStep step{memory, reuse, reuse.tables(), past_caches};
+    FrameWork work(step.tables.stage_ns);
+    run_stages_after_pose(plan, input, step, make_pose(plan, input, step, kMostPoseOps, work), work, result);
   }
+}
+
+void evaluate_to_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
+                     std::size_t ops, CutPose& pose, FrameResult& result) noexcept {
+  const FrameStep step{memory, reuse, reuse.tables(), false};
+  FrameWork work(step.tables.stage_ns);
+  const PoseSpan own = memory.of(plan.layout.pose.pose);
+  pose.local = make_pose(plan, input, step, ops, work);
+  if (input.program.empty() && pose.local.planes != own.planes) {  // a pose that is kept for later frames
+    copy_pose(pose.local, own);
+    pose.local = own;
+  }
+  pose.model = compose(plan, pose.local, input, step, work);
+  result.work = work.counters();
+}
+
+void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
+                       std::size_t ops, bool past_caches, FrameResult& result) noexcept {
+  const FrameStep step{memory, reuse, reuse.tables(), past_caches};
+  FrameWork work(step.tables.stage_ns, result.work);
+  if (!input.program.empty()) evaluate_program(plan, input, {.given_weights = input.weights, .memory = memory, .first = ops}, work);
+  run_stages_after_pose(plan, input, step, memory.of(plan.layout.pose.pose), work, result);
 }
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/plan/cut_pose.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
@@ -14,5 +15,16 @@ namespace sinew {
 /// cost the sum of the stages that run, no allocation. Internal to plan/
 void evaluate_frame(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
                     bool past_caches, FrameResult& result) noexcept;
+
+/// The first half of a frame with a cut: the pose, in the frame's own memory, and its world matrices.
+/// in   ops  operations of the program that run
+/// out  pose     result.work  of this half
+void evaluate_to_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
+                     std::size_t ops, CutPose& pose, FrameResult& result) noexcept;
+
+/// The second half, from the pose in the frame's own memory.
+/// in   ops  as before
+void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
+                       std::size_t ops, bool past_caches, FrameResult& result) noexcept;
 
 }  // namespace sinew

@@ -2,156 +2,133 @@
 #include "runtime/plan/evaluate/evaluate_pose.h"
 
 #include <algorithm>
-#include <cassert>
 
-#include "runtime/math/negligible.h"
-#include "runtime/pose/add_pose.h"
-#include "runtime/pose/blend_poses.h"
-#include "runtime/pose/mirror_pose.h"
-#include "runtime/pose/sample_clip.h"
+#include "runtime/plan/pose_operations.h"
+#include "runtime/pose_program/pose_machine.h"
+#include "runtime/pose_program/read_properties.h"
 
 namespace sinew {
 namespace {
 
-void mirror_weights(const CompiledPlan& plan, std::span<const float> from, std::span<float> to) noexcept {
-  const std::vector<std::uint32_t>& source = plan.assets.mirror->weight_source;
-  for (std::size_t w = 0; w < to.size(); ++w) to[w] = from[source.empty() ? w : source[w]];
-}
-
-void mirror(const CompiledPlan& plan, const PoseSpan& from, const PoseSpan& to, FrameWork& work) noexcept {
-  const MirrorPoseJob job{.tables = &plan.mirror_tables, .pose = from, .mirrored = to};
-  assert(check(job) == ErrorCode::ok);
-  run_unchecked(job);
-  work.poses_mirrored += 1;
-}
-
-void sample_plainly(const CompiledPlan& plan, const ClipLayer& layer, const PoseNumbers& output, bool with_weights,
-                    bool has_base, FrameWork& work) noexcept {
-  const SampleClipJob job{.clip = layer.page != nullptr ? layer.page : &plan.assets.clips[layer.clip],
-                          .time_s = layer.time_s,
-                          .pose = output.pose,
-                          .weights = with_weights ? output.weights : std::span<float>{},
-                          .properties = output.properties,
-                          .holds_clip = has_base};
-  assert(check(job) == ErrorCode::ok);
-  run_unchecked(job);
-  const ClipTracks& tracks = plan.clip_tracks[layer.clip];
-  work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
-  if (!output.properties.empty()) work.properties_sampled += tracks.properties;
-  work.spent_on(Stage::sample);
-}
-
-void sample(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, const PoseNumbers& output,
-            bool with_weights, bool has_base, FrameWork& work) noexcept {
-  if (!layer.mirrored) return sample_plainly(plan, layer, output, with_weights, has_base, work);
-  PoseNumbers other_side = memory.of(plan.layout.unmirrored);
-  other_side.properties = output.properties;  // properties are not mirrored
-  sample_plainly(plan, layer, other_side, with_weights, false, work);
-  mirror(plan, other_side.pose, output.pose, work);
-  if (with_weights) mirror_weights(plan, other_side.weights, output.weights);
-  work.spent_on(Stage::mirror);
-}
-
-std::span<const float> mask_of(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
-  return layer.mask == kNone ? std::span<const float>{} : std::span<const float>(plan.masks[layer.mask]);
-}
-
-bool takes_part(const CompiledPlan& plan, const ClipLayer& layer, bool adds) noexcept {
-  return plan.sample && layer.weight != 0.0f && (layer.kind != LayerKind::blend) == adds;
-}
-
-/// The mean of the layers that blend. Their morph weights are averaged too, unless the input gives weights.
-PoseSpan blend(const CompiledPlan& plan, std::span<const ClipLayer> input, FrameMemory memory, bool own_weights,
-               bool has_base, FrameWork& work) noexcept {
-  const std::span<BlendLayer> layers = memory.of(plan.layout.tables.blend_layers);
-  const PoseSpan rest = memory.of(plan.layout.rest_pose);
-  const PoseNumbers first = memory.of(plan.layout.pose);
-  std::size_t count = 0;
-  for (const ClipLayer& layer : input) {
-    if (!takes_part(plan, layer, false)) continue;
-    const PoseNumbers output = memory.of(plan.layout.layer(count));
-    sample(plan, layer, memory, output, own_weights, has_base, work);
-    layers[count++] = {.pose = output.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
+Stage stage_of(PosePhase phase) noexcept {
+  switch (phase) {
+    case PosePhase::sample: return Stage::sample;
+    case PosePhase::mirror: return Stage::mirror;
+    case PosePhase::blend: return Stage::blend;
+    case PosePhase::add: return Stage::add;
+    default: return Stage::pose_program;
   }
-  if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
-  const std::span<const float> rest_properties = plan.scene->properties.rest;
-  if (plan.properties && count == 0)
-    std::copy(rest_properties.begin(), rest_properties.end(), first.properties.begin());
-  if (count == 0) return rest;
-  if (count == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return first.pose;
-
-  const BlendPosesJob job{.layers = layers.first(count), .rest = rest, .pose = first.pose};
-  assert(check(job) == ErrorCode::ok);
-  run_unchecked(job);
-  work.poses_blended += count;
-  if (own_weights)
-    blend_weights(layers.first(count), plan.rest_weights, first.weights,
-                  memory.of(plan.layout.layer_weights.part(0, (count - 1) * first.weights.size())));
-  if (plan.properties)
-    blend_weights(layers.first(count), rest_properties, first.properties,
-                  memory.of(plan.layout.layer_properties.part(0, (count - 1) * first.properties.size())));
-  work.spent_on(Stage::blend);
-  return first.pose;
 }
 
-/// Baseline of an additive layer: its delta is the sampled pose minus the baseline.
-struct AdditiveBaseline {
-  PoseSpan pose;
-  std::span<const float> weights;
+void charge_time(void* work, PosePhase phase) noexcept { static_cast<FrameWork*>(work)->spent_on(stage_of(phase)); }
+
+/// Runs pose operations on the memory of a frame. The lowest pose of the stack is the frame's own.
+class FrameMachine {
+ public:
+  FrameMachine(const CompiledPlan& plan, const PoseProgramInputs& inputs, const PoseStep& step,
+               FrameWork& work) noexcept
+      : assets_(pose_assets(plan, step.memory)),
+        own_(step.memory.of(plan.layout.pose)),
+        work_(work),
+        machine_(assets_, inputs,
+                 PoseSlots(assets_, pose_room(plan), step.memory.of(plan.layout.pose_program).data(),
+                           {own_.pose, step.given_weights.empty() ? own_.weights : std::span<float>{},
+                            own_.properties}),
+                 done_, {&charge_time, &work}) {
+    std::copy(step.given_weights.begin(), step.given_weights.end(), own_.weights.begin());
+  }
+
+  void run(const PoseOp& op, const PoseMachine::Step& step) noexcept { machine_.run(op, step); }
+  void skip(const PoseOp& op) noexcept { machine_.skip(op); }
+
+  /// Counts the work.     out  the topmost pose
+  PoseSpan finish() noexcept {
+    work_.tracks_sampled += done_.tracks_sampled;
+    work_.properties_sampled += done_.properties_sampled;
+    work_.poses_mirrored += done_.poses_mirrored;
+    work_.poses_blended += done_.poses_blended;
+    work_.poses_added += done_.poses_added;
+    work_.poses_copied += done_.poses_copied;
+    work_.poses_overlaid += done_.poses_overlaid;
+    work_.joints_overridden += done_.joints_overridden;
+    work_.procedures_run += done_.procedures_run;
+    return machine_.top().pose;
+  }
+
+ private:
+  PoseProgramAssets assets_;
+  PoseNumbers own_;
+  FrameWork& work_;
+  PoseProgramWork done_;
+  PoseMachine machine_;
 };
 
-AdditiveBaseline baseline_of(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights,
-                             FrameWork& work) noexcept {
-  const PoseSpan rest = memory.of(plan.layout.rest_pose);
-  if (layer.kind == LayerKind::add_to_rest && !layer.mirrored) return {rest, plan.rest_weights};
-  const PoseNumbers own = memory.of(plan.layout.reference);
-  if (layer.kind == LayerKind::add_to_start) {
-    sample(plan, {.clip = layer.clip, .mirrored = layer.mirrored}, memory, own, own_weights, false, work);
-  } else {
-    mirror(plan, rest, own.pose, work);
-    mirror_weights(plan, plan.rest_weights, own.weights);
-    work.spent_on(Stage::mirror);
-  }
-  return {own.pose, own.weights};
+/// The pose of a plan whose frames all show the rest pose.
+PoseSpan show_rest(const CompiledPlan& plan, const PoseStep& step) noexcept {
+  const std::span<const float> weights =
+      step.given_weights.empty() ? std::span<const float>(plan.rest_weights) : step.given_weights;
+  std::copy(weights.begin(), weights.end(), step.memory.of(plan.layout.pose.weights).begin());
+  return step.memory.of(plan.layout.rest_pose);
 }
 
-/// Adds one layer to the frame's own pose, and to its morph weights unless the input gives them. Properties are not
-/// added.
-void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights,
-         FrameWork& work) noexcept {
-  const PoseNumbers own = memory.of(plan.layout.pose), added = memory.of(plan.layout.added);
-  sample(plan, layer, memory, added, own_weights, false, work);
-  const AdditiveBaseline baseline = baseline_of(plan, layer, memory, own_weights, work);
-  const AddPoseJob job{.layer = added.pose,
-                       .reference = baseline.pose,
-                       .weight = layer.weight,
-                       .joint_weights = mask_of(plan, layer),
-                       .pose = own.pose};
-  assert(check(job) == ErrorCode::ok);
-  run_unchecked(job);
-  work.poses_added += 1;
-  if (own_weights)
-    for (std::size_t i = 0; i < own.weights.size(); ++i)
-      own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - baseline.weights[i]));
-  work.spent_on(Stage::add);
+PoseOp sample_of(const ClipLayer& layer) noexcept {
+  return {.time_s = layer.time_s,
+          .weight = layer.weight,
+          .index = static_cast<std::uint16_t>(layer.clip),
+          .mask = layer.mask == kNone ? PoseOp::kNoMask : static_cast<std::uint8_t>(layer.mask),
+          .kind = layer.mirrored ? PoseOpKind::sample_mirrored : PoseOpKind::sample};
+}
+
+bool takes_part(const ClipLayer& layer, bool adds) noexcept {
+  return layer.weight != 0.0f && (layer.kind != LayerKind::blend) == adds;
+}
+
+/// Adds the difference of a layer from its reference. Properties are not added.
+void add(FrameMachine& machine, const ClipLayer& layer) noexcept {
+  constexpr PoseMachine::Step kWithoutProperties{.with_properties = false};
+  machine.run(sample_of(layer), {.page = layer.page, .with_properties = false});
+  if (layer.kind == LayerKind::add_to_rest && !layer.mirrored)
+    return machine.run({.kind = PoseOpKind::add_to_rest}, kWithoutProperties);
+  if (layer.kind == LayerKind::add_to_rest)
+    machine.run({.kind = PoseOpKind::rest_mirrored}, kWithoutProperties);
+  else
+    machine.run(sample_of({.clip = layer.clip, .mirrored = layer.mirrored}), kWithoutProperties);
+  machine.run({.kind = PoseOpKind::add}, kWithoutProperties);
 }
 
 }  // namespace
 
-PoseSpan evaluate_pose(const CompiledPlan& plan, std::span<const ClipLayer> layers,
-                       std::span<const float> given_weights, FrameMemory memory, bool has_base,
-                       FrameWork& work) noexcept {
-  const PoseNumbers own = memory.of(plan.layout.pose);
-  const bool own_weights = given_weights.empty() && !own.weights.empty();
-  if (!own_weights) std::copy(given_weights.begin(), given_weights.end(), own.weights.begin());
-  PoseSpan pose = blend(plan, layers, memory, own_weights, has_base, work);
+PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const PoseStep& step,
+                         FrameWork& work) noexcept {
+  if (!plan.poses) return show_rest(plan, step);
+  constexpr PoseProgramInputs kNothing{};
+  FrameMachine machine(plan, kNothing, step, work);
+  std::uint16_t blended = 0;
   for (const ClipLayer& layer : layers) {
-    if (!takes_part(plan, layer, true)) continue;
-    if (pose.planes != own.pose.planes) copy_pose(pose, own.pose);
-    pose = own.pose;
-    add(plan, layer, memory, own_weights, work);
+    if (!takes_part(layer, false)) continue;
+    machine.run(sample_of(layer), {.page = layer.page, .holds_clip = step.has_base});
+    ++blended;
   }
-  return pose;
+  machine.run({.time_s = 1.0, .index = blended, .kind = PoseOpKind::mean}, {});
+  for (const ClipLayer& layer : layers)
+    if (takes_part(layer, true)) add(machine, layer);
+  return machine.finish();
+}
+
+PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step,
+                          FrameWork& work) noexcept {
+  if (!plan.poses) return show_rest(plan, step);
+  FrameMachine machine(plan, input.program_inputs, step, work);
+  const ReadProperties properties(input.program, plan.properties);
+  const std::span<const Clip* const> pages = input.program_inputs.pages;
+  const std::size_t end = std::min(step.end, input.program.size());
+  for (std::size_t i = 0; i < end; ++i) {
+    if (i < step.first)
+      machine.skip(input.program[i]);
+    else
+      machine.run(input.program[i], {.page = pages.empty() ? nullptr : pages[i], .with_properties = properties.of(i)});
+  }
+  return machine.finish();
 }
 
 }  // namespace sinew

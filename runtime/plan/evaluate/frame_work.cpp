@@ -11,6 +11,11 @@ FrameWork::FrameWork(std::span<std::uint64_t> stage_ns) noexcept : stage_ns_(sta
   last_ = std::chrono::steady_clock::now();
 }
 
+FrameWork::FrameWork(std::span<std::uint64_t> stage_ns, const WorkCounters& counters) noexcept
+    : WorkCounters(counters), stage_ns_(stage_ns) {
+  if (!stage_ns_.empty()) last_ = std::chrono::steady_clock::now();
+}
+
 void FrameWork::add_time(Stage stage) noexcept {
   const auto now = std::chrono::steady_clock::now();
   stage_ns_[static_cast<std::size_t>(stage)] +=

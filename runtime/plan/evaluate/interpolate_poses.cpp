@@ -16,7 +16,7 @@ void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers,
                     const FrameStep& step, FrameWork& work) noexcept {
   if (!step.reuse.find_update(update, layers)) {
     const PoseNumbers place = step.memory.of(plan.layout.updates[update]);
-    copy_pose(evaluate_pose(plan, layers, {}, step.memory, false, work), place.pose);
+    copy_pose(evaluate_layers(plan, layers, {.memory = step.memory}, work), place.pose);
     copy_numbers(step.memory.of(plan.layout.pose), place);
   }
   step.reuse.keep_update(update, layers);

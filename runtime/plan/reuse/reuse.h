@@ -23,6 +23,8 @@ class Reuse {
   ///      number  FrameResult::frame of this frame
   Reuse(const CompiledPlan& plan, const FrameInput& input, const Run& last, const Run& before,
         std::uint64_t number) noexcept;
+  /// Of a frame whose input does not say what its pose is: nothing stands by comparing inputs.
+  Reuse(const CompiledPlan& plan, const Run& last, const Run& before, std::uint64_t number) noexcept;
   Reuse(const Reuse&) = delete;
   Reuse& operator=(const Reuse&) = delete;
 
@@ -49,7 +51,7 @@ class Reuse {
 
   /// Reports the morph weights and the winding of an instance.
   void add_instance(std::size_t instance, std::span<const float> weights, bool mirrored) const noexcept;
-  /// Reports what an instance of Needs::cached_instances plays.
+  /// Reports what an instance of Needs::in.cached_instances plays.
   void add_geometry(std::size_t slot, const PlayedGeometry& played) const noexcept;
 
   /// Nobody sees what the instance plays.

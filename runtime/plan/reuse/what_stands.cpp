@@ -2,9 +2,11 @@
 #include "runtime/plan/reuse/what_stands.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/playing_layers.h"
+#include "runtime/plan/reuse/program_versions.h"
 
 namespace sinew {
 namespace {
@@ -46,6 +48,14 @@ bool had_same_geometry(const FrameTables& tables, const FrameInput& input) noexc
   return true;
 }
 
+bool had_same_program(const LastFrame& frame, const FrameInput& input) noexcept {
+  if (input.program.size() != frame.input.op_count) return false;
+  if (input.program.empty()) return true;
+  const std::span<const PoseOp> last = frame.tables.input_program.first(frame.input.op_count);
+  return std::memcmp(input.program.data(), last.data(), last.size_bytes()) == 0 &&
+         has_versions(input.program_inputs, frame.tables.input_versions.first(frame.input.version_count));
+}
+
 }  // namespace
 
 bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
@@ -53,7 +63,7 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
   const FrameTables& tables = frame.tables;
   if (!last.is_known || input.asleep != last.asleep) return false;
   if (input.asleep) return true;  // a sleeping character shows nothing, whatever its layers are
-  if (last.is_late || !had_same_geometry(tables, input)) return false;
+  if (last.is_late || !had_same_geometry(tables, input) || !had_same_program(frame, input)) return false;
   if (input.layers.size() != last.layer_count || input.weights.size() != last.weight_count) return false;
   if (!same_bits(input.interpolation_factor, last.interpolation_factor)) return false;
   if (next_layers_of(input).size() != last.next_layer_count) return false;
@@ -72,7 +82,8 @@ WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, c
   stands.all_since_before = &before.input == &last.input ? stands.all : had_same_input(before, input);
   if (stands.all || input.asleep || !last.input.is_known || last.input.asleep) return stands;
   const Layers last_layers = last.tables.input_layers.first(last.input.layer_count);
-  const bool both_alone = plays_alone(input.layers) && plays_alone(last_layers);
+  const bool both_alone = input.program.empty() && last.input.op_count == 0 && plays_alone(input.layers) &&
+                          plays_alone(last_layers);
   stands.matrices = find_standing_matrices(plan, input, last_layers, last.input, both_alone);
   const std::uint32_t clip = playing_clip(input.layers);
   stands.base_pose = both_alone && clip != kNone && clip == playing_clip(last_layers);
@@ -90,11 +101,15 @@ void remember(const FrameInput& input, const FrameTables& tables, LastInput& las
   last.layer_count = input.layers.size();
   last.next_layer_count = next_layers.size();
   last.weight_count = input.weights.size();
+  last.op_count = input.program.size();
+  last.version_count = input.program.empty() ? 0 : version_count(input.program_inputs);
   last.interpolation_factor = input.interpolation_factor;
   last.root = input.root;
   std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
   std::copy(next_layers.begin(), next_layers.end(), tables.input_next_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
+  std::copy(input.program.begin(), input.program.end(), tables.input_program.begin());
+  if (!input.program.empty()) copy_versions(input.program_inputs, tables.input_versions);
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
   for (std::size_t s = 0; s < tables.input_geometry.size(); ++s) {
     tables.input_geometry[s] = playing(tables, input, s);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+
+#include "runtime/plan/compiled_plan.h"
+#include "runtime/plan/frame_memory.h"
+#include "runtime/pose_program/run_pose_program.h"
+
+namespace sinew {
+
+/// The tables that pose operations of this plan read. The rest pose lies in the frame's memory.
+PoseProgramAssets pose_assets(const CompiledPlan& plan, FrameMemory memory) noexcept;
+
+/// Room for the operations that a frame's layers or its program become.
+PoseProgramRoom pose_room(const CompiledPlan& plan) noexcept;
+
+/// Bytes of FrameLayout::pose_program.
+std::size_t pose_memory_bytes(const CompiledPlan& plan) noexcept;
+
+/// Entries of all lists of PoseProgramInputs that have a version.
+constexpr std::size_t most_versions(const PoseProgramRoom& room) noexcept {
+  return std::size_t{room.externals} + room.overrides + room.procedures + room.masks;
+}
+
+/// What programs of a plan may name.
+PoseProgramLimits program_limits(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept;
+
+}  // namespace sinew

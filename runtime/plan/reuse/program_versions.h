@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <span>
+
+#include "runtime/pose_program/program_inputs.h"
+
+namespace sinew {
+
+inline std::size_t version_count(const PoseProgramInputs& inputs) noexcept {
+  return inputs.externals.size() + inputs.overrides.size() + inputs.procedures.size() + inputs.masks.size();
+}
+
+/// Calls `see(version)` for each entry of the lists, until it answers false.     out  false: it did
+template <class See>
+bool each_version(const PoseProgramInputs& inputs, const See& see) noexcept {
+  const auto all = [&](const auto& entries) {
+    return std::all_of(entries.begin(), entries.end(), [&](const auto& entry) { return see(entry.version); });
+  };
+  return all(inputs.externals) && all(inputs.overrides) && all(inputs.procedures) && all(inputs.masks);
+}
+
+/// True if the content is promised to be that of the inputs which had these versions.
+inline bool has_versions(const PoseProgramInputs& inputs, std::span<const ContentVersion> versions) noexcept {
+  if (version_count(inputs) != versions.size()) return false;
+  auto next = versions.begin();
+  return each_version(inputs, [&](ContentVersion version) { return version != 0 && version == *next++; });
+}
+
+inline void copy_versions(const PoseProgramInputs& inputs, std::span<ContentVersion> versions) noexcept {
+  auto next = versions.begin();
+  each_version(inputs, [&](ContentVersion version) { return *next++ = version, true; });
+}
+
+}  // namespace sinew
