@@ -32,7 +32,7 @@ struct SINEW_API Skeleton {
 };
 
 /// A mask for layers that move one limb: `weight` for the joint and all below it, 0 for the other joints
-/// (Needs::masks).
+/// (Needs::in.masks).
 /// out  [J]     cost O(J), allocates
 SINEW_API std::vector<float> mask_below(const Skeleton& skeleton, std::uint32_t joint, float weight = 1.0f);
 

@@ -54,7 +54,7 @@ SINEW_API tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Sc
 /// err   AssetFileError;  cost O(clips * instances), allocates
 SINEW_API tl::expected<ClipBoxes, AssetFileError> read_clip_boxes(const AssetFile& file, const Scene& scene);
 
-/// Reads the skeleton LODs of a file in the order of writing, for Needs::skeleton_lod of plans with linear or rigid
+/// Reads the skeleton LODs of a file in the order of writing, for Needs::out.skeleton_lod of plans with linear or rigid
 /// skinning. Empty if the file has none. They were found in the keys of whole clips, so scenes of first keys
 /// (LongClips::first_keys) have no other LODs.
 /// in    skeleton  of this file, or of the same signature

@@ -61,12 +61,12 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, c
   if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
   if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
   if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
-  const std::size_t layer_room = plan.plan.needs().layer_room();
+  const std::size_t layer_room = plan.plan.needs().in.layer_room();
   sinew_error error = read_layers(own.layers, own.pages, own.layer_count, room.layers.first(layer_room), input.layers);
   if (error != SINEW_OK) return error;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
-    if (!plan.plan.needs().between_updates) return SINEW_NOT_IN_NEEDS;
+    if (!plan.plan.needs().in.between_updates) return SINEW_NOT_IN_NEEDS;
     error = read_layers(own.next_layers, own.next_pages, own.next_layer_count, room.layers.subspan(layer_room),
                         input.next_layers);
     if (error != SINEW_OK) return error;

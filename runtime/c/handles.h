@@ -41,10 +41,12 @@ struct sinew_plan {
   sinew_plan& operator=(const sinew_plan&) = delete;
 
   /// Room for the layers of one input, and for those of a later time after them.
-  std::size_t input_room() const noexcept { return plan.needs().layer_room() * (plan.needs().between_updates ? 2 : 1); }
+  std::size_t input_room() const noexcept {
+    return plan.needs().in.layer_room() * (plan.needs().in.between_updates ? 2 : 1);
+  }
 
   /// Room for what plays in an input.
-  std::size_t geometry_room() const noexcept { return plan.needs().cached_instances.size(); }
+  std::size_t geometry_room() const noexcept { return plan.needs().in.cached_instances.size(); }
 
   const sinew_scene* scene;
   sinew::Plan plan;

@@ -47,30 +47,30 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   const std::size_t joints = scene.skeleton.joint_count(), instances = scene.instances.size();
   if (const sinew_error error = check(given, scene); error != SINEW_OK) return error;
   const auto asked = [&](std::uint32_t flag) { return (given.flags & flag) != 0; };
-  needs.joints = asked(SINEW_NEED_JOINTS);
-  needs.positions = asked(SINEW_NEED_POSITIONS);
-  needs.normals = asked(SINEW_NEED_NORMALS);
-  needs.tangents = asked(SINEW_NEED_TANGENTS);
-  needs.tangents_of_all = asked(SINEW_NEED_TANGENTS_OF_ALL);
-  needs.weights = asked(SINEW_NEED_WEIGHTS);
-  needs.bounds = asked(SINEW_NEED_BOUNDS);
-  needs.properties = asked(SINEW_NEED_PROPERTIES);
-  needs.hidden_meshes = asked(SINEW_NEED_HIDDEN_MESHES);
-  needs.additive = asked(SINEW_NEED_ADDITIVE);
-  needs.palettes = asked(SINEW_NEED_PALETTES);
-  needs.between_updates = asked(SINEW_NEED_BETWEEN_UPDATES);
-  needs.max_layers = given.max_layers;
-  needs.max_additive_layers = given.max_adding_layers;
-  needs.skinning = static_cast<Skinning>(given.skinning);
-  needs.normal_rule = static_cast<NormalRule>(given.normal_rule);
+  needs.out.joints = asked(SINEW_NEED_JOINTS);
+  needs.out.positions = asked(SINEW_NEED_POSITIONS);
+  needs.out.normals = asked(SINEW_NEED_NORMALS);
+  needs.out.tangents = asked(SINEW_NEED_TANGENTS);
+  needs.out.tangents_of_all = asked(SINEW_NEED_TANGENTS_OF_ALL);
+  needs.out.weights = asked(SINEW_NEED_WEIGHTS);
+  needs.out.bounds = asked(SINEW_NEED_BOUNDS);
+  needs.out.properties = asked(SINEW_NEED_PROPERTIES);
+  needs.out.hidden_meshes = asked(SINEW_NEED_HIDDEN_MESHES);
+  needs.in.additive = asked(SINEW_NEED_ADDITIVE);
+  needs.out.palettes = asked(SINEW_NEED_PALETTES);
+  needs.in.between_updates = asked(SINEW_NEED_BETWEEN_UPDATES);
+  needs.in.max_layers = given.max_layers;
+  needs.in.max_additive_layers = given.max_adding_layers;
+  needs.skin.kind = static_cast<Skinning>(given.skinning);
+  needs.skin.normal_rule = static_cast<NormalRule>(given.normal_rule);
   for (std::size_t m = 0; m < given.mask_count; ++m)
-    needs.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
+    needs.in.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
-    needs.instance_skinning.push_back(static_cast<Skinning>(given.instance_skinning[i]));
-  if (given.skeleton_lod != nullptr) needs.skeleton_lod = given.skeleton_lod->lod.detail;
-  if (given.mirror != nullptr) needs.mirror = given.mirror->map;
-  needs.cached_instances.assign(given.cached_instances.data,
-                                given.cached_instances.data + given.cached_instances.count);
+    needs.skin.per_instance.push_back(static_cast<Skinning>(given.instance_skinning[i]));
+  if (given.skeleton_lod != nullptr) needs.out.skeleton_lod = given.skeleton_lod->lod.detail;
+  if (given.mirror != nullptr) needs.in.mirror = given.mirror->map;
+  needs.in.cached_instances.assign(given.cached_instances.data,
+                                   given.cached_instances.data + given.cached_instances.count);
   return SINEW_OK;
 }
 

@@ -16,8 +16,8 @@ namespace sinew {
 ///
 ///     const GeometryBindings bindings = bind_by_name(cache, scene);
 ///     GeometryPlayer player(cache, window, scene, bindings.bound);
-///     needs.cached_instances = player.instances();
-///     std::vector<GeometryInput> geometry(needs.cached_instances.size());
+///     needs.in.cached_instances = player.instances();
+///     std::vector<GeometryInput> geometry(needs.in.cached_instances.size());
 ///     ...
 ///     std::fill(geometry.begin(), geometry.end(), player.at(time_s));
 ///     run_plan(plan, {.geometry = geometry}, frame);
@@ -33,7 +33,7 @@ class SINEW_API GeometryPlayer {
   GeometryPlayer(const GeometryPlayer&) = delete;
   GeometryPlayer& operator=(const GeometryPlayer&) = delete;
 
-  /// Mesh instances that the player moves, rising: for Needs::cached_instances.
+  /// Mesh instances that the player moves, rising: for Needs::in.cached_instances.
   std::vector<std::uint32_t> instances() const;
 
   /// The FrameInput::geometry entry for each of these instances.

@@ -213,12 +213,12 @@ std::vector<Aabb> clip_boxes(const Scene& scene, std::uint32_t clip) {
 std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip,
                               std::span<const Aabb> stored) {
   CONTRACT(stored.empty() || stored.size() == scene.instances.size());
-  const bool is_known = needs.skeleton_lod.kept.empty() && !stored.empty();
-  std::vector<Aabb> boxes = is_known
-                                ? std::vector<Aabb>(stored.begin(), stored.end())
-                                : boxes_over(scene, map_joints(scene, needs.skeleton_lod, needs.mirror.get()), clip);
+  const bool is_known = needs.out.skeleton_lod.kept.empty() && !stored.empty();
+  std::vector<Aabb> boxes =
+      is_known ? std::vector<Aabb>(stored.begin(), stored.end())
+               : boxes_over(scene, map_joints(scene, needs.out.skeleton_lod, needs.in.mirror.get()), clip);
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    add_margins(clip < scene.clips.size() ? &scene.clips[clip] : nullptr, needs.skinning_of(i),
+    add_margins(clip < scene.clips.size() ? &scene.clips[clip] : nullptr, needs.skin.kind_of(i),
                 scene.instances[i].skin != kNone, boxes[i]);
   return boxes;
 }

@@ -231,7 +231,7 @@ constexpr double kRelativeRounding = 3e-6;  // rounding of float, relative to th
 
 bool uses_other_skinning(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    if (scene.instances[i].skin != kNone && needs.skinning_of(i) != Skinning::linear) return true;
+    if (scene.instances[i].skin != kNone && needs.skin.kind_of(i) != Skinning::linear) return true;
   return false;
 }
 
@@ -243,11 +243,11 @@ struct FramesApart {
 /// Compares skinned vertices, in world space, of frames with and without the joints that a detail leaves out.
 FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& detail,
                            std::span<const Moment> moments) {
-  needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
-  needs.positions = true;
-  needs.skeleton_lod = {};
+  needs.out.joints = needs.out.normals = needs.out.tangents = needs.out.bounds = needs.in.between_updates = false;
+  needs.out.positions = true;
+  needs.out.skeleton_lod = {};
   const Plan full = compile_plan(lend(scene), needs);
-  needs.skeleton_lod = detail;
+  needs.out.skeleton_lod = detail;
   const Plan lean = compile_plan(lend(scene), needs);
   FrameBuffer all(full), some(lean);
   std::size_t vertices = 0;

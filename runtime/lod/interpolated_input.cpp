@@ -13,9 +13,9 @@ std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint
 }
 
 InterpolatedInput::InterpolatedInput(const Plan& plan) {
-  CONTRACT(plan.needs().between_updates);
-  from_.reserve(plan.needs().layer_room());
-  to_.reserve(plan.needs().layer_room());
+  CONTRACT(plan.needs().in.between_updates);
+  from_.reserve(plan.needs().in.layer_room());
+  to_.reserve(plan.needs().in.layer_room());
 }
 
 FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level,

@@ -25,14 +25,14 @@ SINEW_API std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame,
 ///      interpolated on the chord). A sudden step between two updates is smeared over the interval.
 class SINEW_API InterpolatedInput {
  public:
-  /// in   plan  with Needs::between_updates
+  /// in   plan  with Needs::in.between_updates
   explicit InterpolatedInput(const Plan& plan);
 
   /// The input to run in this frame.
   /// in   ahead  layers of the frame that is frames_to_update from now; read when an interval starts
   ///      phase  any number per character; consecutive numbers spread the work of many characters over frames
   /// out  views into this object, or into `now` at the finest level; valid until the next call
-  /// cost O(layers), no allocation for layers within the room of the plan (Needs::layer_room)
+  /// cost O(layers), no allocation for layers within the room of the plan (Needs::in.layer_room)
   FrameInput next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level, std::uint64_t frame,
                   std::uint32_t phase);
 

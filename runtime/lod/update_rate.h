@@ -46,7 +46,7 @@ class SINEW_API HeldInput {
   /// in   phase  any number per character; it is due when frame + phase is a multiple of 2^k. Consecutive numbers
   ///      spread the work of many characters over frames
   /// out  views into this object, valid until the next call
-  /// cost O(layers + weights), no allocation for inputs within the room of the plan (Needs::layer_room)
+  /// cost O(layers + weights), no allocation for inputs within the room of the plan (Needs::in.layer_room)
   FrameInput next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase);
 
  private:

@@ -22,8 +22,9 @@ std::size_t bytes_of_combined(const std::vector<CombinedInfluences>& of_skin) {
 }
 
 std::size_t bytes_of_needs(const Needs& needs) {
-  return bytes_of_nested(needs.masks) + bytes_of(needs.skeleton_lod.kept) + bytes_of(needs.skeleton_lod.held) +
-         bytes_of(needs.cached_instances) + bytes_of(needs.instance_skinning);
+  return bytes_of_nested(needs.in.masks) + bytes_of(needs.out.skeleton_lod.kept) +
+         bytes_of(needs.out.skeleton_lod.held) + bytes_of(needs.in.cached_instances) +
+         bytes_of(needs.skin.per_instance);
 }
 
 std::size_t bytes_of_sums(const MirroredSums& sums) {
@@ -70,7 +71,7 @@ MemoryCount& MemoryCount::add(const Plan& handle) {
   bytes_.plans +=
       sizeof plan + bytes_of_tables(plan) + bytes_of_needs(plan.needs) + bytes_of_mirror(plan.mirror_tables);
   bytes_.plans += bytes_of(assets.clips) + bytes_of(assets.skins) + bytes_of(assets.joint_map);
-  for (const auto& map : {plan.needs.mirror, assets.mirror})
+  for (const auto& map : {plan.needs.in.mirror, assets.mirror})
     if (is_new(map.get())) bytes_.plans += bytes_of_map(*map);
   for (const auto& faces : plan.flat_faces)
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);

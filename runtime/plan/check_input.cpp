@@ -39,9 +39,9 @@ Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
   if (!std::isfinite(layer.time_s)) return {ErrorCode::not_finite, "time_s"};
   if (!is_usual(layer.weight)) return {unusual(layer.weight), "weight"};
   if (layer.weight < 0.0f) return {ErrorCode::negative_weight, "weight"};
-  if (adds && !plan.needs.additive)
+  if (adds && !plan.needs.in.additive)
     return {ErrorCode::not_in_needs, "kind", "additive layers are not declared in the needs"};
-  if (layer.mirrored && plan.needs.mirror == nullptr)
+  if (layer.mirrored && plan.needs.in.mirror == nullptr)
     return {ErrorCode::not_in_needs, "mirrored", "the needs have no mirror"};
   return kFine;
 }
@@ -59,7 +59,7 @@ Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers
     blended += layers[i].weight != 0.0f;
     total_weight += static_cast<double>(layers[i].weight);
   }
-  if (blended > plan.needs.max_layers)
+  if (blended > plan.needs.in.max_layers)
     return {ErrorCode::too_many_layers, nullptr, "more layers blend than the needs declare", list};
   if (plan.sample && !plan.blend && blended > 0 && total_weight < 1.0)
     return {ErrorCode::not_in_needs, nullptr, "a plan of one layer does not blend: the weight must be 1", list};
@@ -76,7 +76,7 @@ bool has_two_times(std::span<const GeometryInput> geometry, std::size_t slot) no
 
 Refusal check_source(const CompiledPlan& plan, std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
   const GeometryInput& input = geometry[slot];
-  const std::uint32_t instance = plan.needs.cached_instances[slot];
+  const std::uint32_t instance = plan.needs.in.cached_instances[slot];
   if (!std::isfinite(input.time_s)) return {ErrorCode::not_finite, "time_s"};
   if (!std::isfinite(input.weight)) return {ErrorCode::not_finite, "weight"};
   if (!is_fraction(input.weight)) return {ErrorCode::not_a_fraction, "weight"};
@@ -114,14 +114,14 @@ Refusal check_counts(const CompiledPlan& plan, const FrameInput& input) noexcept
     return {ErrorCode::size_mismatch, nullptr, "not one for each morph weight of the scene", "weights"};
   if (!fits(input.out_of_view.size(), plan.scene->instances.size()))
     return {ErrorCode::size_mismatch, nullptr, "not one for each mesh instance of the scene", "out_of_view"};
-  if (!fits(input.geometry.size(), plan.needs.cached_instances.size()))
+  if (!fits(input.geometry.size(), plan.needs.in.cached_instances.size()))
     return {ErrorCode::size_mismatch, nullptr, "not one for each of the needs' cached instances", "geometry"};
   return kFine;
 }
 
 Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
   if (!is_fraction(factor)) return {ErrorCode::not_a_fraction, "interpolation_factor"};
-  if (factor != 0.0f && !plan.needs.between_updates)
+  if (factor != 0.0f && !plan.needs.in.between_updates)
     return {ErrorCode::not_in_needs, "interpolation_factor", "the needs declare no frames between updates"};
   return kFine;
 }

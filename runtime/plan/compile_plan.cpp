@@ -106,18 +106,19 @@ void choose_pose_stages(CompiledPlan& plan) {
   const Scene& scene = *plan.scene;
   const Needs& needs = plan.needs;
   const bool has_clips = !plan.assets.clips.empty();
-  plan.local_to_model = scene.skeleton.joint_count() > 0 &&
-                        (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
+  plan.local_to_model =
+      scene.skeleton.joint_count() > 0 &&
+      (needs.out.joints || ((needs.out.vertices() || needs.out.palettes) && !scene.instances.empty()));
   plan.hide_per_frame =
-      has_animated_visibility(scene.properties) && (needs.properties || needs.vertices() || needs.palettes);
+      has_animated_visibility(scene.properties) && (needs.out.properties || needs.out.vertices() || needs.out.palettes);
   plan.hide = plan.hide_per_frame || !scene.hidden_joints.empty();
-  plan.properties = has_clips && ((needs.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
+  plan.properties = has_clips && ((needs.out.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
   plan.sample = has_clips && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
-  plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
-  plan.mirror = plan.sample && needs.mirror != nullptr;
-  plan.add = plan.sample && needs.additive;
-  plan.interpolate = plan.sample && needs.between_updates;
-  plan.bounds = needs.bounds && !scene.instances.empty();
+  plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty());
+  plan.mirror = plan.sample && needs.in.mirror != nullptr;
+  plan.add = plan.sample && needs.in.additive;
+  plan.interpolate = plan.sample && needs.in.between_updates;
+  plan.bounds = needs.out.bounds && !scene.instances.empty();
 }
 
 /// All stages as one set, when the primitives are planned.
@@ -166,30 +167,30 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
   CONTRACT(shared != nullptr && "a plan needs a scene");
   const Scene& scene = *shared;
   CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
-  CONTRACT(needs.max_layers > 0);
+  CONTRACT(needs.in.max_layers > 0);
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
-  CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
+  CONTRACT(std::all_of(needs.in.masks.begin(), needs.in.masks.end(),
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
-  CONTRACT(are_instances(needs.cached_instances, scene.instances.size()));
-  CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
-  CONTRACT(needs.mirror == nullptr || fits(*needs.mirror, scene));
+  CONTRACT(are_instances(needs.in.cached_instances, scene.instances.size()));
+  CONTRACT(needs.skin.per_instance.empty() || needs.skin.per_instance.size() == scene.instances.size());
+  CONTRACT(needs.in.mirror == nullptr || fits(*needs.in.mirror, scene));
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;
   plan.scene = std::move(shared);
   plan.needs = needs;
-  plan.assets = make_assets(scene, clips, needs.skeleton_lod, needs.mirror);
+  plan.assets = make_assets(scene, clips, needs.out.skeleton_lod, needs.in.mirror);
   plan.rest_weights = rest_weights_of(scene);
   plan.clip_tracks = tracks_of(plan.assets.clips);
   plan.moved_joints = moved_joints(plan.assets);
-  for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of_poses(plan.assets, mask));
+  for (const std::vector<float>& mask : needs.in.masks) plan.masks.push_back(mask_of_poses(plan.assets, mask));
   choose_pose_stages(plan);
   if (plan.mirror) plan.mirror_tables = make_mirror_tables(plan.assets.mirror->joints);
   plan.joint_scales = joint_scales(plan.assets, plan.add);
   plan_primitives(plan);
   const bool morphs = std::any_of(plan.primitives.begin(), plan.primitives.end(),
                                   [](const PrimitivePlan& p) { return p.morph.any() || p.morph_colors; });
-  plan.correctives = !scene.correctives.empty() && (needs.weights || morphs);
+  plan.correctives = !scene.correctives.empty() && (needs.out.weights || morphs);
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
     plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s])
                                                   : std::vector<JointPair>{});

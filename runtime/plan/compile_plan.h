@@ -93,20 +93,20 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
   return scene.meshes[scene.instances[planned.instance].mesh].primitives[planned.primitive];
 }
 
-/// World matrix of any joint of the scene. A joint that Needs::skeleton_lod leaves out follows the nearest joint above
-/// it that poses have.
+/// World matrix of any joint of the scene. A joint that Needs::out.skeleton_lod leaves out follows the nearest joint
+/// above it that poses have.
 /// in   model  FrameResult::model of a frame of the plan
 SINEW_API Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
 
-/// Joints of the scene that poses of the plan have, rising: all but those that Needs::skeleton_lod leaves out.
+/// Joints of the scene that poses of the plan have, rising: all but those that Needs::out.skeleton_lod leaves out.
 /// cost O(J), allocates
 SINEW_API std::vector<std::uint32_t> kept_joints(const Plan& plan);
 
 /// Compiles the plan of a scene: share(std::move(scene)) makes one that plans keep alive, lend(scene) one that the
 /// caller keeps (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
-///      needs   max_layers >= 1; instance_skinning empty or one per instance; masks of one finite weight >= 0 per
-///              joint; skeleton_lod empty or for all joints; cached_instances rising indices of instances
+///      needs   in.max_layers >= 1; skin.per_instance empty or one per instance; in.masks of one finite weight >= 0
+///              per joint; out.skeleton_lod empty or for all joints; in.cached_instances rising indices of instances
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);

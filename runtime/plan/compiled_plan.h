@@ -52,8 +52,8 @@ struct CompiledPlan {
   std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`, of those with flat normals
   std::vector<std::shared_ptr<const SurfaceFaces>> surface_faces;  ///< parallel to `primitives`, of those that may play
   std::vector<std::uint32_t> first_primitive;                      ///< [instances + 1] into `primitives`
-  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::cached_instances where a primitive may
-                                             ///< play, else kNone; empty where none may
+  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::in.cached_instances where a primitive
+                                             ///< may play, else kNone; empty where none may
   std::vector<bool> instance_skinned;        ///< [instances] some primitive follows the instance's skin
   std::vector<JointScale> instance_scales;   ///< [instances] of the matrix whose determinant says which way faces
                                              ///< wind, without the root
@@ -64,7 +64,7 @@ struct CompiledPlan {
   std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
 };
 
-/// Index into what a frame keeps of Needs::cached_instances, or kNone.
+/// Index into what a frame keeps of Needs::in.cached_instances, or kNone.
 inline std::uint32_t geometry_slot_of(const CompiledPlan& plan, std::size_t instance) noexcept {
   return plan.geometry_slot.empty() ? kNone : plan.geometry_slot[instance];
 }

@@ -25,14 +25,14 @@ struct ClipLayer {
   std::uint32_t clip = 0;  ///< index into the clips that the plan was compiled for
   double time_s = 0.0;
   float weight = 1.0f;
-  std::uint32_t mask = kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights and
+  std::uint32_t mask = kNone;  ///< index into Needs::in.masks: joint weights that multiply `weight`. Morph weights and
                                ///< properties have no mask
   LayerKind kind = LayerKind::blend;
-  bool mirrored = false;       ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
-                               ///< Masks weigh joints of the mirrored pose; properties are not mirrored
+  bool mirrored = false;  ///< the clip plays with left and right exchanged, its morph weights too (Needs::in.mirror).
+                          ///< Masks weigh joints of the mirrored pose; properties are not mirrored
   const Clip* page = nullptr;  ///< a part of `clip` with the keys of time_s (paging/paged_clip.h), which is sampled in
                                ///< its place. It stays unchanged while frames get this layer. Null: `clip` itself.
-                               ///< With a Needs::skeleton_lod it is a page for that plan, of fewer joints
+                               ///< With a Needs::out.skeleton_lod it is a page for that plan, of fewer joints
 };
 
 /// True if both lists of layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros
@@ -81,12 +81,12 @@ struct FrameInput {
   Affine root;
   std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; ignored while `interpolation_factor` is 0
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
-  /// as long as its layers stay the same. Other values than 0 need Needs::between_updates.
+  /// as long as its layers stay the same. Other values than 0 need Needs::in.between_updates.
   float interpolation_factor = 0.0f;
   /// [instances] 1 = the mesh instance is out of view: it is neither morphed, skinned, bounded nor decoded. Joints and
   /// weights are evaluated all the same. Empty = all are in view.
   std::span<const std::uint8_t> out_of_view = {};
-  /// [Needs::cached_instances] what plays in each of them; empty = nothing does
+  /// [Needs::in.cached_instances] what plays in each of them; empty = nothing does
   std::span<const GeometryInput> geometry = {};
   bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion lie outside of frames
                         ///< and go on

@@ -99,27 +99,27 @@ void lay_out_geometry(CompiledPlan& plan, MemoryLayout& memory) {
 
 void lay_out_tables(CompiledPlan& plan, MemoryLayout& memory) {
   const std::size_t instances = plan.scene->instances.size(), weights = plan.scene->weight_count(),
-                    slots = plan.geometry_slot.empty() ? 0 : plan.needs.cached_instances.size();
+                    slots = plan.geometry_slot.empty() ? 0 : plan.needs.in.cached_instances.size();
   TableLayout& tables = plan.layout.tables;
   tables.instances = memory.take<InstanceResult>(instances);
   tables.primitives = memory.take<DeformedPrimitive>(plan.primitives.size());
-  tables.blend_layers = memory.take<BlendLayer>(plan.needs.max_layers);
+  tables.blend_layers = memory.take<BlendLayer>(plan.needs.in.max_layers);
   tables.palettes = memory.take<SkinPalette>(plan.palette.size());
   tables.weights_since = memory.take<std::uint64_t>(instances);
   tables.winding_since = memory.take<std::uint64_t>(instances);
   tables.last_weights = memory.take<float>(weights);
   tables.input_weights = memory.take<float>(weights);
   tables.input_out_of_view = memory.take<std::uint8_t>(instances);
-  tables.stage_ns = memory.take<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
+  tables.stage_ns = memory.take<std::uint64_t>(plan.needs.out.stage_times ? kStageCount : 0);
   tables.shown = memory.take<ShownVertices>(slots);
   tables.played = memory.take<PlayedGeometry>(slots);
   tables.geometry_since = memory.take<std::uint64_t>(slots);
   tables.input_geometry = memory.take<GeometryInput>(slots);
-  tables.input_layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  tables.input_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
   if (!plan.interpolate) return;
-  tables.input_next_layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  tables.input_next_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
   tables.updates = memory.take<KeptUpdate>(2);
-  for (Block<ClipLayer>& layers : tables.update_layers) layers = memory.take<ClipLayer>(plan.needs.layer_room());
+  for (Block<ClipLayer>& layers : tables.update_layers) layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
 }
 
 /// The front of the memory: frames of one clip touch it before vertices.
@@ -151,7 +151,7 @@ std::size_t most_corrective_scratch(const CompiledPlan& plan) {
 }  // namespace
 
 void lay_out_frame(CompiledPlan& plan) {
-  const std::size_t more_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
+  const std::size_t more_layers = plan.blend ? plan.needs.in.max_layers - 1 : 0;
   FrameLayout& layout = plan.layout;
   MemoryLayout memory;
   PoseMaker make(plan, memory);

@@ -32,12 +32,12 @@ struct InstanceResult {
   bool mirrored = false;  ///< front faces wind clockwise: the determinant of world_from_mesh is negative, for a skinned
                           ///< mesh the determinant of the first joint's skinning matrix (G48)
   bool visible = true;    ///< false: on a hidden joint, or out of view by FrameInput. Then its box is empty and nothing
-                          ///< is deformed, except hidden meshes under Needs::hidden_meshes
+                          ///< is deformed, except hidden meshes under Needs::out.hidden_meshes
   bool from_cache = false;  ///< vertices are those of its source (FrameInput::geometry), in part or in full. In full:
                             ///< world_from_mesh places the source's space; in part: vertices are in world space, except
                             ///< of unskinned meshes whose source is in mesh space
   bool late = false;        ///< the source had not loaded this frame yet, so an older frame (or the pose) is shown
-  Aabb bounds;  ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their vertices. Rigid
+  Aabb bounds;  ///< world space; empty unless Needs::out.bounds. Deformed meshes: the box of their vertices. Rigid
                 ///< meshes: the box of their moved rest box, which contains the vertices. In full from a source: the
                 ///< moved box that the source knows, likewise
 };
@@ -81,19 +81,19 @@ struct WorkCounters {
 /// The result of one frame of one character. Its views point into the frame buffer, and are valid until that buffer
 /// runs again.
 struct FrameResult {
-  std::uint64_t frame = 0;         ///< counts up by one per run of the character
-  std::uint64_t since_frame = 0;   ///< all frames from this number on had the same input, and so the same result
-  std::span<const Affine> model;   ///< [J] world matrix of every joint, or [K] of those that Needs::skeleton_lod keeps
-                                   ///< (world_of in compile_plan.h)
-  std::span<const float> weights;  ///< [W] morph weights of all mesh instances (Scene::first_weight), with what
-                                   ///< correctives add where the plan runs them
+  std::uint64_t frame = 0;                ///< counts up by one per run of the character
+  std::uint64_t since_frame = 0;          ///< all frames from this number on had the same input, and so the same result
+  std::span<const Affine> model;          ///< [J] world matrix of every joint, or [K] of those that the plan keeps
+                                          ///< (Needs::out.skeleton_lod; world_of in compile_plan.h)
+  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with what
+                                          ///< correctives add where the plan runs them
   std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
   std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
-  std::span<const SkinPalette> palettes;  ///< [skins]; empty unless Needs::palettes
+  std::span<const SkinPalette> palettes;  ///< [skins]; empty unless Needs::out.palettes
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
   std::span<const std::uint64_t> stage_ns;  ///< [kStageCount] nanoseconds of each Stage, 0 for one that did not run;
-                                            ///< empty unless Needs::stage_times
+                                            ///< empty unless Needs::out.stage_times
   WorkCounters work;
 };
 

@@ -68,7 +68,7 @@ struct FrameTables {
         input_weights(memory.of(at.input_weights)),
         input_out_of_view(memory.of(at.input_out_of_view)),
         input_next_layers(memory.of(at.input_next_layers)),
-        cached_instances(std::span(plan.needs.cached_instances).first(at.shown.count)),
+        cached_instances(std::span(plan.needs.in.cached_instances).first(at.shown.count)),
         shown(memory.of(at.shown)),
         played(memory.of(at.played)),
         geometry_since(memory.of(at.geometry_since)),

@@ -9,17 +9,17 @@
 namespace sinew {
 
 /// A frame's input that owns its arrays, so that it may be run after the caller's arrays are gone.
-/// owns  copies of all arrays, from `memory`, with room for what the plan declares (Needs::layer_room): assigning an
+/// owns  copies of all arrays, from `memory`, with room for what the plan declares (Needs::in.layer_room): assigning an
 ///       input of no more layers allocates nothing
 class InputCopy {
  public:
   explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
       : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory), geometry_(&memory) {
-    layers_.reserve(plan.needs().layer_room());
-    if (plan.needs().between_updates) next_layers_.reserve(plan.needs().layer_room());
+    layers_.reserve(plan.needs().in.layer_room());
+    if (plan.needs().in.between_updates) next_layers_.reserve(plan.needs().in.layer_room());
     weights_.reserve(plan.scene().weight_count());
     out_of_view_.reserve(plan.scene().instances.size());
-    geometry_.reserve(plan.needs().cached_instances.size());
+    geometry_.reserve(plan.needs().in.cached_instances.size());
   }
 
   /// Checks that assigning the input will allocate nothing.

@@ -15,8 +15,8 @@ namespace sinew {
 /// without them is skinned linearly, and so is a vertex without a center.
 enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation };
 
-/// The consumer's demands on frames. A stage that neither the needs nor the scene call for is left out of the plan.
-struct Needs {
+/// Parts of the result that a consumer wants from each frame.
+struct Outputs {
   bool joints = true;     ///< world matrices of the joints that `skeleton_lod` keeps
   bool positions = true;  ///< deformed vertex positions
   bool normals = true;
@@ -28,6 +28,14 @@ struct Needs {
   bool properties = true;        ///< animated numbers of materials, lights and cameras
   bool hidden_meshes = false;    ///< deform meshes on hidden joints as well
   bool stage_times = false;      ///< the time that each stage takes; reads the clock a few times per frame
+  SkeletonLod skeleton_lod;      ///< joints that poses leave out
+
+  /// True if anything of the vertices is asked for, not just joints and weights.
+  bool vertices() const noexcept { return positions || normals || tangents || bounds; }
+};
+
+/// Features of FrameInput that frames may use. Memory is made for no more.
+struct Inputs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
@@ -35,21 +43,32 @@ struct Needs {
   bool between_updates = false;             ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror;  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
   std::vector<std::vector<float>> masks;    ///< [any][J] joint weights >= 0 that layers may name
-  SkeletonLod skeleton_lod;                 ///< joints that poses leave out
   std::vector<std::uint32_t> cached_instances;  ///< rising; mesh instances whose vertices FrameInput::geometry may give
-  Skinning skinning = Skinning::linear;
-  std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
-  NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
 
-  Skinning skinning_of(std::size_t instance) const noexcept {
-    return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;
-  }
   /// Room for layers in a frame, blended and additive ones.
   std::size_t layer_room() const noexcept {
     return std::size_t{max_layers} + (additive ? std::size_t{max_additive_layers} : 0);
   }
-  /// True if anything of the vertices is asked for, not just joints and weights.
-  bool vertices() const noexcept { return positions || normals || tangents || bounds; }
+};
+
+/// How the skinned vertices of each mesh instance follow their joints.
+struct SkinningRules {
+  Skinning kind = Skinning::linear;
+  std::vector<Skinning> per_instance;           ///< [instances] overrides `kind` per mesh instance; empty = no override
+  NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
+
+  Skinning kind_of(std::size_t instance) const noexcept {
+    return instance < per_instance.size() ? per_instance[instance] : kind;
+  }
+};
+
+/// The consumer's demands on frames. A stage that neither the needs nor the scene call for is left out of the plan.
+///
+///     const Needs needs{.out = {.bounds = true}, .in = {.max_layers = 2}, .skin = {.kind = Skinning::linear}};
+struct Needs {
+  Outputs out;
+  Inputs in;
+  SkinningRules skin;
 };
 
 }  // namespace sinew

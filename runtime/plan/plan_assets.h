@@ -20,8 +20,8 @@ struct JointMapping {
 };
 
 /// The skeleton, clips, skins and correctives that poses are made of. They are the scene's own. With a
-/// Needs::skeleton_lod they are copies for the joints that it keeps, in the order of the scene. Immutable. Clips are
-/// shared with the scene, all else is pointed at. Internal to plan/.
+/// Needs::out.skeleton_lod they are copies for the joints that it keeps, in the order of the scene. Immutable. Clips
+/// are shared with the scene, all else is pointed at. Internal to plan/.
 struct PlanAssets {
   const Skeleton* skeleton = nullptr;  ///< [K joints]
   std::vector<Clip> clips;             ///< [clips of the plan]

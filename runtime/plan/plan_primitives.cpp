@@ -50,16 +50,16 @@ PrimitivePlan plan_primitive(const Scene& scene, const Primitive& primitive, boo
   plan.skinning = plan.lacks_centers ? Skinning::linear : skinning;
   const MorphedAttributes moved = morphed_by(primitive.morphs);
   const bool skinned = has_skin && !primitive.influences.empty();
-  plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
+  plan.flat_normals = needs.out.normals && primitive.flat_normals && !primitive.normals.empty() &&
                       primitive.topology == Topology::triangles && (skinned || moved.set.positions || may_play);
-  const AttributeSet wanted = {
-      needs.positions || needs.bounds || plan.flat_normals,
-      needs.normals && !primitive.normals.empty() && !plan.flat_normals,
-      needs.tangents && !primitive.tangents.empty() && (needs.tangents_of_all || shows_tangents(scene, primitive))};
+  const AttributeSet wanted = {needs.out.positions || needs.out.bounds || plan.flat_normals,
+                               needs.out.normals && !primitive.normals.empty() && !plan.flat_normals,
+                               needs.out.tangents && !primitive.tangents.empty() &&
+                                   (needs.out.tangents_of_all || shows_tangents(scene, primitive))};
   plan.morph = {wanted.positions && moved.set.positions, wanted.normals && moved.set.normals,
                 wanted.tangents && moved.set.tangents};
   plan.morph.positions |= plan.morph.any();  // jobs always write positions
-  plan.morph_colors = needs.vertices() && moved.colors && !primitive.colors.empty();
+  plan.morph_colors = needs.out.vertices() && moved.colors && !primitive.colors.empty();
   if (skinned) plan.skin = wanted;
   plan.skin.positions |= plan.skin.any();
   if (may_play) plan.cached = wanted;
@@ -71,7 +71,7 @@ PrimitivePlan plan_primitive(const Scene& scene, const Primitive& primitive, boo
 class NeverShown {
  public:
   explicit NeverShown(const CompiledPlan& plan) : hidden_(new bool[plan.scene->skeleton.joint_count()]()) {
-    if (!plan.hide || plan.needs.hidden_meshes) return;
+    if (!plan.hide || plan.needs.out.hidden_meshes) return;
     const Scene& scene = *plan.scene;
     std::vector<float> all_on = scene.properties.rest;
     for (const PropertyTable::Entry& entry : scene.properties.entries)
@@ -173,7 +173,7 @@ void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t
     return;
   }
   skinning.combined = combinations.of(primitive, skin);
-  planned.cofactors = plan.needs.normal_rule == NormalRule::cofactor && planned.skin.normals &&
+  planned.cofactors = plan.needs.skin.normal_rule == NormalRule::cofactor && planned.skin.normals &&
                       has_uneven_normals(plan, primitive, *plan.assets.skins[skin]);
 }
 
@@ -185,7 +185,7 @@ void plan_primitives(CompiledPlan& plan) {
   plan.split.resize(scene.skins.size());
   plan.combined.resize(scene.skins.size());
   const NeverShown never_shown(plan);
-  const Needs nothing = {.positions = false, .normals = false, .tangents = false};
+  const Needs nothing = {.out = {.positions = false, .normals = false, .tangents = false}};
   CombinationsOfPlan combinations(plan);
   FlatFacesOfPlan flat_faces;
   SurfacesOfPlan surfaces;
@@ -193,12 +193,12 @@ void plan_primitives(CompiledPlan& plan) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
     const auto& primitives = scene.meshes[instance.mesh].primitives;
-    const auto slot = std::lower_bound(plan.needs.cached_instances.begin(), plan.needs.cached_instances.end(), i);
-    const bool may_play = slot != plan.needs.cached_instances.end() && *slot == i;
+    const auto slot = std::lower_bound(plan.needs.in.cached_instances.begin(), plan.needs.in.cached_instances.end(), i);
+    const bool may_play = slot != plan.needs.in.cached_instances.end() && *slot == i;
     bool skinned = false, plays = false;
     for (std::uint32_t p = 0; p < primitives.size(); ++p) {
       PrimitivePlan planned =
-          plan_primitive(scene, primitives[p], instance.skin != kNone, may_play, plan.needs.skinning_of(i),
+          plan_primitive(scene, primitives[p], instance.skin != kNone, may_play, plan.needs.skin.kind_of(i),
                          never_shown[instance.joint] ? nothing : plan.needs);
       planned.instance = i;
       planned.primitive = p;
@@ -212,9 +212,9 @@ void plan_primitives(CompiledPlan& plan) {
       plan.primitives.push_back(planned);
       plan.primitive_skinning.push_back(std::move(skinning));
     }
-    if (skinned && plan.needs.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
+    if (skinned && plan.needs.out.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
     if (may_play) plan.geometry_slot.resize(scene.instances.size(), kNone);
-    if (plays) plan.geometry_slot[i] = static_cast<std::uint32_t>(slot - plan.needs.cached_instances.begin());
+    if (plays) plan.geometry_slot[i] = static_cast<std::uint32_t>(slot - plan.needs.in.cached_instances.begin());
     plan.instance_skinned.push_back(skinned);
     plan.instance_scales.push_back(scale_of_instance(plan, i));
     plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));

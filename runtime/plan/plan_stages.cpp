@@ -69,7 +69,7 @@ PlanStage describe_mirror(const CompiledPlan& plan) {
 }
 
 PlanStage describe_blend(const CompiledPlan& plan) {
-  const std::uint64_t layers = plan.needs.max_layers;
+  const std::uint64_t layers = plan.needs.in.max_layers;
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
   if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
   const std::string limit =
@@ -130,7 +130,7 @@ PlanStage describe_local_to_model(const CompiledPlan& plan) {
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
   if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
   const std::size_t moved = plan.moved_joints.size();
-  std::string reason = plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints";
+  std::string reason = plan.needs.out.joints ? "joints are asked for" : "mesh instances hang on joints";
   if (left_out > 0)
     reason += "; " + std::to_string(left_out) + " of " + counted(joints + left_out, "joint is", "joints are") +
               " left out as asked, they follow the joints above";
@@ -202,7 +202,7 @@ PlanStage describe_winding(const CompiledPlan& plan) {
 }
 
 std::string why_no_skinning(const CompiledPlan& plan) {
-  if (!plan.needs.vertices()) return "no vertices are asked for";
+  if (!plan.needs.out.vertices()) return "no vertices are asked for";
   const bool any =
       std::find(plan.instance_skinned.begin(), plan.instance_skinned.end(), true) != plan.instance_skinned.end();
   return any ? "no attribute that is asked for is skinned" : "no mesh instance is skinned";
@@ -230,7 +230,7 @@ PlanStage describe_morph(const CompiledPlan& plan) {
     stage.reason = primitives(morphed) + " with targets that move something; targets of weight 0 cost nothing";
   else if (!targets)
     stage.reason = "no mesh instance has morph targets";
-  else if (!plan.needs.vertices())
+  else if (!plan.needs.out.vertices())
     stage.reason = "no vertices are asked for";
   else
     stage.reason = "no target moves an attribute that is asked for";
@@ -282,7 +282,7 @@ PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kin
     stage.reason = why_other_skinning(plan, kind);
   else
     stage.reason = why_no_skinning(plan);
-  if (stage.runs && kind == Skinning::linear && plan.needs.normal_rule == NormalRule::cofactor)
+  if (stage.runs && kind == Skinning::linear && plan.needs.skin.normal_rule == NormalRule::cofactor)
     stage.reason += describe_cofactors(plan);
   if (const std::uint64_t lacking = without_centers(plan); stage.runs && kind == Skinning::linear && lacking > 0)
     stage.reason += "; " + std::to_string(lacking) + " for want of centers of rotation";
@@ -305,7 +305,7 @@ PlanStage describe_geometry_cache(const CompiledPlan& plan) {
   if (stage.runs)
     stage.reason = primitives(played) + " may play from a cache, in place of morph and skin" +
                    (with_surface > 0 ? "; normals that it lacks follow the triangles" : "");
-  else if (plan.needs.cached_instances.empty())
+  else if (plan.needs.in.cached_instances.empty())
     stage.reason = "no mesh instance is asked to play from a cache";
   else
     stage.reason = "no attribute that is asked for can play";
@@ -325,12 +325,13 @@ PlanStage describe_flat_normals(const CompiledPlan& plan) {
   if (stage.runs)
     stage.reason = primitives(flat) + " without normals in the file, deformed: faces stay flat";
   else
-    stage.reason = plan.needs.normals ? "no deformed primitive lacks normals in the file" : "normals are not asked for";
+    stage.reason =
+        plan.needs.out.normals ? "no deformed primitive lacks normals in the file" : "normals are not asked for";
   return stage;
 }
 
 PlanStage describe_bounds(const CompiledPlan& plan) {
-  if (!plan.needs.bounds) return {"bounds", false, "boxes are not asked for", 0, 0};
+  if (!plan.needs.out.bounds) return {"bounds", false, "boxes are not asked for", 0, 0};
   if (!plan.bounds) return {"bounds", false, "the scene shows no meshes", 0, 0};
   std::uint64_t vertices = 0;
   for (const PrimitivePlan& p : plan.primitives)
@@ -343,27 +344,27 @@ PlanStage describe_bounds(const CompiledPlan& plan) {
 
 std::vector<PlanStage> describe_stages(const CompiledPlan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
-  return {
-      describe_sample(plan),
-      describe_mirror(plan),
-      describe_blend(plan),
-      describe_add(plan),
-      describe_interpolate(plan),
-      describe_correctives(plan),
-      describe_properties(plan),
-      describe_local_to_model(plan),
-      describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix),
-                     plan.needs.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
-      describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
-      describe_combinations(plan),
-      describe_winding(plan),
-      describe_morph(plan),
-      describe_skin(plan, "skin_linear", Skinning::linear),
-      describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
-      describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
-      describe_geometry_cache(plan),
-      describe_flat_normals(plan),
-      describe_bounds(plan)};
+  return {describe_sample(plan),
+          describe_mirror(plan),
+          describe_blend(plan),
+          describe_add(plan),
+          describe_interpolate(plan),
+          describe_correctives(plan),
+          describe_properties(plan),
+          describe_local_to_model(plan),
+          describe_skins(
+              plan, "palette", plan.palette, sizeof(JointMatrix),
+              plan.needs.out.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
+          describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
+          describe_combinations(plan),
+          describe_winding(plan),
+          describe_morph(plan),
+          describe_skin(plan, "skin_linear", Skinning::linear),
+          describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
+          describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
+          describe_geometry_cache(plan),
+          describe_flat_normals(plan),
+          describe_bounds(plan)};
 }
 
 }  // namespace sinew

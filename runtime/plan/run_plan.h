@@ -19,7 +19,7 @@ namespace sinew {
 ///      wrong_plan          the buffer, or the one that it follows, was made for another plan
 ///      moved_from          the buffer, or the one that it follows, was moved from
 ///      size_mismatch       `weights`, `out_of_view` or `geometry` is neither empty nor of the length that it needs
-///      too_many_layers     more layers with a weight blend than Needs::max_layers
+///      too_many_layers     more layers with a weight blend than Needs::in.max_layers
 ///      index_out_of_range  a clip that the plan does not know, a mask, a source without vertices for its instance
 ///      wrong_page          the page of a layer is cut from a clip with other joints, weights or properties
 ///      not_in_needs        an additive or mirrored layer, a weight below 1 without blending, or a frame between

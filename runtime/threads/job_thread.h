@@ -71,7 +71,7 @@ class SINEW_API JobThread {
 
   /// Queues one frame: inputs[c] is what character c shows. Inputs are copied; nothing is allocated.
   /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
-  ///      too_many_layers (more than Needs::layer_room), busy (a frame waits already; see also frame_buffers)
+  ///      too_many_layers (more than Needs::in.layer_room), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet

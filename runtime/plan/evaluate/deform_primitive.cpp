@@ -65,7 +65,7 @@ struct Deformation {
     const VertexOutput out = output_in(memory, planned.skin, blocks, primitive.vertex_count());
     switch (planned.skinning) {
       case Skinning::linear:
-        skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor),
+        skin_linear(out, planned.cofactors || (uneven_root && plan.needs.skin.normal_rule == NormalRule::cofactor),
                     past_caches);
         break;
       case Skinning::dual_quaternion: skin_dual_quaternion(out); break;

@@ -89,7 +89,7 @@ std::span<const bool> hide(const CompiledPlan& plan, std::span<const float> prop
 }
 
 void show_tables(const CompiledPlan& plan, const FrameTables& tables, FrameResult& result) noexcept {
-  if (plan.needs.palettes) result.palettes = tables.palettes;
+  if (plan.needs.out.palettes) result.palettes = tables.palettes;
   result.instances = tables.instances;
   result.primitives = tables.primitives;
   result.stage_ns = tables.stage_ns;
@@ -125,9 +125,9 @@ void run_stages(const CompiledPlan& plan, const FrameInput& input, const FrameSt
                  : wanted_palettes(plan, visibility, input.geometry, step.tables.shown, memory);
   make_palettes(plan, model, wanted, step, work);
   show_instances(plan, {model, weights, input.root, visibility, input.geometry}, step, work);
-  result.model = plan.needs.joints ? model : std::span<const Affine>{};
+  result.model = plan.needs.out.joints ? model : std::span<const Affine>{};
   result.weights = weights;
-  result.properties = plan.needs.properties ? properties : std::span<const float>{};
+  result.properties = plan.needs.out.properties ? properties : std::span<const float>{};
   result.hidden = visibility.hidden;
   show_tables(plan, step.tables, result);
   result.work = work.counters();

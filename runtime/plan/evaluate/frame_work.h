@@ -10,7 +10,8 @@
 
 namespace sinew {
 
-/// Counts the work of a frame while it runs, and measures the time of each stage where Needs::stage_times asks for it.
+/// Counts the work of a frame while it runs, and measures the time of each stage where Needs::out.stage_times asks for
+/// it.
 struct FrameWork : WorkCounters {
   /// in   stage_ns[kStageCount]  set to zero here; empty = no times are wanted, and no clock is read
   explicit FrameWork(std::span<std::uint64_t> stage_ns) noexcept;

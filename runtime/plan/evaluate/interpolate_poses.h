@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// evaluate_pose for a plan with frames between updates (Needs::between_updates). The poses of FrameInput::layers and
-/// of FrameInput::next_layers stay in the frame's memory with the layers that gave them. Where the same layers come
+/// evaluate_pose for a plan with frames between updates (Needs::in.between_updates). The poses of FrameInput::layers
+/// and of FrameInput::next_layers stay in the frame's memory with the layers that gave them. Where the same layers come
 /// again, nothing is sampled.
 /// eq   rotations (1 - s) q0 + s q1 on the shorter arc, normalised; translations, scales, weights and properties
 ///      linear. At s = 0 the bits of evaluate_pose

@@ -99,7 +99,7 @@ void blend(const GeometryBlend& with, const DeformedPrimitive& pose, const Verte
 void show_sources(const CompiledPlan& plan, std::span<const GeometryInput> geometry, const Visibility& visibility,
                   const FrameTables& tables, FrameWork& work) noexcept {
   for (std::size_t slot = 0; slot < tables.shown.size(); ++slot) {
-    const std::uint32_t instance = plan.needs.cached_instances[slot];
+    const std::uint32_t instance = plan.needs.in.cached_instances[slot];
     tables.shown[slot] = {};
     if (geometry.empty() || !geometry[slot].plays() || geometry_slot_of(plan, instance) == kNone) continue;
     if (!visibility.is_deformed(plan, instance)) continue;

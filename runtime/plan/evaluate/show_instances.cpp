@@ -18,7 +18,7 @@ struct RootScale {
 
   RootScale(const CompiledPlan& plan, const Affine& root) noexcept
       : sign(determinant_sign(root)),
-        uneven(plan.needs.normal_rule == NormalRule::cofactor && scale_kind(root) == ScaleKind::uneven) {}
+        uneven(plan.needs.skin.normal_rule == NormalRule::cofactor && scale_kind(root) == ScaleKind::uneven) {}
 };
 
 /// True if the matrix that places an instance mirrors it. Its determinant is computed only where a scale can change its
@@ -97,7 +97,7 @@ void deform_instance(const CompiledPlan& plan, SeenInstance& seen, const FrameSt
                 : deform_primitive(plan, p, seen.pose, true, step.memory, work);
     shape.since_frame = since;
     if (plan.bounds && !box_is_known) bound(last, instance, primitive_of(plan, planned), shape, work);
-    if (!plan.needs.positions) shape.positions = {};
+    if (!plan.needs.out.positions) shape.positions = {};
   }
 }
 

@@ -21,7 +21,7 @@ std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility
                                       std::span<const GeometryInput> geometry, std::span<const ShownVertices> shown,
                                       FrameMemory memory) noexcept {
   const auto plays_in_full = [&](std::size_t i) {
-    const std::uint32_t slot = geometry.empty() || plan.needs.palettes ? kNone : geometry_slot_of(plan, i);
+    const std::uint32_t slot = geometry.empty() || plan.needs.out.palettes ? kNone : geometry_slot_of(plan, i);
     return slot != kNone && geometry[slot].weight == 1.0f && shown[slot].is_there;
   };
   const std::span<bool> wanted = memory.of(plan.layout.palette_wanted);

@@ -28,7 +28,7 @@ struct Visibility {
     return !out_of_view.empty() && out_of_view[instance] != 0;
   }
   bool is_deformed(const CompiledPlan& plan, std::size_t instance) const noexcept {
-    return !is_out_of_view(instance) && (plan.needs.hidden_meshes || !is_hidden(plan, instance));
+    return !is_out_of_view(instance) && (plan.needs.out.hidden_meshes || !is_hidden(plan, instance));
   }
 };
 

@@ -49,7 +49,7 @@ class Reuse {
 
   /// Reports the morph weights and the winding of an instance.
   void add_instance(std::size_t instance, std::span<const float> weights, bool mirrored) const noexcept;
-  /// Reports what an instance of Needs::cached_instances plays.
+  /// Reports what an instance of Needs::in.cached_instances plays.
   void add_geometry(std::size_t slot, const PlayedGeometry& played) const noexcept;
 
   /// Nobody sees what the instance plays.
