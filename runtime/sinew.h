@@ -12,6 +12,7 @@
 #include "runtime/c/plan.h"
 #include "runtime/c/playback.h"
 #include "runtime/c/pose.h"
+#include "runtime/c/result.h"
 #include "runtime/c/retarget.h"
 #include "runtime/c/root_motion.h"
 #include "runtime/c/scene.h"

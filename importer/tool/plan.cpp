@@ -28,21 +28,31 @@ struct PlanOptions {
   BatchOptions files;
   std::optional<std::string> clip;
   std::vector<std::string> needs;
-  std::uint32_t layers = Needs{}.max_layers;
+  std::uint32_t layers = Needs{}.in.max_layers;
   std::vector<std::string> skinning = {"linear"};
   std::string normals = "linear";
   std::optional<std::string> joint_tolerance;
   std::string cache;
 };
 
+template <bool Outputs::*flag>
+bool& out(Needs& needs) {
+  return needs.out.*flag;
+}
+
+template <bool Inputs::*flag>
+bool& in(Needs& needs) {
+  return needs.in.*flag;
+}
+
 /// The needs that --needs can name, besides kMasks.
-const std::map<std::string, bool Needs::*> kNeeds = {
-    {"joints", &Needs::joints},           {"weights", &Needs::weights},
-    {"positions", &Needs::positions},     {"normals", &Needs::normals},
-    {"tangents", &Needs::tangents},       {"palettes", &Needs::palettes},
-    {"bounds", &Needs::bounds},           {"properties", &Needs::properties},
-    {"additive", &Needs::additive},       {"hidden-meshes", &Needs::hidden_meshes},
-    {"stage-times", &Needs::stage_times}, {"between-updates", &Needs::between_updates}};
+const std::map<std::string, bool& (*)(Needs&)> kNeeds = {
+    {"joints", out<&Outputs::joints>},           {"weights", out<&Outputs::weights>},
+    {"positions", out<&Outputs::positions>},     {"normals", out<&Outputs::normals>},
+    {"tangents", out<&Outputs::tangents>},       {"palettes", out<&Outputs::palettes>},
+    {"bounds", out<&Outputs::bounds>},           {"properties", out<&Outputs::properties>},
+    {"additive", in<&Inputs::additive>},         {"hidden-meshes", out<&Outputs::hidden_meshes>},
+    {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>}};
 constexpr const char* kMasks = "masks";
 
 const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear},
@@ -58,18 +68,18 @@ Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
   Needs needs;
   if (options.skinning.size() != 1 && options.skinning.size() != scene.instances.size())
     return tl::unexpected(ErrorCode::size_mismatch);
-  needs.skinning = kSkinningNames.at(options.skinning.front());
+  needs.skin.kind = kSkinningNames.at(options.skinning.front());
   if (options.skinning.size() > 1)
-    for (const std::string& method : options.skinning) needs.instance_skinning.push_back(kSkinningNames.at(method));
-  needs.normal_rule = kNormalRules.at(options.normals);
-  needs.max_layers = options.layers;
+    for (const std::string& method : options.skinning) needs.skin.per_instance.push_back(kSkinningNames.at(method));
+  needs.skin.normal_rule = kNormalRules.at(options.normals);
+  needs.in.max_layers = options.layers;
   if (options.needs.empty()) return needs;
-  for (const auto& [name, flag] : kNeeds) needs.*flag = false;
+  for (const auto& [name, flag] : kNeeds) flag(needs) = false;
   for (const std::string& name : options.needs)
     if (name == kMasks)
-      needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 1.0f)};
+      needs.in.masks = {std::vector<float>(scene.skeleton.joint_count(), 1.0f)};
     else
-      needs.*kNeeds.at(name) = true;
+      kNeeds.at(name)(needs) = true;
   return needs;
 }
 
@@ -190,7 +200,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   }
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
-  if (*left_out) needs->skeleton_lod = (*left_out)->detail;
+  if (*left_out) needs->out.skeleton_lod = (*left_out)->detail;
   const Plan plan = compile_plan(lend(file->scene), *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {

@@ -37,8 +37,8 @@ enum class ErrorCode {
   negative_weight,       ///< a weight is below 0
   not_a_fraction,        ///< a number is outside [0, 1]
   two_times,             ///< one vertex source is asked for two times in one frame
-  no_cut,                ///< no first half of a frame was run, which the second half could follow
   too_large,             ///< a finite number is so large that results could overflow
+  no_cut,                ///< no first half of a frame was run, which the second half could follow
 };
 
 /// One sentence per code, for logs.

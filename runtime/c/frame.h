@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/api.h"
+#include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/result.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -88,6 +90,13 @@ SINEW_API void sinew_frame_destroy(sinew_frame* frame);
 ///      frame is still there.
 SINEW_API sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
+/// Says why sinew_run refuses this input: which field, which index, which rule ("layers[1].weight: a weight is below
+/// 0"). `layers[1].page` is pages[1], and `layers[1].mirrored` is SINEW_LAYER_MIRRORED in its kind.
+/// in   input  null = the rest pose
+/// out  why    one line, owned by the caller; NULL where sinew_run does not refuse
+/// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
+SINEW_API sinew_error sinew_why_refused(const sinew_frame* frame, const sinew_frame_input* input, sinew_messages** why);
+
 /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the next
 /// character before this one runs.
 SINEW_API void sinew_frame_prefetch(const sinew_frame* frame);
@@ -95,55 +104,8 @@ SINEW_API void sinew_frame_prefetch(const sinew_frame* frame);
 /// 1 = runs write vertices past the caches: for results that no code reads soon, as for a GPU. The bits are the same.
 SINEW_API void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
 
-/// The result of a frame. It belongs to the frame or the jobs that gave it, and is valid until they run again.
-typedef struct sinew_result sinew_result;
+/// The frame's last good result.
 SINEW_API const sinew_result* sinew_frame_result(const sinew_frame* frame);
-
-typedef struct sinew_result_info {
-  size_t struct_size;
-  uint64_t frame;           ///< counts up by one per run
-  uint64_t since_frame;     ///< the result is bit-identical since this frame
-  sinew_affines model;      ///< [joints] world matrices
-  sinew_floats weights;     ///< all morph weights
-  sinew_floats properties;  ///< animated numbers
-  sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
-  size_t instance_count, shape_count;
-} sinew_result_info;
-SINEW_API sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
-
-/// World matrix of any joint of the scene, also of one that the plan's skeleton LOD leaves out: a socket for what the
-/// character carries.
-/// in   result  of a frame of the plan;   offset  from the joint, applied first; null = none
-/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (joint), SINEW_UNSUPPORTED (the result has no joints: not asked
-///      for, or asleep), SINEW_SIZE_MISMATCH (a result of another plan)
-SINEW_API sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, uint32_t joint,
-                                     const sinew_affine* offset, sinew_affine* out);
-
-/// Skinning matrices of a skin, columns of four; empty unless asked for and used by a mesh that is shown.
-SINEW_API sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin);
-
-typedef struct sinew_instance_result {
-  size_t struct_size;
-  sinew_affine world_from_mesh;  ///< identity for skinned meshes: their vertices are in world space
-  sinew_box bounds;              ///< world space; empty unless asked for
-  uint32_t first_shape;          ///< one shape per primitive of its mesh
-  uint32_t mirrored;             ///< 1: front faces wind clockwise
-  uint32_t visible;              ///< 0: on a hidden joint, or out of view
-  uint32_t from_cache;           ///< 1: vertices are those of its source, in part or in full
-  uint32_t late;                 ///< 1: the cache had not loaded this frame yet, so an older one (or the pose) is shown
-} sinew_instance_result;
-SINEW_API sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance,
-                                                sinew_instance_result* out);
-
-/// Deformed vertices of one primitive of one instance. Empty spans: use the primitive's own.
-typedef struct sinew_shape {
-  size_t struct_size;
-  uint32_t instance, primitive;
-  sinew_vec3s positions, normals;
-  sinew_vec4s tangents, colors;
-  uint64_t since_frame;  ///< vertices are bit-identical since this frame; 0 = nothing to upload
-} sinew_shape;
-SINEW_API sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 
 #ifdef __cplusplus
 }

@@ -13,6 +13,12 @@ static_assert(sizeof(VertexSource) <= sizeof(sinew_vertex_source));
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
 
+/// Without a rule of its own, the sentence of the code is the rule.
+NotRead refuse(sinew_error error, Refusal where) noexcept {
+  if (where.rule == nullptr) where.rule = sinew_describe(error);
+  return {error, where};
+}
+
 /// Writes layers and their pages behind one another into `room`, of which it takes what it needs.
 const sinew_layer* write_layers(std::span<const ClipLayer> layers, InputRoomOfC& room,
                                 const sinew_page* const*& pages) noexcept {
@@ -34,14 +40,18 @@ const sinew_layer* write_layers(std::span<const ClipLayer> layers, InputRoomOfC&
 
 }  // namespace
 
-sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
-                        std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept {
-  if (count > 0 && given == nullptr) return SINEW_NULL_ARGUMENT;
-  if (count > room.size()) return SINEW_TOO_MANY_LAYERS;
+NotRead read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count, const char* list,
+                    std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept {
+  if (count > 0 && given == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = list});
+  if (count > room.size()) return refuse(SINEW_TOO_MANY_LAYERS, {.list = list});
   for (std::size_t i = 0; i < count; ++i) {
     const sinew_layer& layer = given[i];
     const std::uint32_t kind = layer.kind & ~SINEW_LAYER_MIRRORED;
-    if (kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
+    if (kind > SINEW_LAYER_ADD_TO_START)
+      return refuse(SINEW_UNSUPPORTED, {.field = "kind",
+                                        .rule = "there is no such kind of layer",
+                                        .list = list,
+                                        .index = static_cast<std::uint32_t>(i)});
     const bool mirrored = layer.kind != kind;
     room[i] = {layer.clip,
                layer.time_s,
@@ -52,27 +62,32 @@ sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages
                pages != nullptr ? clip_of(pages[i]) : nullptr};
   }
   layers = room.first(count);
-  return SINEW_OK;
+  return {};
 }
 
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
-                       FrameInput& input) noexcept {
+NotRead read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
+                   FrameInput& input) noexcept {
   sinew_frame_input own = sinew_default_input();
-  if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
-  if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
-  if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
+  if (const sinew_error error = read_struct(given, own); error != SINEW_OK)
+    return refuse(error, {.field = "struct_size"});
+  if (own.weights.count > 0 && own.weights.data == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "weights"});
+  if (own.weights.count > plan.scene->scene.weight_count())
+    return refuse(SINEW_SIZE_MISMATCH, {.rule = kNotEachWeight, .list = "weights"});
   const std::size_t layer_room = plan.plan.needs().in.layer_room();
-  sinew_error error = read_layers(own.layers, own.pages, own.layer_count, room.layers.first(layer_room), input.layers);
-  if (error != SINEW_OK) return error;
+  NotRead why =
+      read_layers(own.layers, own.pages, own.layer_count, "layers", room.layers.first(layer_room), input.layers);
+  if (why.error != SINEW_OK) return why;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
-    if (!plan.plan.needs().in.between_updates) return SINEW_NOT_IN_NEEDS;
-    error = read_layers(own.next_layers, own.next_pages, own.next_layer_count, room.layers.subspan(layer_room),
-                        input.next_layers);
-    if (error != SINEW_OK) return error;
+    if (!plan.plan.needs().in.between_updates)
+      return refuse(SINEW_NOT_IN_NEEDS, {.field = "interpolation_factor", .rule = kNoUpdates});
+    why = read_layers(own.next_layers, own.next_pages, own.next_layer_count, "next_layers",
+                      room.layers.subspan(layer_room), input.next_layers);
+    if (why.error != SINEW_OK) return why;
   }
-  if (own.geometry_count > 0 && own.geometry == nullptr) return SINEW_NULL_ARGUMENT;
-  if (own.geometry_count > room.geometry.size()) return SINEW_SIZE_MISMATCH;
+  if (own.geometry_count > 0 && own.geometry == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "geometry"});
+  if (own.geometry_count > room.geometry.size())
+    return refuse(SINEW_SIZE_MISMATCH, {.rule = kNotEachSource, .list = "geometry"});
   input.geometry = room.geometry.first(own.geometry_count);
   for (std::size_t i = 0; i < own.geometry_count; ++i) {
     copy_bits(own.geometry[i].source, room.geometry[i].source);
@@ -85,7 +100,7 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, c
   if (own.out_of_view != nullptr) input.out_of_view = {own.out_of_view, plan.scene->scene.instances.size()};
   input.asleep = own.asleep != 0;
   copy_bits(own.root, input.root);
-  return SINEW_OK;
+  return {};
 }
 
 sinew_error write_input(const FrameInput& input, InputRoomOfC room, sinew_frame_input* out) noexcept {

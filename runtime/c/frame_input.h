@@ -6,6 +6,7 @@
 #include "runtime/c/frame.h"
 #include "runtime/c/handles.h"
 #include "runtime/plan/frame_input.h"
+#include "runtime/plan/refusal.h"
 
 namespace sinew::c {
 
@@ -31,19 +32,26 @@ struct OwnInputRoom {
   std::vector<GeometryInput> geometry;
 };
 
+/// Why an input does not even get to the runtime. `where` has the place and always a rule; its code means nothing,
+/// since some of C's have no twin.
+struct [[nodiscard]] NotRead {
+  sinew_error error = SINEW_OK;
+  Refusal where;
+};
+
 /// The input of a C caller as the runtime takes it.
 /// in   given  null = the rest pose
 /// out  input  views of `room` and of the caller's weights
 /// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights or
 ///      instances that play than room), SINEW_UNSUPPORTED (unknown kind), SINEW_NOT_IN_NEEDS (interpolation)
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
-                       FrameInput& input) noexcept;
+NotRead read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
+                   FrameInput& input) noexcept;
 
 /// Layers of a C caller.
-/// in   pages  [count] or null
+/// in   pages  [count] or null;   list  its name, for refusals
 /// err  SINEW_NULL_ARGUMENT, SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind)
-sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
-                        std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept;
+NotRead read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count, const char* list,
+                    std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept;
 
 /// The other way: an input of the runtime for a C caller.
 /// out  out  views of `room` and of what `input` views

@@ -117,7 +117,7 @@ sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs,
     Character& character = jobs->characters[c];
     const sinew_frame_input* input = nullptr;
     sinew_error error = c::element_of(inputs, c, input);
-    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]);
+    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]).error;
     if (error != SINEW_OK) return error;
   }
   return c::guarded([&] {

@@ -101,7 +101,7 @@ sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_inpu
   if (level > SINEW_UPDATE_EVERY_FOURTH) return SINEW_UNSUPPORTED;
   return c::guarded([&] {
     FrameInput own;
-    if (const sinew_error error = c::read_input(now, *held->plan, held->room.in(), own); error != SINEW_OK)
+    if (const sinew_error error = c::read_input(now, *held->plan, held->room.in(), own).error; error != SINEW_OK)
       return error;
     return c::write_input(held->held.next(own, static_cast<UpdateLevel>(level), frame, phase), held->room.out(), input);
   });
@@ -126,9 +126,10 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
   return c::guarded([&] {
     FrameInput own;
     std::span<const ClipLayer> next;
-    sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own);
+    sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own).error;
     if (error == SINEW_OK && has_pages(own.layers)) error = SINEW_UNSUPPORTED;  // those of `ahead` are not given
-    if (error == SINEW_OK) error = c::read_layers(ahead, nullptr, ahead_count, interpolated->ahead, next);
+    if (error == SINEW_OK)
+      error = c::read_layers(ahead, nullptr, ahead_count, "ahead", interpolated->ahead, next).error;
     if (error != SINEW_OK) return error;
     return c::write_input(interpolated->interpolated.next(own, next, static_cast<UpdateLevel>(level), frame, phase),
                           interpolated->room.out(), input);

@@ -113,18 +113,18 @@ Refusal check_numbers(std::span<const float> numbers, const char* list) noexcept
 Refusal check_counts(const CompiledPlan& plan, const FrameInput& input) noexcept {
   const auto fits = [](std::size_t count, std::size_t planned) { return count == 0 || count == planned; };
   if (!fits(input.weights.size(), plan.rest_weights.size()))
-    return {ErrorCode::size_mismatch, nullptr, "not one for each morph weight of the scene", "weights"};
+    return {ErrorCode::size_mismatch, nullptr, kNotEachWeight, "weights"};
   if (!fits(input.out_of_view.size(), plan.scene->instances.size()))
     return {ErrorCode::size_mismatch, nullptr, "not one for each mesh instance of the scene", "out_of_view"};
   if (!fits(input.geometry.size(), plan.needs.in.cached_instances.size()))
-    return {ErrorCode::size_mismatch, nullptr, "not one for each of the needs' cached instances", "geometry"};
+    return {ErrorCode::size_mismatch, nullptr, kNotEachSource, "geometry"};
   return kFine;
 }
 
 Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
   if (!is_fraction(factor)) return {ErrorCode::not_a_fraction, "interpolation_factor"};
   if (factor != 0.0f && !plan.needs.in.between_updates)
-    return {ErrorCode::not_in_needs, "interpolation_factor", "the needs declare no frames between updates"};
+    return {ErrorCode::not_in_needs, "interpolation_factor", kNoUpdates};
   return kFine;
 }
 

@@ -141,7 +141,8 @@ void choose_pose_stages(CompiledPlan& plan) {
       has_animated_visibility(scene.properties) && (needs.out.properties || needs.out.vertices() || needs.out.palettes);
   plan.hide = plan.hide_per_frame || !scene.hidden_joints.empty();
   const bool has_programs = needs.in.program.ops > 0 || needs.in.cut;
-  plan.properties = (has_clips || has_programs) && ((needs.out.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
+  plan.properties = (has_clips || has_programs) &&
+                    ((needs.out.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
   plan.poses = (has_clips || has_programs) && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
   plan.sample = plan.poses && has_clips;
   plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty());

@@ -39,15 +39,15 @@ struct CompiledPlan {
   std::bitset<kStageCount> stages;            ///< all of them, for Plan::runs
 
   // Clips and poses.
-  std::vector<ClipTracks> clip_tracks;      ///< [clips]
-  std::vector<std::uint32_t> moved_joints;  ///< of poses, by some clip, or below such joints: the others have their
-                                            ///< rest pose in every frame
+  std::vector<ClipTracks> clip_tracks;        ///< [clips]
+  std::vector<std::uint32_t> moved_joints;    ///< of poses, by some clip, or below such joints: the others have their
+                                              ///< rest pose in every frame
   std::vector<std::uint32_t> unmoved_joints;  ///< all other joints of poses
-  std::vector<JointScale> joint_scales;     ///< [joints of poses]
-  MirrorTables mirror_tables;               ///< of poses, where `mirror`
+  std::vector<JointScale> joint_scales;       ///< [joints of poses]
+  MirrorTables mirror_tables;                 ///< of poses, where `mirror`
   std::vector<std::vector<float>> mask_weights;  ///< [masks of the needs][joints of poses]
   std::vector<std::span<const float>> masks;     ///< views of `mask_weights`
-  std::vector<float> rest_weights;          ///< [W]
+  std::vector<float> rest_weights;               ///< [W]
 
   // Mesh instances and their primitives.
   std::vector<PrimitivePlan> primitives;                     ///< one per primitive of each mesh instance

@@ -19,8 +19,8 @@ namespace sinew {
 SINEW_API ErrorCode run_to_cut(const Plan& plan, const FrameInput& input, FrameBuffer& frame, CutPose& pose,
                                std::size_t ops = kMostPoseOps) noexcept;
 
-/// Runs the second half: the other operations, then all stages that follow a pose. `frame.result()` is whole afterwards,
-/// and has the bits that one run with the written pose would have.
+/// Runs the second half: the other operations, then all stages that follow a pose. `frame.result()` is whole
+/// afterwards, and has the bits that one run with the written pose would have.
 /// in   input  the same as for run_to_cut
 /// err  no_cut (no first half, or another plan's), not_finite (a number that the caller wrote); the frame buffer keeps its
 ///      cut then

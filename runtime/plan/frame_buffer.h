@@ -109,7 +109,7 @@ class SINEW_API FrameBuffer {
   const FrameBuffer* before_ = nullptr;
   bool past_caches_ = false;
   LastInput last_;
-  PoseSpan cut_pose_;          // of a frame between its halves; no memory: there is none
+  PoseSpan cut_pose_;  // of a frame between its halves; no memory: there is none
   std::size_t cut_ops_ = 0;
   FrameResult result_;
 };

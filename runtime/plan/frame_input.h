@@ -7,9 +7,9 @@
 #include "runtime/base/index.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/math/affine.h"
+#include "runtime/plan/vertex_source.h"
 #include "runtime/pose_program/pose_program.h"
 #include "runtime/pose_program/program_inputs.h"
-#include "runtime/plan/vertex_source.h"
 
 namespace sinew {
 

@@ -56,7 +56,7 @@ struct WorkCounters {
   std::uint64_t poses_mirrored = 0;
   std::uint64_t poses_blended = 0;
   std::uint64_t poses_added = 0;
-  std::uint64_t poses_copied = 0;        ///< of the caller
+  std::uint64_t poses_copied = 0;  ///< of the caller
   std::uint64_t poses_overlaid = 0;
   std::uint64_t joints_overridden = 0;
   std::uint64_t procedures_run = 0;
@@ -88,7 +88,7 @@ struct WorkCounters {
 struct FrameResult {
   std::uint64_t frame = 0;                ///< counts up by one per run of the character
   std::uint64_t since_frame = 0;          ///< all frames from this number on had the same input, and so the same result
-  PoseSpan local;                  ///< [K] local transforms that `model` is composed of; not to be written
+  PoseSpan local;                         ///< [K] local transforms that `model` is composed of; not to be written
   std::span<const Affine> model;          ///< [J] world matrix of every joint, or [K] of those that the plan keeps
                                           ///< (Needs::out.skeleton_lod; world_of in compile_plan.h)
   std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with what

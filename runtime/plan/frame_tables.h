@@ -52,8 +52,8 @@ struct FrameTables {
   std::span<GeometryInput> input_geometry;  ///< [cached instances] no source where nothing plays or nobody sees it
   std::span<PoseOp> input_program;
   std::span<ContentVersion> input_versions;  ///< of all program inputs, list by list
-  std::span<KeptUpdate> updates;            ///< [2] of FrameLayout::updates
-  std::span<std::uint64_t> stage_ns;        ///< FrameResult::stage_ns
+  std::span<KeptUpdate> updates;             ///< [2] of FrameLayout::updates
+  std::span<std::uint64_t> stage_ns;         ///< FrameResult::stage_ns
 
  private:
   FrameTables(const CompiledPlan& plan, const TableLayout& at, FrameMemory memory) noexcept

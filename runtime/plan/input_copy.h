@@ -15,7 +15,12 @@ namespace sinew {
 class InputCopy {
  public:
   explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
-      : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory), geometry_(&memory), program_(plan, memory) {
+      : layers_(&memory),
+        next_layers_(&memory),
+        weights_(&memory),
+        out_of_view_(&memory),
+        geometry_(&memory),
+        program_(plan, memory) {
     layers_.reserve(plan.needs().in.layer_room());
     if (plan.needs().in.between_updates) next_layers_.reserve(plan.needs().in.layer_room());
     weights_.reserve(plan.scene().weight_count());

@@ -365,7 +365,7 @@ std::vector<PlanStage> describe_stages(const CompiledPlan& plan) {
           describe_blend(plan),
           describe_add(plan),
           describe_programs(plan),
-      describe_interpolate(plan),
+          describe_interpolate(plan),
           describe_correctives(plan),
           describe_properties(plan),
           describe_local_to_model(plan),

@@ -44,11 +44,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
 
 std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame) {
   const Refusal refusal = check_run(plan, input, frame, frame.before_);
-  if (refusal.error == ErrorCode::ok) return {};
-  std::string sentence = refusal.list != nullptr ? refusal.list : "";
-  if (refusal.index != kNone) sentence.append("[").append(std::to_string(refusal.index)).append("]");
-  if (refusal.field != nullptr) sentence.append(sentence.empty() ? "" : ".").append(refusal.field);
-  return sentence.append(": ").append(refusal.rule != nullptr ? refusal.rule : describe(refusal.error));
+  return refusal.error == ErrorCode::ok ? std::string() : text_of(refusal);
 }
 
 bool holds_result_of(const FrameBuffer& frame, const FrameInput& input) noexcept {

@@ -47,7 +47,8 @@ bool is_finite(const Transform& t) noexcept {
 
 using Rule = PoseInputFault;
 
-Rule find_fault(const ExternalPose& external, std::size_t joints, std::size_t weights, std::size_t properties) noexcept {
+Rule find_fault(const ExternalPose& external, std::size_t joints, std::size_t weights,
+                std::size_t properties) noexcept {
   if (!is_pose_of(external.pose, joints))
     return {.code = ErrorCode::size_mismatch, .rule = "the pose has not one transform for each joint of poses"};
   if (!has_size_or_none(external.weights, weights))

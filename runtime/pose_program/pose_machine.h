@@ -10,9 +10,9 @@ class PoseMachine {
  public:
   /// How one operation runs, beside what it says itself.
   struct Step {
-    const Clip* page = nullptr;    ///< as PoseProgramInputs::pages
-    bool with_properties = true;   ///< some operation after it reads its properties
-    bool holds_clip = false;       ///< as PoseProgramJob::holds_clip
+    const Clip* page = nullptr;   ///< as PoseProgramInputs::pages
+    bool with_properties = true;  ///< some operation after it reads its properties
+    bool holds_clip = false;      ///< as PoseProgramJob::holds_clip
   };
 
   /// Keeps the references.
@@ -54,7 +54,7 @@ class PoseMachine {
   PoseSlots slots_;
   PoseProgramWork& work_;
   PosePhaseClock clock_;
-  Step step_;                // of the operation at hand
+  Step step_;              // of the operation at hand
   std::size_t depth_ = 0;  // poses on the stack
 };
 

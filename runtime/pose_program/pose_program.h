@@ -31,9 +31,9 @@ enum class PoseOpKind : std::uint8_t {
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
 /// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
 struct PoseOp {
-  double time_s = 0.0;      ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
-  float weight = 1.0f;      ///< finite, >= 0
-  std::uint16_t index = 0;  ///< of a clip, an external pose, an override or a procedure; mean: number of operands
+  double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
+  float weight = 1.0f;  ///< finite, >= 0
+  std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands
   std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
   PoseOpKind kind = PoseOpKind::rest;
 
@@ -73,7 +73,7 @@ struct PoseProgramLimits {
 /// The memory that programs need, and the tables that they refer to: the most of each.
 struct PoseProgramRoom {
   std::uint32_t ops = 0;
-  std::uint32_t slots = 0;  ///< poses on the stack at once
+  std::uint32_t slots = 0;                                                ///< poses on the stack at once
   std::uint32_t externals = 0, overrides = 0, masks = 0, procedures = 0;  ///< of the caller
   std::uint32_t overridden_joints = 0;                                    ///< of all overrides together
   bool overlays_in_model_space = false;

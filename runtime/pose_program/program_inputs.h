@@ -48,15 +48,15 @@ struct JointMask {
 
 /// The pose that a procedure may change, in memory of the frame.
 struct ProcedurePose {
-  const Skeleton& skeleton;      ///< of poses
-  PoseSpan local;                ///< may be written
-  std::span<float> weights;      ///< [W] may be written; empty where the frame's input gives all morph weights
-  std::span<float> properties;   ///< [P] may be written; empty where they are not wanted
-  float share = 1.0f;            ///< (0, 1] of the operation; what it means is the procedure's own
+  const Skeleton& skeleton;     ///< of poses
+  PoseSpan local;               ///< may be written
+  std::span<float> weights;     ///< [W] may be written; empty where the frame's input gives all morph weights
+  std::span<float> properties;  ///< [P] may be written; empty where they are not wanted
+  float share = 1.0f;           ///< (0, 1] of the operation; what it means is the procedure's own
 };
 
-/// Code of the caller that runs in the middle of a program. It must not throw. The same version and the same pose before
-/// it promise the same pose after it.
+/// Code of the caller that runs in the middle of a program. It must not throw. The same version and the same pose
+/// before it promise the same pose after it.
 struct PoseProcedure {
   void (*run)(void* context, const ProcedurePose& pose) = nullptr;
   void* context = nullptr;

@@ -62,9 +62,11 @@ SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const 
 ///                parent's space
 ///      Morph weights and properties follow the same rules without masks; additions leave properties as they are.
 /// in   memory     64-byte aligned, pose_program_bytes
-///      first, end  the operations to run in this call. With first > 0 the memory and the output hold what the operations
+///      first, end  the operations to run in this call. With first > 0 the memory and the output hold what the
+///      operations
 ///                 before have left: a caller may look at the pose in between, and change it
-///      holds_clip  the output holds a sample of the clip that the first operation samples, so that joints which it does
+///      holds_clip  the output holds a sample of the clip that the first operation samples, so that joints which it
+///      does
 ///                 not animate are not written again
 /// out  pose, weights[W], properties[P]    must not overlap the inputs; weights and properties may be empty: not wanted
 /// err  of find_fault; size_mismatch (memory, poses, tables), not_finite (an override's transform, a mask),

@@ -42,8 +42,8 @@ int main(int argc, char** argv) {
 
   // One plan serves all characters of this scene. It computes bounds but no tangents.
   sinew::Needs needs;
-  needs.bounds = true;
-  needs.tangents = false;
+  needs.out.bounds = true;
+  needs.out.tangents = false;
   const sinew::Plan plan = compile_plan(std::move(*loaded), needs);
   const sinew::Scene& scene = plan.scene();
   for (const sinew::PlanStage& stage : plan.stages())

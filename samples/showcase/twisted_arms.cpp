@@ -148,7 +148,7 @@ ShowcaseScene twisted_arms() {
       "Left: linear-blend skinning loses the forearm's volume as the wrist turns. "
       "Dual quaternions in the middle and centers of rotation on the right keep it.";
   out.scene = builder.finish();
-  out.needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion,
+  out.needs.skin.per_instance = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion,
                                  Skinning::center_of_rotation};
   out.eye = {1.5f, 3.2f, 10.5f};
   out.target = {0.0f, 2.0f, 0.0f};

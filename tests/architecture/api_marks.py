@@ -6,7 +6,8 @@ import pathlib, re, sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Headers that are not public, of functions that one library calls in another.
-BETWEEN_LIBRARIES = ['runtime/animation/joint_tracks.h', 'runtime/base/checksum.h', 'runtime/paging/join_clips.h']
+BETWEEN_LIBRARIES = ['runtime/animation/joint_tracks.h', 'runtime/base/checksum.h', 'runtime/paging/join_clips.h',
+                     'runtime/plan/refusal.h']
 
 SKIP = re.compile(r'(\[\[nodiscard\]\] )?(template|inline|constexpr|consteval|using|namespace|extern|static|typedef|friend|enum|union|SINEW_API|#|public:|private:|protected:)')
 

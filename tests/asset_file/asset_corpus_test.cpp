@@ -39,7 +39,7 @@ void expect_pages_play(const Scene& scene, const std::vector<std::byte>& file, c
   const auto heads = read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys);
   ASSERT_TRUE(tables && heads);
   Needs needs;
-  needs.skeleton_lod = level.detail;
+  needs.out.skeleton_lod = level.detail;
   const Plan plan = compile_plan(lend(scene), needs), of_heads = compile_plan(lend(scene), *heads, needs);
   FrameBuffer whole(plan), paged(of_heads);
   std::vector<std::byte> unpacked;

@@ -76,7 +76,11 @@ struct PlainFrames {
   double time_s = 0.0;
 
   PlainFrames(const Scene& shown, const Needs& needs)
-      : scene(shown), normals(needs.normals), pose(shown.skeleton.joint_count()), layers(2, pose), model(pose.size()) {
+      : scene(shown),
+        normals(needs.out.normals),
+        pose(shown.skeleton.joint_count()),
+        layers(2, pose),
+        model(pose.size()) {
     for (const Skin& skin : scene.skins) {
       palettes.emplace_back(skin.joints.size());
       inverse_binds.emplace_back();
@@ -196,8 +200,8 @@ void add_crowd_of_frames(const std::shared_ptr<const Scene>& scene, const Needs&
 /// half of the joints. A third case interpolates between two earlier poses.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   Needs needs;
-  needs.positions = needs.normals = needs.tangents = false;
-  needs.palettes = true;
+  needs.out.positions = needs.out.normals = needs.out.tangents = false;
+  needs.out.palettes = true;
   const auto add_level = [&](const std::string& level, const Needs& of_level) {
     const auto frames = std::make_shared<PlannedFrames>(*scene, of_level);
     add("pose/sinew/" + name + "/" + level, 1, [scene, frames] { frames->next(1); });
@@ -205,9 +209,10 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("all", needs);
   Needs fewer = needs;
   const std::size_t joints = scene->skeleton.joint_count();
-  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // drops the deeper half
+  for (std::size_t j = 0; j < joints; ++j)
+    fewer.out.skeleton_lod.kept.push_back(2 * j < joints);  // drops the deeper half
   add_level("half", fewer);
-  needs.between_updates = true;
+  needs.in.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);
   add("pose/sinew/" + name + "/between", 1, [scene, between, step = 0]() mutable {
     const ClipLayer start{0, 0.1}, end{0, 0.2};
@@ -241,7 +246,7 @@ bool morphs(const Scene& scene) {
 void add_frame(std::size_t most_vertices) {
   const auto biped = std::make_shared<const Scene>(character(scenes::biped(), 3'273));
   Needs needs;
-  needs.tangents = false;
+  needs.out.tangents = false;
   add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
   add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
   add_levels(biped, "biped");
@@ -252,9 +257,9 @@ void add_frame(std::size_t most_vertices) {
   for (const NamedScene& model : corpus_scenes()) {
     if (morphs(*model.scene)) continue;
     Needs file_needs = needs;
-    file_needs.normals = !has_flat_normals(*model.scene);
+    file_needs.out.normals = !has_flat_normals(*model.scene);
     add_levels(model.scene, model.name);
-    add_case(model.scene, file_needs, 1, model.name + "/1layer/" + (file_needs.normals ? "PN" : "P"));
+    add_case(model.scene, file_needs, 1, model.name + "/1layer/" + (file_needs.out.normals ? "PN" : "P"));
   }
 }
 

@@ -33,8 +33,8 @@ void add_scene(const std::string& name, const std::shared_ptr<const Scene>& scen
     if (!load_clips(*block)) std::abort();
   });
   add("compile_plan/sinew/" + name, joints,
-      [scene] { benchmark::DoNotOptimize(compile_plan(lend(*scene), Needs{.tangents = false})); });
-  const auto plan = std::make_shared<const Plan>(compile_plan(lend(*scene), Needs{.tangents = false}));
+      [scene] { benchmark::DoNotOptimize(compile_plan(lend(*scene), Needs{.out = {.tangents = false}})); });
+  const auto plan = std::make_shared<const Plan>(compile_plan(lend(*scene), Needs{.out = {.tangents = false}}));
   add("first_frame/sinew/" + name, 1, [scene, plan] {
     FrameBuffer frame(*plan);
     const ClipLayer layer{0, 0.1};

@@ -60,7 +60,7 @@ sinew_needs all_needs() {
 
 Needs all_needs_in_cpp() {
   Needs needs;
-  needs.bounds = needs.additive = needs.palettes = true;
+  needs.out.bounds = needs.in.additive = needs.out.palettes = true;
   return needs;
 }
 
@@ -98,7 +98,7 @@ TEST(c_interface, frames_have_the_bits_of_the_cpp_interface) {
     sinew_needs needs = all_needs();
     Needs needs_in_cpp = all_needs_in_cpp();
     needs.skinning = static_cast<std::uint32_t>(seed % 3);
-    needs_in_cpp.skinning = static_cast<Skinning>(seed % 3);
+    needs_in_cpp.skin.kind = static_cast<Skinning>(seed % 3);
     Numbers read, in_block;
     ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &read), SINEW_OK);
     ASSERT_EQ(engine_play_in_block(&scene, &needs, &input, &in_block), SINEW_OK);
@@ -140,9 +140,9 @@ TEST(c_interface, masks_weights_and_skinning_per_instance_reach_the_plan) {
   needs.mask_count = 2;
   needs.instance_skinning = skinning;
   Needs in_cpp;
-  in_cpp.masks = {{masks.begin(), masks.begin() + static_cast<std::ptrdiff_t>(joints)},
-                  {masks.begin() + static_cast<std::ptrdiff_t>(joints), masks.end()}};
-  in_cpp.instance_skinning = {Skinning::dual_quaternion, Skinning::linear, Skinning::center_of_rotation,
+  in_cpp.in.masks = {{masks.begin(), masks.begin() + static_cast<std::ptrdiff_t>(joints)},
+                     {masks.begin() + static_cast<std::ptrdiff_t>(joints), masks.end()}};
+  in_cpp.skin.per_instance = {Skinning::dual_quaternion, Skinning::linear, Skinning::center_of_rotation,
                               Skinning::linear};
   const std::vector<float> weights(scene.scene.weight_count(), 0.25f);
 

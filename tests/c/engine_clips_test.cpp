@@ -139,7 +139,7 @@ TEST(c_clips, mirrored_layers_and_poses_are_those_of_the_cpp_interface) {
   Numbers by_frame, by_pose;
   ASSERT_EQ(engine_mirror(&body, 0.7, &by_frame, &by_pose), SINEW_OK);
   Needs needs;
-  needs.mirror = std::make_shared<const MirrorMap>(make_mirror_map(body.scene));
+  needs.in.mirror = std::make_shared<const MirrorMap>(make_mirror_map(body.scene));
   const Plan plan = compile_plan(lend(body.scene), needs);
   FrameBuffer frame(plan);
   ClipLayer layer{0, 0.7};

@@ -138,7 +138,7 @@ TEST(c_world, sockets_and_skeleton_lod_are_those_of_the_cpp_interface) {
 
       const CompiledSkeletonLod lod = compile_skeleton_lod(scene.scene, tolerance_m);
       Needs needs;
-      needs.skeleton_lod = lod.detail;
+      needs.out.skeleton_lod = lod.detail;
       const Plan plan = compile_plan(lend(scene.scene), needs);
       FrameBuffer frame(plan);
       const ClipLayer in_cpp{0, 0.7};
@@ -217,7 +217,7 @@ TEST(c_world, bounds_of_clips_are_those_of_the_cpp_interface) {
     sinew_needs needs = sinew_default_needs();
     needs.skinning = static_cast<std::uint32_t>(seed % 2);
     Needs in_cpp;
-    in_cpp.skinning = static_cast<Skinning>(seed % 2);
+    in_cpp.skin.kind = static_cast<Skinning>(seed % 2);
     for (const std::uint32_t clip : {0u, 1u, SINEW_NONE}) {
       std::vector<sinew_box> boxes(scene.scene.instances.size() + 1);
       std::size_t count = 99;
@@ -239,7 +239,7 @@ TEST(c_world, bounds_of_clips_are_those_of_the_cpp_interface) {
 std::vector<float> played_in_cpp(const Scene& scene, UpdateLevel level, std::uint32_t phase, bool interpolated,
                                  double dt_s, std::uint64_t frames) {
   Needs needs;
-  needs.between_updates = true;
+  needs.in.between_updates = true;
   const Plan plan = compile_plan(lend(scene), interpolated ? needs : Needs{});
   FrameBuffer buffer(plan);
   HeldInput held(plan);

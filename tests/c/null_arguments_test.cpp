@@ -70,6 +70,7 @@ TEST_F(CNullArguments, of_scenes) {
 TEST_F(CNullArguments, of_plans_and_frames) {
   sinew_plan* plan = nullptr;
   sinew_frame* frame = nullptr;
+  sinew_messages* why = nullptr;
   sinew_stage stage{.struct_size = sizeof(stage)};
   sinew_result_info info{.struct_size = sizeof(info)};
   sinew_instance_result instance{.struct_size = sizeof(instance)};
@@ -81,6 +82,7 @@ TEST_F(CNullArguments, of_plans_and_frames) {
   EXPECT_REFUSED(sinew_frame_create, {1}, plan_, nullptr, &frame);
   EXPECT_REFUSED(sinew_frame_create_in, {}, plan_, block, sizeof(block), &frame);
   EXPECT_REFUSED(sinew_run, {1}, frame_, nullptr);
+  EXPECT_REFUSED(sinew_why_refused, {1}, frame_, nullptr, &why);
   EXPECT_REFUSED(sinew_get_result, {}, result_, &info);
   EXPECT_REFUSED(sinew_get_instance_result, {}, result_, 0, &instance);
   EXPECT_REFUSED(sinew_get_shape, {}, result_, 0, &shape);

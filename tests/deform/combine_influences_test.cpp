@@ -122,8 +122,8 @@ TEST(combinations_in_frames, C06_give_the_bits_of_vertices_that_blend_for_themse
     for (const std::int64_t target : simd_targets()) {
       const OnlyTarget only(target);
       Needs needs;
-      needs.normal_rule = seed % 2 == 0 ? NormalRule::linear : NormalRule::cofactor;
-      needs.tangents = seed % 3 != 1;
+      needs.skin.normal_rule = seed % 2 == 0 ? NormalRule::linear : NormalRule::cofactor;
+      needs.out.tangents = seed % 3 != 1;
       SCOPED_TRACE(simd_name(target) + " seed " + std::to_string(seed));
       expect_same_vertices(scene, needs);
     }
@@ -139,7 +139,7 @@ TEST(combinations_in_frames, N22_give_the_same_bits_where_matrices_leave_normals
     finish_scene(scene);
     for (const NormalRule rule : {NormalRule::linear, NormalRule::cofactor}) {
       Needs needs;
-      needs.normal_rule = rule;
+      needs.skin.normal_rule = rule;
       SCOPED_TRACE(scale);
       expect_same_vertices(scene, needs);
     }
@@ -155,7 +155,7 @@ TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_
   for (const auto& of_skin : compiled.combined) tables += of_skin.size();
   EXPECT_LT(tables, of_primitives);
   Needs needs;
-  needs.skinning = Skinning::dual_quaternion;
+  needs.skin.kind = Skinning::dual_quaternion;
   EXPECT_FALSE(stage(compile_plan(lend(scene), needs), "combinations").runs);
   const auto palette_bytes = [](const Plan& of) {
     std::size_t matrices = 0;

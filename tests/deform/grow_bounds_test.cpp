@@ -47,8 +47,8 @@ TEST(bounds, G54_boxes_hold_all_shown_vertices_in_every_frame) {
   for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion}) {
     const Scene scene = random_scene(31);
     Needs needs;
-    needs.bounds = true;
-    needs.skinning = skinning;
+    needs.out.bounds = true;
+    needs.skin.kind = skinning;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (double time_s = 0.0; time_s <= 2.0; time_s += 0.125) {
@@ -66,8 +66,8 @@ TEST(bounds, G54_boxes_hold_all_shown_vertices_in_every_frame) {
 TEST(bounds, G54_the_box_of_a_bent_arm_is_tight) {
   const Scene scene = arm_scene();
   Needs needs;
-  needs.bounds = true;
-  needs.positions = needs.normals = needs.tangents = false;
+  needs.out.bounds = true;
+  needs.out.positions = needs.out.normals = needs.out.tangents = false;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   const ClipLayer layer{0, 1.0, 1.0f};
@@ -82,7 +82,7 @@ TEST(bounds, G54_the_box_of_a_bent_arm_is_tight) {
 TEST(bounds, a_rigid_mesh_moves_its_rest_box_without_looking_at_vertices) {
   const Scene scene = prop_scene();
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   ASSERT_EQ(

@@ -23,7 +23,7 @@ bool is_small(const Scene& scene) {
 }
 
 void play(const Scene& scene, const ClipBoxes& boxes) {
-  const Plan plan = compile_plan(lend(scene), {.bounds = true});
+  const Plan plan = compile_plan(lend(scene), {.out = {.bounds = true}});
   FrameBuffer frame(plan);
   for (std::uint32_t clip = 0; clip < std::min<std::size_t>(scene.clips.size(), 2); ++clip) {
     const ClipLayer layer{.clip = clip, .time_s = 0.37 * scene.clips[clip].duration_s()};

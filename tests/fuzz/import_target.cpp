@@ -23,7 +23,7 @@ void import_and_evaluate(Bytes file) {
   require(imported->facts.file_bytes >= file.size(), "the bytes of the file are counted");
   const Scene& scene = imported->scene;
   require(check(scene) == ErrorCode::ok, "an imported scene passes the checks");
-  const Plan plan = compile_plan(lend(scene), Needs{.bounds = true});
+  const Plan plan = compile_plan(lend(scene), Needs{.out = {.bounds = true}});
   FrameBuffer frame(plan);
   const ClipLayer layer{.clip = 0, .time_s = 0.3};
   const bool animated = !scene.clips.empty();

@@ -22,12 +22,12 @@ namespace {
 class geometry_player : public testing::Test {
  protected:
   geometry_player() : made_(*scene_of(cache_, mapped_)), player_(cache_, mapped_, made_.scene, made_.bindings) {
-    needs_.cached_instances = player_.instances();
+    needs_.in.cached_instances = player_.instances();
     plan_ = compile_plan(lend(made_.scene), needs_);
   }
 
   const FrameResult& play(FrameBuffer& frame, double time_s, float weight = 1.0f) {
-    const std::vector<GeometryInput> geometry(needs_.cached_instances.size(), player_.at(time_s, weight));
+    const std::vector<GeometryInput> geometry(needs_.in.cached_instances.size(), player_.at(time_s, weight));
     FrameInput input;
     input.geometry = geometry;
     EXPECT_EQ(run_plan(plan_, input, frame), ErrorCode::ok);
@@ -216,7 +216,7 @@ TEST(geometry_player_streams, normals_of_the_cache_are_unit_and_colours_are_thos
   ASSERT_EQ(primitive.colors.size(), 6u);
   EXPECT_NEAR(primitive.colors[3].x, 0.375f, 1e-3f);
   GeometryPlayer player(cache, frames, made.scene, made.bindings);
-  const Plan plan = compile_plan(lend(made.scene), {.cached_instances = player.instances()});
+  const Plan plan = compile_plan(lend(made.scene), {.in = {.cached_instances = player.instances()}});
   FrameBuffer frame(plan);
   const GeometryInput geometry = player.at(0.5 * cache.frame_s());
   FrameInput input;

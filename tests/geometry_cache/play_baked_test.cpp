@@ -36,7 +36,7 @@ TEST(play_baked, a_baked_clip_plays_in_its_scene_as_the_clip_does_at_any_weight_
   EXPECT_TRUE(bindings.unbound.empty());
   GeometryPlayer player(cache, frames, scene, bindings.bound);
   ASSERT_EQ(player.instances().size(), scene.instances.size());
-  const Plan plan = compile_plan(lend(scene), {.cached_instances = player.instances()});
+  const Plan plan = compile_plan(lend(scene), {.in = {.cached_instances = player.instances()}});
   FrameBuffer posed(plan), played(plan);
   FrameInput input;
   input.root.row[0] = {0.0f, 0.0f, -2.0f, 3.0f};  // rotated by 90 degrees and doubled in size

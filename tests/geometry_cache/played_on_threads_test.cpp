@@ -22,7 +22,7 @@ namespace {
 class played_on_threads : public testing::Test {
  protected:
   played_on_threads() {
-    needs_.cached_instances = {0};
+    needs_.in.cached_instances = {0};
     plan_ = compile_plan(lend(made_.scene), needs_);
     GeometryDecoder decoder(cache_);
     for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {

@@ -29,9 +29,9 @@ struct Method {
 
 std::vector<Method> methods() {
   Needs linear, cofactor, dual_quaternion, center_of_rotation;
-  cofactor.normal_rule = NormalRule::cofactor;
-  dual_quaternion.skinning = Skinning::dual_quaternion;
-  center_of_rotation.skinning = Skinning::center_of_rotation;
+  cofactor.skin.normal_rule = NormalRule::cofactor;
+  dual_quaternion.skin.kind = Skinning::dual_quaternion;
+  center_of_rotation.skin.kind = Skinning::center_of_rotation;
   return {{"linear", linear},
           {"cofactor", cofactor},
           {"dual-quaternion", dual_quaternion},

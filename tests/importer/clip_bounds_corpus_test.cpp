@@ -42,9 +42,9 @@ TEST(clip_bounds_corpus, G54_holds_every_vertex_of_every_file) {
     const auto imported = import_gltf(file, options);
     if (!imported) continue;  // other tests report it
     Needs needs;
-    needs.bounds = true;
-    needs.normals = needs.tangents = false;
-    needs.max_layers = 1;
+    needs.out.bounds = true;
+    needs.out.normals = needs.out.tangents = false;
+    needs.in.max_layers = 1;
     const Plan plan = compile_plan(lend(imported->scene), needs);
     for (std::uint32_t clip = 0; clip < imported->scene.animations.size(); ++clip)
       boxes += expect_holds(imported->scene, plan, clip, file.filename());

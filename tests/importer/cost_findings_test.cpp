@@ -195,7 +195,7 @@ TEST(cost_findings, of_normals) {
                           "The cofactor matrix is right under any scale, within 0.0001 degrees, and costs 3.00 ns a "
                           "vertex more.",
                           "An average above a degree is seen in shading: for this file the exact rule "
-                          "(Needs::normal_rule = cofactor) is worth its time."));
+                          "(Needs::skin.normal_rule = cofactor) is worth its time."));
   study.group.points[0].values[0].value = 0.99;
   EXPECT_EQ(said(study, costs).back(),
             "For this file the matrix itself will do: an average below a degree is not seen in shading.");

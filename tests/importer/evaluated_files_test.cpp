@@ -45,7 +45,7 @@ struct Shown {
  private:
   static Needs needs(NormalRule rule) {
     Needs out;
-    out.normal_rule = rule;
+    out.skin.normal_rule = rule;
     return out;
   }
 };
@@ -364,8 +364,8 @@ TEST(evaluated_file,
   for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation}) {
     SCOPED_TRACE(static_cast<int>(skinning));
     Needs needs;
-    needs.skinning = skinning;
-    needs.bounds = true;
+    needs.skin.kind = skinning;
+    needs.out.bounds = true;
     const Plan plan = compile_plan(lend(file->scene), needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
@@ -395,7 +395,7 @@ TEST(evaluated_file, G59_quantised_positions_of_an_unskinned_mesh_are_scaled_by_
   const auto read = file.import();
   ASSERT_EQ(outcome(read), "ok");
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Plan plan = compile_plan(lend(read->scene), needs);
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);

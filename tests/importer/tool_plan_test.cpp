@@ -60,19 +60,29 @@ json stages_of(const Scene& scene, const Needs& needs) {
   return out;
 }
 
+template <bool Outputs::*flag>
+bool& out(Needs& needs) {
+  return needs.out.*flag;
+}
+
+template <bool Inputs::*flag>
+bool& in(Needs& needs) {
+  return needs.in.*flag;
+}
+
 TEST(tool_plan, each_need_alone_is_that_need_of_the_library) {
   const PlanModel model;
-  const std::pair<const char*, bool Needs::*> flags[] = {
-      {"joints", &Needs::joints},           {"weights", &Needs::weights},
-      {"positions", &Needs::positions},     {"normals", &Needs::normals},
-      {"tangents", &Needs::tangents},       {"palettes", &Needs::palettes},
-      {"bounds", &Needs::bounds},           {"properties", &Needs::properties},
-      {"additive", &Needs::additive},       {"hidden-meshes", &Needs::hidden_meshes},
-      {"stage-times", &Needs::stage_times}, {"between-updates", &Needs::between_updates}};
+  const std::pair<const char*, bool& (*)(Needs&)> flags[] = {
+      {"joints", out<&Outputs::joints>},           {"weights", out<&Outputs::weights>},
+      {"positions", out<&Outputs::positions>},     {"normals", out<&Outputs::normals>},
+      {"tangents", out<&Outputs::tangents>},       {"palettes", out<&Outputs::palettes>},
+      {"bounds", out<&Outputs::bounds>},           {"properties", out<&Outputs::properties>},
+      {"additive", in<&Inputs::additive>},         {"hidden-meshes", out<&Outputs::hidden_meshes>},
+      {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>}};
   for (const auto& [name, flag] : flags) {
     Needs needs;
-    for (const auto& [other, member] : flags) needs.*member = false;
-    needs.*flag = true;
+    for (const auto& [other, member] : flags) member(needs) = false;
+    flag(needs) = true;
     const json report = model.report({"--needs", name});
     EXPECT_EQ(report["stages"], stages_of(model.scene, needs)) << name;
     EXPECT_EQ(report["frame_bytes"], compile_plan(lend(model.scene), needs).frame_bytes()) << name;
@@ -87,15 +97,15 @@ TEST(tool_plan, each_other_option_alone_is_that_of_the_library) {
     change(needs);
     EXPECT_EQ(model.report(arguments)["stages"], stages_of(model.scene, needs)) << testing::PrintToString(arguments);
   };
-  expect({"--layers", "7"}, [](Needs& n) { n.max_layers = 7; });
-  expect({"--normals", "cofactor"}, [](Needs& n) { n.normal_rule = NormalRule::cofactor; });
-  expect({"--skinning", "dual-quaternion"}, [](Needs& n) { n.skinning = Skinning::dual_quaternion; });
+  expect({"--layers", "7"}, [](Needs& n) { n.in.max_layers = 7; });
+  expect({"--normals", "cofactor"}, [](Needs& n) { n.skin.normal_rule = NormalRule::cofactor; });
+  expect({"--skinning", "dual-quaternion"}, [](Needs& n) { n.skin.kind = Skinning::dual_quaternion; });
   expect({"--skinning", "linear,dual-quaternion"}, [](Needs& n) {
-    n.instance_skinning = {Skinning::linear, Skinning::dual_quaternion};
+    n.skin.per_instance = {Skinning::linear, Skinning::dual_quaternion};
   });
   expect({"--skinning", "dual-quaternion,linear"}, [](Needs& n) {
-    n.skinning = Skinning::dual_quaternion;
-    n.instance_skinning = {Skinning::dual_quaternion, Skinning::linear};
+    n.skin.kind = Skinning::dual_quaternion;
+    n.skin.per_instance = {Skinning::dual_quaternion, Skinning::linear};
   });
 }
 

@@ -24,8 +24,8 @@ float diagonal(const Aabb& box) { return glm::length(box.upper - box.lower); }
 
 Needs boxes_for(Skinning skinning) {
   Needs needs;
-  needs.bounds = true;
-  needs.skinning = skinning;
+  needs.out.bounds = true;
+  needs.skin.kind = skinning;
   return needs;
 }
 
@@ -102,7 +102,7 @@ TEST(clip_bounds, boxes_that_were_stored_give_the_bits_of_the_keys) {
 TEST(clip_bounds, boxes_that_were_stored_are_of_all_joints) {
   const Scene scene = arm_scene();
   Needs needs;
-  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+  needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
   const std::vector<Aabb> with_lod = clip_bounds(scene, needs, 0);
   EXPECT_NE(with_lod[0].upper, clip_bounds(scene, {}, 0)[0].upper);
   expect_same_boxes(clip_bounds(scene, needs, 0, clip_boxes(scene, 0)), with_lod);

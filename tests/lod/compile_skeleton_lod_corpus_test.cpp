@@ -27,7 +27,7 @@ TEST(compile_skeleton_lod_corpus, models_keep_their_shape_within_what_is_asked) 
     const Difference off = difference_of(scene, within.detail, 0, 60);
     EXPECT_LE(off.worst_m, 1.02 * tolerance_m + 3e-6 * off.far_m) << file;
     Needs needs;
-    needs.skinning = Skinning::dual_quaternion;
+    needs.skin.kind = Skinning::dual_quaternion;
     const CompiledSkeletonLod turned = compile_skeleton_lod(scene, tolerance_m, {&clip, 1}, needs);
     EXPECT_LE(turned.left_out, within.left_out);
     EXPECT_LE(difference_of(scene, turned.detail, 0, 60, Skinning::dual_quaternion).worst_m,

@@ -190,7 +190,7 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
     const CompiledSkeletonLod linear = compile_skeleton_lod(scene, 8.0);
     for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation}) {
       Needs needs;
-      needs.skinning = skinning;
+      needs.skin.kind = skinning;
       const CompiledSkeletonLod within = compile_skeleton_lod(scene, 8.0, {}, needs);
       EXPECT_LE(within.left_out, linear.left_out);
       EXPECT_LE(within.measured_m, 8.0);
@@ -225,7 +225,8 @@ TEST(compile_skeleton_lod, N17_nothing_is_left_out_where_its_rounding_bends_vert
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = half_turn_scene(seed);
     EXPECT_EQ(compile_skeleton_lod(scene, 1e-4).left_out, 2u) << "linear blending is indifferent to it";
-    const CompiledSkeletonLod within = compile_skeleton_lod(scene, 1e-4, {}, {.skinning = Skinning::dual_quaternion});
+    const CompiledSkeletonLod within =
+        compile_skeleton_lod(scene, 1e-4, {}, {.skin = {.kind = Skinning::dual_quaternion}});
     EXPECT_EQ(within.tolerance_m, 1e-4);
     EXPECT_EQ(within.detail.kept.empty(), within.left_out == 0);
     bent += within.left_out == 0;
@@ -255,11 +256,11 @@ TEST(compile_skeleton_lod, the_kind_of_skinning_of_each_instance_counts) {
       scene.instances.begin());
   ASSERT_LT(skinned, scene.instances.size());
   Needs others, own;
-  others.instance_skinning.assign(scene.instances.size(), Skinning::linear);
+  others.skin.per_instance.assign(scene.instances.size(), Skinning::linear);
   own = others;
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    if (scene.instances[i].skin == kNone) others.instance_skinning[i] = Skinning::dual_quaternion;
-  own.instance_skinning[skinned] = Skinning::dual_quaternion;
+    if (scene.instances[i].skin == kNone) others.skin.per_instance[i] = Skinning::dual_quaternion;
+  own.skin.per_instance[skinned] = Skinning::dual_quaternion;
   const CompiledSkeletonLod linear = compile_skeleton_lod(scene, 8.0);
   EXPECT_EQ(compile_skeleton_lod(scene, 8.0, {}, others).measured_m, linear.measured_m)
       << "instances without a skin are not bent";

@@ -68,8 +68,8 @@ struct FullInput {
 struct HeldInputTest : testing::Test {
   HeldInputTest() : scene(random_scene(3)) {
     Needs needs;
-    needs.between_updates = true;
-    needs.cached_instances = {0};
+    needs.in.between_updates = true;
+    needs.in.cached_instances = {0};
     plan = compile_plan(lend(scene), needs);
   }
   Scene scene;

@@ -22,7 +22,7 @@ std::uint32_t period_of(UpdateLevel level) { return 1u << static_cast<unsigned>(
 
 Plan plan_between(const Scene& scene) {
   Needs needs;
-  needs.between_updates = true;
+  needs.in.between_updates = true;
   return compile_plan(lend(scene), needs);
 }
 

@@ -71,10 +71,10 @@ TEST_F(MemoryOfPlans, tables_of_poses_and_primitives) {
 }
 
 TEST_F(MemoryOfPlans, what_the_needs_hold_and_the_tables_of_a_mirror) {
-  EXPECT_COUNTED(needs.masks);
-  EXPECT_COUNTED(needs.skeleton_lod.held);
-  EXPECT_COUNTED(needs.cached_instances);
-  EXPECT_COUNTED(needs.instance_skinning);
+  EXPECT_COUNTED(needs.in.masks);
+  EXPECT_COUNTED(needs.out.skeleton_lod.held);
+  EXPECT_COUNTED(needs.in.cached_instances);
+  EXPECT_COUNTED(needs.skin.per_instance);
   EXPECT_COUNTED(mirror_tables.copies);
   EXPECT_COUNTED(mirror_tables.translation.joints);
   EXPECT_COUNTED(mirror_tables.translation.sources);
@@ -100,14 +100,14 @@ TEST_F(MemoryOfPlans, flags_count_by_the_bit) {
   expect_bits([](CompiledPlan & plan) -> auto& { return plan.instance_skinned; });
   expect_bits([](CompiledPlan & plan) -> auto& { return plan.palette; });
   expect_bits([](CompiledPlan & plan) -> auto& { return plan.split; });
-  expect_bits([](CompiledPlan & plan) -> auto& { return plan.needs.skeleton_lod.kept; });
+  expect_bits([](CompiledPlan & plan) -> auto& { return plan.needs.out.skeleton_lod.kept; });
 }
 
 TEST_F(MemoryOfPlans, arrays_in_arrays) {
   const std::vector<float> five(5);
   const std::size_t of_mask = sizeof five + 5 * sizeof(float);
   EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.masks = {five, five}; }), 2 * of_mask);
-  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.needs.masks = {five}; }), of_mask);
+  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.needs.in.masks = {five}; }), of_mask);
   EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.primitive_skinning.at(0).pairs.resize(7); }),
             7 * sizeof(JointPair));
   const std::size_t edges = plan_.hemisphere_edges.size();
@@ -154,9 +154,9 @@ TEST_F(MemoryOfPlans, what_several_share_counts_once) {
   map.weight_source.resize(4);
   const auto shared_map = std::make_shared<const MirrorMap>(map), other = std::make_shared<const MirrorMap>(map);
   const std::size_t of_map = sizeof map + 2 * sizeof(MirroredJoint) + 7 * sizeof(std::uint32_t);
-  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.needs.mirror = plan.assets.mirror = shared_map; }), of_map);
+  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.needs.in.mirror = plan.assets.mirror = shared_map; }), of_map);
   EXPECT_EQ(added_by([&](CompiledPlan& plan) {
-              plan.needs.mirror = shared_map;
+              plan.needs.in.mirror = shared_map;
               plan.assets.mirror = other;
             }),
             2 * of_map);

@@ -137,12 +137,12 @@ TEST(memory_of, a_plan_and_a_frame_take_what_making_them_leaves) {
   const Scene scene = scene_with_everything();
   for (const bool leaves_out : {false, true}) {
     Needs needs;
-    needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 0.5f)};
-    needs.skinning = Skinning::dual_quaternion;
-    needs.instance_skinning = {Skinning::linear, Skinning::dual_quaternion, Skinning::linear, Skinning::linear};
+    needs.in.masks = {std::vector<float>(scene.skeleton.joint_count(), 0.5f)};
+    needs.skin.kind = Skinning::dual_quaternion;
+    needs.skin.per_instance = {Skinning::linear, Skinning::dual_quaternion, Skinning::linear, Skinning::linear};
     if (leaves_out) {
-      needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
-      needs.skeleton_lod.kept.back() = false;
+      needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
+      needs.out.skeleton_lod.kept.back() = false;
     }
     const BytesInUse in_use;
     const Plan plan = compile_plan(lend(scene), needs);
@@ -166,9 +166,9 @@ TEST(memory_of, how_plans_mirror_counts_once) {
   const Scene scene = scene_with_everything();
   Needs needs;
   const Plan plain = compile_plan(lend(scene), needs);
-  needs.mirror = std::make_shared<const MirrorMap>(make_mirror_map(scene));
+  needs.in.mirror = std::make_shared<const MirrorMap>(make_mirror_map(scene));
   const Plan a = compile_plan(lend(scene), needs), b = compile_plan(lend(scene), needs);
-  const std::size_t of_map = sizeof(MirrorMap) + needs.mirror->joints.size() * sizeof(needs.mirror->joints[0]);
+  const std::size_t of_map = sizeof(MirrorMap) + needs.in.mirror->joints.size() * sizeof(needs.in.mirror->joints[0]);
   const std::size_t of_a = memory_of(a).plans, both = MemoryCount().add(a).add(b).bytes().plans;
   EXPECT_GE(of_a, memory_of(plain).plans + of_map);
   EXPECT_LE(both, 2 * of_a - of_map);

@@ -76,8 +76,8 @@ TEST(page_layers, pages_for_a_plan_with_a_skeleton_lod_have_the_bits_of_its_whol
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Scene scene = busy_scene(seed);
     Needs needs;
-    needs.skeleton_lod.kept.resize(scene.skeleton.joint_count());
-    for (std::size_t j = 0; j < needs.skeleton_lod.kept.size(); ++j) needs.skeleton_lod.kept[j] = j % 5 == 1;
+    needs.out.skeleton_lod.kept.resize(scene.skeleton.joint_count());
+    for (std::size_t j = 0; j < needs.out.skeleton_lod.kept.size(); ++j) needs.out.skeleton_lod.kept[j] = j % 5 == 1;
     const Plan plan = compile_plan(lend(scene), needs);
     ASSERT_LT(kept_joints(plan).size(), scene.skeleton.joint_count()) << seed;
     FrameBuffer whole(plan), paged(plan);

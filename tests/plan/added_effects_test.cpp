@@ -151,20 +151,20 @@ TEST(added_effects, take_no_memory_of_frames_while_nothing_calls_for_them) {
   const std::size_t vertices = scene.meshes[0].primitives[0].vertex_count(), least = 64;
   const auto bytes = [&](void (*change)(Needs&)) {
     Needs needs;
-    needs.max_layers = 1;
+    needs.in.max_layers = 1;
     change(needs);
     return compile_plan(lend(scene), needs).frame_bytes();
   };
   const std::size_t all = bytes([](Needs&) {});
-  EXPECT_LE(bytes([](Needs& n) { n.normals = false; }) + vertices * sizeof(glm::vec3), all);
-  EXPECT_EQ(bytes([](Needs& n) { n.tangents = false; }), all) << "the arm has none";
-  EXPECT_EQ(bytes([](Needs& n) { n.properties = false; }), all) << "no clip moves any";
-  EXPECT_EQ(bytes([](Needs& n) { n.bounds = true; }), all) << "boxes lie in the results";
-  EXPECT_GE(bytes([](Needs& n) { n.additive = true; }), all + least);
-  EXPECT_GE(bytes([](Needs& n) { n.max_layers = 2; }), all + least);
-  EXPECT_GE(bytes([](Needs& n) { n.stage_times = true; }), all + least);
-  EXPECT_GE(bytes([](Needs& n) { n.skinning = Skinning::dual_quaternion; }), all + least);
-  EXPECT_LT(bytes([](Needs& n) { n.positions = n.normals = n.tangents = n.joints = false; }), all);
+  EXPECT_LE(bytes([](Needs& n) { n.out.normals = false; }) + vertices * sizeof(glm::vec3), all);
+  EXPECT_EQ(bytes([](Needs& n) { n.out.tangents = false; }), all) << "the arm has none";
+  EXPECT_EQ(bytes([](Needs& n) { n.out.properties = false; }), all) << "no clip moves any";
+  EXPECT_EQ(bytes([](Needs& n) { n.out.bounds = true; }), all) << "boxes lie in the results";
+  EXPECT_GE(bytes([](Needs& n) { n.in.additive = true; }), all + least);
+  EXPECT_GE(bytes([](Needs& n) { n.in.max_layers = 2; }), all + least);
+  EXPECT_GE(bytes([](Needs& n) { n.out.stage_times = true; }), all + least);
+  EXPECT_GE(bytes([](Needs& n) { n.skin.kind = Skinning::dual_quaternion; }), all + least);
+  EXPECT_LT(bytes([](Needs& n) { n.out.positions = n.out.normals = n.out.tangents = n.out.joints = false; }), all);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
 TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   const Scene scene = arm_scene();
   Needs needs;
-  needs.max_layers = 1;
+  needs.in.max_layers = 1;
   EXPECT_EQ(dump(compile_plan(lend(scene), needs)),
             "+ sample [1, 640 B]: 1 clip; the one with most tracks has 1 slerp\n"
             "- mirror [0, 0 B]: no mirrored layers are asked for\n"
@@ -81,9 +81,9 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
 TEST(compile_plan, a_face_is_morphed_and_bounded) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.joints = false;
-  needs.bounds = true;
-  needs.max_layers = 2;
+  needs.out.joints = false;
+  needs.out.bounds = true;
+  needs.in.max_layers = 2;
   EXPECT_EQ(
       dump(compile_plan(lend(scene), needs)),
       "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
@@ -114,14 +114,14 @@ TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
   EXPECT_FALSE(stage(linear, "split_palette").runs);
   EXPECT_FALSE(stage(linear, "skin_dual_quaternion").runs);
 
-  needs.skinning = Skinning::dual_quaternion;
+  needs.skin.kind = Skinning::dual_quaternion;
   const Plan dual = compile_plan(lend(scene), needs);
   EXPECT_EQ(stage(dual, "split_palette").count, stage(dual, "palette").count);
   EXPECT_FALSE(stage(dual, "skin_linear").runs);
 
   // Instances 0 and 2 are skinned, by skins 0 and 1.
-  needs.skinning = Skinning::linear;
-  needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::linear};
+  needs.skin.kind = Skinning::linear;
+  needs.skin.per_instance = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::linear};
   const Plan mixed = compile_plan(lend(scene), needs);
   EXPECT_EQ(stage(mixed, "split_palette").count, scene.skins[1].joints.size());
   EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count,
@@ -132,7 +132,7 @@ TEST(compile_plan, center_of_rotation_skinning_takes_palette_and_split_of_primit
   Scene scene = arm_scene();
   Primitive& arm = scene.meshes[0].primitives[0];
   arm.centers_of_rotation = arm.positions;
-  const Needs needs{.skinning = Skinning::center_of_rotation, .instance_skinning = {}};
+  const Needs needs{.skin = {.kind = Skinning::center_of_rotation}};
   const Plan plan = compile_plan(lend(scene), needs);
   EXPECT_TRUE(stage(plan, "palette").runs);
   EXPECT_TRUE(stage(plan, "split_palette").runs);
@@ -144,7 +144,7 @@ TEST(compile_plan, center_of_rotation_skinning_takes_palette_and_split_of_primit
 
 TEST(compile_plan, N21_a_primitive_without_centers_is_skinned_linearly_and_the_plan_says_so) {
   const Scene scene = arm_scene();
-  const Plan plan = compile_plan(lend(scene), {.skinning = Skinning::center_of_rotation, .instance_skinning = {}});
+  const Plan plan = compile_plan(lend(scene), {.skin = {.kind = Skinning::center_of_rotation}});
   EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive without centers of rotation: skinned linearly");
   EXPECT_FALSE(stage(plan, "skin_center_of_rotation").runs);
   EXPECT_EQ(stage(plan, "skin_linear").reason,
@@ -167,9 +167,9 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
   const Scene scene = random_scene(3);
   Needs needs;
   const Plan all = compile_plan(lend(scene), needs);
-  needs.tangents = false;
+  needs.out.tangents = false;
   const Plan fewer = compile_plan(lend(scene), needs);
-  needs.normals = false;
+  needs.out.normals = false;
   const Plan positions = compile_plan(lend(scene), needs);
   EXPECT_LT(fewer.frame_bytes(), all.frame_bytes());
   EXPECT_LT(positions.frame_bytes(), fewer.frame_bytes());
@@ -190,7 +190,7 @@ TEST(compile_plan, P13_tangents_are_deformed_only_where_a_normal_map_looks_at_th
   for (Mesh& mesh : scene.meshes)
     for (Primitive& primitive : mesh.primitives) primitive.material = 0;
   EXPECT_EQ(with_tangents(), 0);
-  EXPECT_EQ(with_tangents({.tangents_of_all = true}), without_material);
+  EXPECT_EQ(with_tangents({.out = {.tangents_of_all = true}}), without_material);
   for (Mesh& mesh : scene.meshes)
     for (Primitive& primitive : mesh.primitives) {
       primitive.material = kNone;
@@ -215,7 +215,7 @@ TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
   const Scene scene = random_scene(7);
   Needs needs;
   const Plan without = compile_plan(lend(scene), needs);
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Plan with = compile_plan(lend(scene), needs);
   EXPECT_FALSE(stage(without, "bounds").runs);
   EXPECT_TRUE(stage(with, "bounds").runs);
@@ -232,8 +232,8 @@ TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
 TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   const Scene scene = random_scene(4);
   Needs one, four;
-  one.max_layers = 1;
-  four.max_layers = 4;
+  one.in.max_layers = 1;
+  four.in.max_layers = 4;
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   const Plan small = compile_plan(lend(scene), one), large = compile_plan(lend(scene), four);
   EXPECT_GE(large.frame_bytes(), small.frame_bytes() + 3 * layer_bytes);
@@ -245,8 +245,8 @@ TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_befor
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = random_scene(seed);
     Needs needs;
-    needs.positions = needs.normals = needs.tangents = false;
-    needs.palettes = needs.weights = needs.properties = true;
+    needs.out.positions = needs.out.normals = needs.out.tangents = false;
+    needs.out.palettes = needs.out.weights = needs.out.properties = true;
     const Plan plan = compile_plan(lend(scene), needs);
     const std::size_t front_bytes = plan.compiled()->layout.front_bytes;
     ASSERT_LT(front_bytes, plan.frame_bytes());
@@ -289,7 +289,7 @@ TEST(compile_plan, P05_tracks_are_told_by_the_way_they_take_between_keys) {
 
 TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
   Needs needs;
-  needs.joints = needs.positions = needs.normals = needs.tangents = false;
+  needs.out.joints = needs.out.positions = needs.out.normals = needs.out.tangents = false;
   const Scene face = face_scene(), arm = arm_scene();
   EXPECT_TRUE(compile_plan(lend(face), needs).runs(Stage::sample));
   const Plan plan = compile_plan(lend(arm), needs);
@@ -306,8 +306,8 @@ TEST(compile_plan, morphing_that_is_left_out_says_whether_scene_or_needs_call_fo
   for (MorphTarget& target : turning.meshes[0].primitives[0].morphs.targets)
     target = {.positions = {}, .normals = target.normals};
   Needs joints, places;
-  joints.positions = joints.normals = joints.tangents = false;
-  places.normals = places.tangents = false;
+  joints.out.positions = joints.out.normals = joints.out.tangents = false;
+  places.out.normals = places.out.tangents = false;
   EXPECT_EQ(reason(arm_scene(), {}), "no mesh instance has morph targets");
   EXPECT_EQ(reason(face_scene(), joints), "no vertices are asked for");
   EXPECT_EQ(reason(turning, places), "no target moves an attribute that is asked for");
@@ -323,8 +323,8 @@ TEST(compile_plan, every_stage_says_why) {
     options.flat_normals = seed % 5 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs;
-    needs.bounds = seed % 2 == 0;
-    needs.normals = seed % 4 != 0;
+    needs.out.bounds = seed % 2 == 0;
+    needs.out.normals = seed % 4 != 0;
     const Plan plan = compile_plan(lend(scene), needs);
     const std::vector<PlanStage> stages = plan.stages();
     ASSERT_EQ(stages.size(), kStageCount);
@@ -341,7 +341,7 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   options.flat_normals = true;
   const Scene scene = random_scene(5, options);
   Needs needs;
-  needs.additive = true;
+  needs.in.additive = true;
   const Plan plan = compile_plan(lend(scene), needs);
   const CompiledPlan& compiled = *plan.compiled();
   const FrameLayout& layout = compiled.layout;
@@ -404,7 +404,7 @@ TEST(compile_plan, each_skin_is_bent_as_it_is_alone_whatever_kind_the_others_are
     const Scene scene = random_scene(seed, options);
     Needs needs;
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
-      needs.instance_skinning.push_back(i % 4 == 1 ? Skinning::dual_quaternion : Skinning::linear);
+      needs.skin.per_instance.push_back(i % 4 == 1 ? Skinning::dual_quaternion : Skinning::linear);
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layer{0, 0.3 + 0.1 * seed};
@@ -415,7 +415,7 @@ TEST(compile_plan, each_skin_is_bent_as_it_is_alone_whatever_kind_the_others_are
       if (scene.instances[i].skin == kNone) continue;
       const Scene alone = only_instance(scene, i);
       Needs own;
-      own.skinning = needs.instance_skinning[i];
+      own.skin.kind = needs.skin.per_instance[i];
       const Plan own_plan = compile_plan(lend(alone), own);
       FrameBuffer own_frame(own_plan);
       ASSERT_EQ(run_plan(own_plan, input, own_frame), ErrorCode::ok);

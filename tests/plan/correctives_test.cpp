@@ -57,14 +57,14 @@ TEST(correctives, run_when_weights_or_morphed_vertices_are_asked_for_and_say_why
   EXPECT_EQ(runs.reason, "1 corrective adds to morph weights");
   EXPECT_EQ(runs.count, 2u);
   EXPECT_EQ(runs.bytes, sizeof(double) * scratch_size(scene.correctives[0]));
-  needs.weights = false;
+  needs.out.weights = false;
   EXPECT_TRUE(stage(compile_plan(lend(scene), needs), "correctives").runs);
-  needs.positions = needs.normals = needs.tangents = false;
+  needs.out.positions = needs.out.normals = needs.out.tangents = false;
   const PlanStage left_out = stage(compile_plan(lend(scene), needs), "correctives");
   EXPECT_FALSE(left_out.runs);
   EXPECT_EQ(left_out.reason, "neither morph weights nor morphed vertices are asked for");
   EXPECT_EQ(left_out.bytes, 0u);
-  needs.weights = true;
+  needs.out.weights = true;
   EXPECT_TRUE(stage(compile_plan(lend(scene), needs), "correctives").runs);
 }
 

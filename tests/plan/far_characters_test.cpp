@@ -67,7 +67,7 @@ Vertices seen_from_the_first(Vertices vertices) {
 class far_characters : public ::testing::TestWithParam<Skinning> {
  protected:
   Scene scene_ = walker();
-  Needs needs_{.skinning = GetParam(), .instance_skinning = {}};
+  Needs needs_{.skin = {.kind = GetParam()}};
 };
 
 TEST_P(far_characters, N25_a_root_near_the_origin_and_a_place_in_double_keep_all_digits) {

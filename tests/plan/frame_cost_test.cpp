@@ -42,15 +42,15 @@ std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
 
 Needs needs_by_bits(std::uint32_t bits) {
   Needs needs;
-  needs.joints = bits & 1;
-  needs.positions = bits & 2;
-  needs.normals = bits & 4;
-  needs.tangents = bits & 8;
-  needs.bounds = bits & 16;
-  needs.max_layers = bits & 32 ? 1 : 3;
-  needs.skinning = bits & 64 ? Skinning::dual_quaternion : Skinning::linear;
-  needs.weights = (bits & 1) == 0;
-  needs.additive = bits & 8;
+  needs.out.joints = bits & 1;
+  needs.out.positions = bits & 2;
+  needs.out.normals = bits & 4;
+  needs.out.tangents = bits & 8;
+  needs.out.bounds = bits & 16;
+  needs.in.max_layers = bits & 32 ? 1 : 3;
+  needs.skin.kind = bits & 64 ? Skinning::dual_quaternion : Skinning::linear;
+  needs.out.weights = (bits & 1) == 0;
+  needs.in.additive = bits & 8;
   return needs;
 }
 
@@ -68,8 +68,8 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
       FrameBuffer frame(plan);
       std::vector<ClipLayer> layers;
       if (!scene.clips.empty()) layers.push_back({0, 0.4, 1.0f});
-      if (!scene.clips.empty() && plan.needs().max_layers > 1) layers.push_back({1, 0.9, 0.5f});
-      if (!scene.clips.empty() && plan.needs().additive)
+      if (!scene.clips.empty() && plan.needs().in.max_layers > 1) layers.push_back({1, 0.9, 0.5f});
+      if (!scene.clips.empty() && plan.needs().in.additive)
         layers.push_back({1, 0.7, 0.5f, kNone, LayerKind::add_to_start});
       ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
       for (const auto& [name, work] : work_of_stages(frame.result().work))
@@ -144,7 +144,7 @@ TEST(frame_cost, a_frame_allocates_nothing) {
     const AllocationCounter counter;
     for (const double time_s : {0.0, 0.7, 1.9}) {
       const ClipLayer layers[] = {{0, time_s, 1.0f}, {1, 0.9, 0.5f}};
-      const std::size_t count = plan.needs().max_layers == 1 ? 1 : 2;
+      const std::size_t count = plan.needs().in.max_layers == 1 ? 1 : 2;
       ASSERT_EQ(run_plan(plan, {.layers = std::span(layers, count), .weights = {}, .root = {}}, frame), ErrorCode::ok);
     }
     EXPECT_EQ(counter.count(), 0u) << bits;
@@ -163,7 +163,7 @@ TEST(frame_cost, the_counter_of_allocations_counts) {
 TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
   const Scene scene = random_scene(23);
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer fresh(plan), used(plan);
   const ClipLayer now[] = {{0, 0.4, 0.8f}, {1, 1.2, 0.1f}}, before{1, 1.9, 1.0f};
@@ -210,8 +210,8 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
     options.flat_normals = seed & 4;
     const Scene scene = random_scene(seed, options);
     Needs needs = needs_by_bits(127);
-    needs.max_layers = 2;
-    needs.stage_times = true;
+    needs.in.max_layers = 2;
+    needs.out.stage_times = true;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}, {1, 0.7, 0.5f, kNone, LayerKind::add_to_start}};
@@ -232,7 +232,7 @@ TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
   const Scene scene = random_scene(3);
   Needs needs;
   const Plan without = compile_plan(lend(scene), needs);
-  needs.stage_times = true;
+  needs.out.stage_times = true;
   EXPECT_LT(without.frame_bytes(), compile_plan(lend(scene), needs).frame_bytes());
   FrameBuffer frame(without);
   ASSERT_EQ(run_plan(without, {}, frame), ErrorCode::ok);

@@ -11,9 +11,9 @@ namespace sinew::test {
 
 inline Needs needs_with(SkeletonLod detail, Skinning skinning) {
   Needs needs;
-  needs.skinning = skinning;
-  needs.normals = needs.tangents = false;
-  needs.skeleton_lod = std::move(detail);
+  needs.skin.kind = skinning;
+  needs.out.normals = needs.out.tangents = false;
+  needs.out.skeleton_lod = std::move(detail);
   return needs;
 }
 

@@ -64,8 +64,8 @@ void add_static_nodes(Scene& scene, std::uint32_t count) {
 
 Needs without_joints(std::uint32_t kept, std::uint32_t left_out) {
   Needs needs;
-  needs.skeleton_lod.kept.assign(kept, true);
-  needs.skeleton_lod.kept.resize(kept + left_out, false);
+  needs.out.skeleton_lod.kept.assign(kept, true);
+  needs.out.skeleton_lod.kept.resize(kept + left_out, false);
   return needs;
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 Needs between() {
   Needs needs;
-  needs.between_updates = true;
-  needs.additive = true;
+  needs.in.between_updates = true;
+  needs.in.additive = true;
   return needs;
 }
 
@@ -52,7 +52,7 @@ TEST(interpolate_poses, N27_at_both_ends_frames_have_the_bits_of_frames_without_
     const Scene scene = random_scene(seed);
     Needs needs = between();
     const Plan plan = compile_plan(lend(scene), needs);
-    needs.between_updates = false;
+    needs.in.between_updates = false;
     const Plan plain = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan), expected(plain);
     expect_same(run(plan, from_to(kStart, kEnd, 0.0f), frame), run(plain, from_to(kStart, {}, 0.0f), expected));
@@ -158,7 +158,7 @@ TEST(interpolate_poses, N27_any_frame_may_follow_any_other) {
   scene.animations.push_back({"still", 1.0, {}, {}});
   finish_scene(scene);
   Needs needs = between();
-  needs.properties = true;
+  needs.out.properties = true;
   const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<ClipLayer> rest = {{still, 0.5}}, moved = {{0, 0.7}}, later = {{0, 0.8}}, other = {{1, 0.7}},
                                weaker = {{0, 0.7, 0.5f}};
@@ -191,7 +191,7 @@ TEST(interpolate_poses, what_nobody_asks_for_takes_no_memory_and_is_refused) {
   const Scene scene = random_scene(4);
   Needs needs = between();
   const Plan plan = compile_plan(lend(scene), needs);
-  needs.between_updates = false;
+  needs.in.between_updates = false;
   const Plan plain = compile_plan(lend(scene), needs);
   EXPECT_GT(plan.frame_bytes(), plain.frame_bytes());
   FrameBuffer frame(plain), asked(plan);

@@ -206,7 +206,7 @@ TEST(joint_pairs, are_those_that_share_vertices_where_dual_quaternions_are_asked
   const Scene scene = arm_scene();
   Needs needs;
   EXPECT_TRUE(compile_plan(lend(scene), needs).compiled()->primitive_skinning[0].pairs.empty());
-  needs.skinning = Skinning::dual_quaternion;
+  needs.skin.kind = Skinning::dual_quaternion;
   const Plan plan = compile_plan(lend(scene), needs);
   const auto& pairs = plan.compiled()->primitive_skinning[0].pairs;
   ASSERT_EQ(pairs.size(), 1u) << "two joints share two vertices";
@@ -260,7 +260,7 @@ TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_u
   const std::uint64_t linear = run_arm(compile_plan(lend(even), needs), {}, count),
                       linear_uneven = run_arm(compile_plan(lend(uneven), needs), {}, count);
   EXPECT_EQ(count, 0u);
-  needs.normal_rule = NormalRule::cofactor;
+  needs.skin.normal_rule = NormalRule::cofactor;
   EXPECT_EQ(run_arm(compile_plan(lend(even), needs), {}, count), linear);
   EXPECT_EQ(count, 0u);
   EXPECT_NE(stage(compile_plan(lend(even), needs), "skin_linear").reason.find("normals of 1 primitive without"),
@@ -275,7 +275,7 @@ TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_u
 
 TEST(normals_by_cofactors, P08_come_with_an_uneven_inverse_bind_matrix) {
   Needs needs;
-  needs.normal_rule = NormalRule::cofactor;
+  needs.skin.normal_rule = NormalRule::cofactor;
   std::uint64_t count = 0;
   for (const std::size_t entry : {0u, 1u}) {
     Scene scene = rigid_arm(1.5f);
@@ -288,7 +288,7 @@ TEST(normals_by_cofactors, P08_come_with_an_uneven_inverse_bind_matrix) {
 TEST(normals_by_cofactors, P08_come_with_an_uneven_root) {
   const Scene scene = rigid_arm(1.5f);
   Needs needs;
-  needs.normal_rule = NormalRule::cofactor;
+  needs.skin.normal_rule = NormalRule::cofactor;
   const Affine root = affine_from_transform(Transform{{0, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, 2, 1)});
   const Plan plan = compile_plan(lend(scene), needs);
   std::uint64_t count = 0;

@@ -41,10 +41,10 @@ struct TwoClips {
   }
   Needs needs() const {
     Needs needs;
-    needs.additive = true;
-    needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 0.25f)};
-    for (const std::uint32_t j : {5u, 9u, 11u}) needs.masks[0][j] = 0.75f;
-    needs.mirror = map;
+    needs.in.additive = true;
+    needs.in.masks = {std::vector<float>(scene.skeleton.joint_count(), 0.25f)};
+    for (const std::uint32_t j : {5u, 9u, 11u}) needs.in.masks[0][j] = 0.75f;
+    needs.in.mirror = map;
     return needs;
   }
   std::vector<Affine> model(const Plan& plan, std::span<const ClipLayer> layers) const {
@@ -80,7 +80,7 @@ TEST(mirrored_layers, P06_a_plan_without_a_mirror_refuses_them_and_frames_withou
   const TwoClips two(scenes::RightSide::any_axes);
   Needs needs = two.needs();
   const Plan with = compile_plan(lend(two.scene), needs);
-  needs.mirror = nullptr;
+  needs.in.mirror = nullptr;
   const Plan without = compile_plan(lend(two.scene), needs);
   EXPECT_TRUE(with.runs(Stage::mirror));
   EXPECT_FALSE(without.runs(Stage::mirror));
@@ -133,8 +133,8 @@ struct LopsidedRest {
     finish_scene(scene);
     MirrorMap map = make_mirror_map(scene.skeleton, {.reference = scenes::moved_from_rest(scene.skeleton, 7)});
     map.weight_source = some_mirror(scene).weight_source;
-    needs.mirror = std::make_shared<const MirrorMap>(std::move(map));
-    needs.additive = true;
+    needs.in.mirror = std::make_shared<const MirrorMap>(std::move(map));
+    needs.in.additive = true;
   }
 };
 
@@ -181,7 +181,7 @@ TEST(mirrored_layers, P07_scales_of_one_side_reach_the_other) {
   Needs needs = two.needs();
   EXPECT_EQ(kind(needs, 3), ScaleKind::uneven);
   EXPECT_EQ(kind(needs, 6), ScaleKind::none);
-  needs.mirror = nullptr;
+  needs.in.mirror = nullptr;
   EXPECT_EQ(kind(needs, 3), ScaleKind::none);
 }
 
@@ -189,7 +189,8 @@ TEST(mirrored_layers, partners_of_joints_that_are_kept_stay_in_a_skeleton_lod) {
   const TwoClips two(scenes::RightSide::any_axes);
   Needs needs = two.needs();
   const Plan full = compile_plan(lend(two.scene), needs);
-  needs.skeleton_lod.kept = {true, true, true, true, true, true, false, true, false, false, false, false, false, false};
+  needs.out.skeleton_lod.kept = {true, true,  true,  true,  true,  true,  false,
+                                 true, false, false, false, false, false, false};
   const Plan lean = compile_plan(lend(two.scene), needs);
   const ClipLayer turned{.clip = kClip, .time_s = 0.8, .mirrored = true};
   const std::vector<Affine> all = two.model(full, {&turned, 1}), some = two.model(lean, {&turned, 1});
@@ -202,7 +203,7 @@ TEST(mirrored_layers, morph_weights_of_partners_are_exchanged) {
   options.targets = 3;
   const Scene scene = random_scene(5, options);
   Needs needs;
-  needs.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
+  needs.in.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer plain(plan), turned(plan);
   const ClipLayer layer{0, 0.6}, mirrored{.clip = 0, .time_s = 0.6, .mirrored = true};
@@ -210,7 +211,7 @@ TEST(mirrored_layers, morph_weights_of_partners_are_exchanged) {
   ASSERT_EQ(run_plan(plan, {.layers = {&mirrored, 1}, .weights = {}, .root = {}}, turned), ErrorCode::ok);
   const std::span<const float> before = plain.result().weights, after = turned.result().weights;
   ASSERT_GT(before.size(), 2u);
-  for (std::size_t w = 0; w < before.size(); ++w) EXPECT_EQ(after[w], before[needs.mirror->weight_source[w]]) << w;
+  for (std::size_t w = 0; w < before.size(); ++w) EXPECT_EQ(after[w], before[needs.in.mirror->weight_source[w]]) << w;
   EXPECT_NE(before[0], before[2]);
 }
 

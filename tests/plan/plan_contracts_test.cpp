@@ -104,7 +104,7 @@ TEST(plan_contracts, clips_may_be_added_to_the_scene_and_removed_while_plans_run
   for (const bool leaves_joints_out : {false, true}) {
     Scene scene = random_scene(5);
     Needs needs;
-    if (leaves_joints_out) needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+    if (leaves_joints_out) needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const std::vector<std::uint64_t> before = hashes_of_frames(plan, frame);
@@ -243,7 +243,7 @@ TEST(plan_contracts, masks_are_one_finite_weight_of_at_least_zero_for_each_joint
   const Scene scene = random_scene(4);
   const std::vector<float> good(scene.skeleton.joint_count(), 0.5f);
   Needs needs;
-  needs.masks = {good};
+  needs.in.masks = {good};
   EXPECT_TRUE(compile_plan(lend(scene), needs).runs(Stage::blend));
   std::vector<std::vector<float>> bad(4, good);
   bad[0].back() = std::numeric_limits<float>::quiet_NaN();
@@ -251,7 +251,7 @@ TEST(plan_contracts, masks_are_one_finite_weight_of_at_least_zero_for_each_joint
   bad[2][1] = -0.5f;
   bad[3].pop_back();
   for (const std::vector<float>& mask : bad) {
-    needs.masks = {good, mask};
+    needs.in.masks = {good, mask};
     EXPECT_DEATH(compile_plan(lend(scene), needs), "contract broken: .*is_mask");
   }
 }
@@ -259,7 +259,7 @@ TEST(plan_contracts, masks_are_one_finite_weight_of_at_least_zero_for_each_joint
 TEST(plan_contracts, the_largest_numbers_that_are_not_refused_give_finite_frames) {
   const float most = 1e9f;
   for (const Scene& scene : {random_scene(4), face_scene()}) {
-    const Plan plan = compile_plan(lend(scene), {.bounds = true});
+    const Plan plan = compile_plan(lend(scene), {.out = {.bounds = true}});
     FrameBuffer frame(plan);
     const std::vector<ClipLayer> layers(4, {0, 0.3, most});
     const std::vector<float> weights(scene.weight_count(), most);
@@ -309,7 +309,7 @@ TEST(plan_contracts, why_refused_names_field_index_and_rule) {
 TEST(plan_contracts, numbers_of_the_input_that_mean_nothing_are_refused_and_the_last_frame_stays) {
   const Scene scene = random_scene(4);
   Needs needs;
-  needs.between_updates = true;
+  needs.in.between_updates = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   const ClipLayer good{0, 0.4}, good_next{1, 0.6};

@@ -22,14 +22,14 @@ namespace {
 class play_geometry : public testing::Test {
  protected:
   play_geometry() : scene_(random_scene(31)), waves_(scene_) {
-    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) needs_.cached_instances.push_back(i);
+    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) needs_.in.cached_instances.push_back(i);
     compile();
   }
 
   void compile() {
     plan_ = compile_plan(lend(scene_), needs_);
     frame_.emplace(plan_);
-    geometry_.assign(needs_.cached_instances.size(), {});
+    geometry_.assign(needs_.in.cached_instances.size(), {});
   }
 
   /// Input in which all instances play at a time, while a clip poses them.
@@ -125,8 +125,8 @@ TEST_F(play_geometry, frames_have_room_for_each_attribute_of_the_largest_source)
   ASSERT_GT(largest, 0u);
   const auto bytes_of_tangents = [&](bool plays) {
     Needs with = needs_, without = needs_;
-    if (!plays) with.cached_instances = without.cached_instances = {};
-    without.tangents = false;
+    if (!plays) with.in.cached_instances = without.in.cached_instances = {};
+    without.out.tangents = false;
     return compile_plan(lend(scene_), with).frame_bytes() - compile_plan(lend(scene_), without).frame_bytes();
   };
   EXPECT_GE(bytes_of_tangents(true), bytes_of_tangents(false) + largest * sizeof(glm::vec4));
@@ -228,7 +228,7 @@ TEST_F(play_geometry, a_source_with_nothing_yet_leaves_the_pose) {
 }
 
 TEST_F(play_geometry, boxes_at_weight_1_are_those_that_the_source_knows) {
-  needs_.bounds = true;
+  needs_.out.bounds = true;
   compile();
   root_.row[2].w = -4.0f;
   const FrameResult& shown = play(0.5, 1.0f);
@@ -282,7 +282,7 @@ TEST_F(play_geometry, instances_with_copies_play_in_their_own_space_only) {
   while (scene_.instances[i].skin != kNone) ++i;
   scene_.instances[i].copies.resize(2);
   scene_.instances[i].copies[1].translation = {50.0f, 0.0f, 0.0f};
-  needs_.bounds = true;
+  needs_.out.bounds = true;
   compile();
   EXPECT_EQ(run_plan(plan_, input_at(0.5, 1.0f), *frame_), ErrorCode::unsupported);
   waves_.space = VertexSpace::mesh;
@@ -328,7 +328,8 @@ TEST_F(play_geometry, a_plan_without_it_has_no_stage_and_no_memory) {
       stage(plan_, "geometry_cache").reason,
       std::to_string(plan_.primitives().size()) +
           " primitives may play from a cache, in place of morph and skin; normals that it lacks follow the triangles");
-  needs_ = {.joints = true, .positions = false, .normals = false, .tangents = false, .cached_instances = {0}};
+  needs_ = {.out = {.joints = true, .positions = false, .normals = false, .tangents = false},
+            .in = {.cached_instances = {0}}};
   EXPECT_EQ(stage(compile_plan(lend(scene_), needs_), "geometry_cache").reason,
             "no attribute that is asked for can play");
   EXPECT_LT(without.frame_bytes(), plan_.frame_bytes());

@@ -110,7 +110,7 @@ TEST(properties, sampled_ones_agree_with_the_tracks_in_double) {
   scene.materials.resize(3);
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(lend(scene), {.max_layers = 1});
+  const Plan plan = compile_plan(lend(scene), {.in = {.max_layers = 1}});
   FrameBuffer frame(plan);
   for (double time_s = -0.1; time_s < 2.2; time_s += 0.0137) {
     const ClipLayer layer{0, time_s, 1.0f};
@@ -129,7 +129,7 @@ TEST(properties, sampled_ones_agree_with_the_tracks_in_double) {
 TEST(properties, P15_the_stage_runs_only_for_scenes_and_needs_that_call_for_it) {
   EXPECT_FALSE(stage(compile_plan(arm_scene(), {}), "properties").runs);
   const Scene scene = lit_scene();
-  const Plan asked = compile_plan(lend(scene), {}), unasked = compile_plan(lend(scene), {.properties = false});
+  const Plan asked = compile_plan(lend(scene), {}), unasked = compile_plan(lend(scene), {.out = {.properties = false}});
   EXPECT_TRUE(stage(asked, "properties").runs);
   EXPECT_EQ(stage(asked, "properties").count, 9u);
   EXPECT_FALSE(stage(unasked, "properties").runs);
@@ -144,7 +144,7 @@ TEST(properties, P15_the_stage_runs_only_for_scenes_and_needs_that_call_for_it) 
 
 TEST(properties, hidden_instances_cost_nothing_and_come_back) {
   const Scene scene = blinking_arm(0.5f);
-  const Plan plan = compile_plan(lend(scene), {.bounds = true});
+  const Plan plan = compile_plan(lend(scene), {.out = {.bounds = true}});
   EXPECT_TRUE(stage(plan, "properties").runs);
   FrameBuffer frame(plan);
   const auto at = [&](double time_s) -> const FrameResult& {
@@ -170,21 +170,22 @@ TEST(properties, hidden_instances_cost_nothing_and_come_back) {
 TEST(properties, flags_hide_whatever_is_asked_for) {
   const Scene scene = blinking_arm(0.5f);
   Needs none;
-  none.joints = none.positions = none.normals = none.tangents = none.weights = none.properties = false;
-  const auto with = [&](bool Needs::*need) {
+  none.out.joints = none.out.positions = none.out.normals = none.out.tangents = none.out.weights = none.out.properties =
+      false;
+  const auto with = [&](bool Outputs::*need) {
     Needs needs = none;
-    needs.*need = true;
+    needs.out.*need = true;
     return needs;
   };
-  for (const Needs& needs : {with(&Needs::palettes), with(&Needs::positions), with(&Needs::normals),
-                             with(&Needs::bounds), with(&Needs::properties)}) {
+  for (const Needs& needs : {with(&Outputs::palettes), with(&Outputs::positions), with(&Outputs::normals),
+                             with(&Outputs::bounds), with(&Outputs::properties)}) {
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (const double time_s : {0.25, 0.75}) {
       const ClipLayer layer{0, time_s, 1.0f};
       ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
       EXPECT_EQ(frame.result().instances[0].visible, time_s > 0.5);
-      EXPECT_EQ(frame.result().work.palette_entries > 0, time_s > 0.5 && !needs.properties);
+      EXPECT_EQ(frame.result().work.palette_entries > 0, time_s > 0.5 && !needs.out.properties);
     }
   }
 }
@@ -208,7 +209,7 @@ TEST(properties, meshes_that_no_clip_ever_shows_are_left_out_of_the_plan) {
   scene.hidden_joints = {1};
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(lend(scene), {}), all = compile_plan(lend(scene), {.hidden_meshes = true});
+  const Plan plan = compile_plan(lend(scene), {}), all = compile_plan(lend(scene), {.out = {.hidden_meshes = true}});
   EXPECT_FALSE(stage(plan, "skin_linear").runs);
   EXPECT_FALSE(stage(plan, "palette").runs);
   EXPECT_TRUE(stage(all, "skin_linear").runs);
@@ -236,7 +237,7 @@ TEST(properties, boxes_hold_all_copies_of_a_mesh) {
                                {{0, 0, 5}, glm::quat(0, 0, 0, 1), {2, 2, 2}}};
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
-  const Plan plan = compile_plan(lend(scene), {.bounds = true});
+  const Plan plan = compile_plan(lend(scene), {.out = {.bounds = true}});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
   EXPECT_EQ(frame.result().instances[0].bounds.lower, glm::vec3(-2, -2, 0));

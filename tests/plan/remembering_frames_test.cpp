@@ -28,13 +28,14 @@ rc::Gen<Steps> some_steps() { return rc::gen::resize(200, rc::gen::arbitrary<Ste
 std::uint64_t causes_of(const Plan& plan, const FrameResult& result, std::uint32_t i, const FrameInput& input) {
   const Scene& scene = plan.scene();
   const std::uint32_t skin = scene.instances[i].skin, first = scene.first_weight[i];
-  const bool known = (skin == kNone || plan.needs().palettes) && plan.needs().weights && plan.needs().joints;
+  const bool known =
+      (skin == kNone || plan.needs().out.palettes) && plan.needs().out.weights && plan.needs().out.joints;
   if (!known || result.instances[i].late) return 0;
   const std::array<std::uint32_t, 1> winding = {result.instances[i].mirrored};
   BitHash hash;
   hash.add(std::span(winding)).add(result.weights.subspan(first, scene.first_weight[i + 1] - first));
   if (skin != kNone) hash.add(result.palettes[skin].matrices);
-  const std::vector<std::uint32_t>& cached = plan.needs().cached_instances;
+  const std::vector<std::uint32_t>& cached = plan.needs().in.cached_instances;
   const auto slot = static_cast<std::size_t>(std::ranges::find(cached, i) - cached.begin());
   if (slot == cached.size() || input.geometry.empty() || !input.geometry[slot].plays()) return hash.value();
   const GeometryInput& geometry = input.geometry[slot];
@@ -137,9 +138,9 @@ class Character {
   Needs needs(std::uint64_t seed, std::size_t plan) const {
     Needs needs = busy_needs(seed, scene_);
     if (plan % 2 == 0) return needs;
-    needs.skeleton_lod.kept.assign(scene_.skeleton.joint_count(), true);
+    needs.out.skeleton_lod.kept.assign(scene_.skeleton.joint_count(), true);
     for (std::size_t j = scene_.skeleton.joint_count() * 2 / 3; j < scene_.skeleton.joint_count(); ++j)
-      needs.skeleton_lod.kept[j] = false;
+      needs.out.skeleton_lod.kept[j] = false;
     return needs;
   }
 
@@ -172,7 +173,7 @@ class Character {
 
   /// True if the frame keeps this input. It cannot keep more layers than the plan has room for.
   bool is_remembered(const FrameInput& input) const {
-    const std::size_t room = plan_.needs().layer_room();
+    const std::size_t room = plan_.needs().in.layer_room();
     return input.asleep ||
            (input.layers.size() <= room && (input.interpolation_factor == 0.0f || input.next_layers.size() <= room));
   }

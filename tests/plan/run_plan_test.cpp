@@ -66,7 +66,7 @@ TEST(run_plan, dual_quaternions_keep_the_radius_where_linear_blending_cuts_the_c
   const Scene scene = arm_scene();
   const ClipLayer layer{0, 1.0, 1.0f};
   Needs needs;
-  needs.skinning = Skinning::dual_quaternion;
+  needs.skin.kind = Skinning::dual_quaternion;
   const Frame frame(scene, needs, {.layers = {&layer, 1}, .weights = {}, .root = {}});
   const glm::vec3 p = frame.result().primitives[0].positions[2];
   const float r = 0.25f * std::sqrt(0.5f);  // 45 degrees about the elbow at (0 1)
@@ -82,7 +82,7 @@ TEST(run_plan, N21_skin_turns_about_its_centers_of_rotation) {
   arm.centers_of_rotation = arm.positions;
   arm.centers_of_rotation[2] = arm.centers_of_rotation[3] = {0, 1.5f, 0};  // half a metre beyond the elbow
   const ClipLayer layer{0, 1.0, 1.0f};
-  const Frame frame(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}},
+  const Frame frame(scene, {.skin = {.kind = Skinning::center_of_rotation}},
                     {.layers = {&layer, 1}, .weights = {}, .root = {}});
   ASSERT_EQ(frame.error, ErrorCode::ok);
   const float half = std::sqrt(0.5f);  // 45 degrees; the center itself: half of (0 1.5), half of (-.5 1)
@@ -101,8 +101,7 @@ TEST(run_plan, N21_without_centers_it_has_the_bits_of_linear_blending) {
   const Scene scene = arm_scene();
   const ClipLayer layer{0, 0.7, 1.0f};
   const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
-  const Frame linear(scene, {}, input),
-      center(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}}, input);
+  const Frame linear(scene, {}, input), center(scene, {.skin = {.kind = Skinning::center_of_rotation}}, input);
   const auto a = linear.result().primitives[0].positions, b = center.result().primitives[0].positions;
   EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
   EXPECT_EQ(linear.result().work, center.result().work);
@@ -257,7 +256,7 @@ TEST(run_plan, frames_count_up_and_can_be_counted_from_anywhere) {
 TEST(run_plan, rejects_what_it_cannot_show_and_keeps_the_last_good_frame) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.max_layers = 2;
+  needs.in.max_layers = 2;
   Frame frame(scene, needs, {});
   const std::vector<float> one = {1.0f}, bad = {1.0f, kNan};
   const double inf = std::numeric_limits<double>::infinity();
@@ -285,7 +284,7 @@ TEST(run_plan, rejects_what_it_cannot_show_and_keeps_the_last_good_frame) {
 TEST(run_plan, a_plan_without_blending_rejects_partial_weights) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.max_layers = 1;
+  needs.in.max_layers = 1;
   Frame frame(scene, needs);
   const ClipLayer half{0, 0.0, 0.5f}, full{0, 0.0, 1.0f};
   frame.run({.layers = {&half, 1}, .weights = {}, .root = {}});
@@ -297,8 +296,8 @@ TEST(run_plan, a_plan_without_blending_rejects_partial_weights) {
 TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_their_memory) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.additive = true;
-  needs.max_layers = 1;
+  needs.in.additive = true;
+  needs.in.max_layers = 1;
   Frame frame(scene, needs, {});
   const Affine rest = frame.result().model[0];
   const ClipLayer added[] = {{0, 1.0, 1.0f, kNone, LayerKind::add_to_rest}};
@@ -318,7 +317,7 @@ TEST(run_plan, a_layer_with_a_mask_below_a_joint_moves_that_limb_alone) {
   const Skeleton& skeleton = scene.skeleton;
   const std::uint32_t joint = skeleton.level_begin[1];
   Needs needs;
-  needs.masks = {mask_below(skeleton, joint)};
+  needs.in.masks = {mask_below(skeleton, joint)};
   const ClipLayer masked{0, 0.7, 1.0f, 0};
   const Frame rest(scene, needs, {}), moved(scene, needs, {.layers = {&masked, 1}, .weights = {}, .root = {}});
   ASSERT_EQ(moved.error, ErrorCode::ok);
@@ -326,7 +325,7 @@ TEST(run_plan, a_layer_with_a_mask_below_a_joint_moves_that_limb_alone) {
   for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
     std::uint32_t above = j;
     while (above != joint && above != kNone) above = skeleton.parents[above];
-    EXPECT_EQ(needs.masks[0][j], above == joint ? 1.0f : 0.0f) << j;
+    EXPECT_EQ(needs.in.masks[0][j], above == joint ? 1.0f : 0.0f) << j;
     below += above == joint;
     if (above == kNone) {
       EXPECT_EQ(moved.result().model[j], rest.result().model[j]) << j;
@@ -352,7 +351,7 @@ TEST(run_plan, rejects_the_frame_buffer_of_another_plan) {
   const Scene arm = arm_scene(), face = face_scene();
   const Plan plan = compile_plan(lend(arm), {}), other = compile_plan(lend(face), {});
   Needs fewer;
-  fewer.tangents = fewer.normals = false;
+  fewer.out.tangents = fewer.out.normals = false;
   const Plan same_scene = compile_plan(lend(arm), fewer);
   FrameBuffer of_other(other), of_same_scene(same_scene);
   EXPECT_EQ(run_plan(plan, {}, of_other), ErrorCode::wrong_plan);
@@ -364,7 +363,7 @@ TEST(run_plan, an_empty_scene_gives_an_empty_frame) {
   scene.skeleton.level_begin = {0};
   finish_scene(scene);
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Frame frame(scene, needs, {});
   EXPECT_EQ(frame.error, ErrorCode::ok);
   EXPECT_TRUE(frame.result().model.empty() && frame.result().instances.empty() && frame.result().primitives.empty());

@@ -61,10 +61,10 @@ double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3>
 
 Needs rich_needs(const Scene& scene, std::uint64_t seed) {
   Needs needs;
-  needs.max_layers = 3;
-  needs.additive = true;
-  needs.bounds = true;
-  needs.masks = {some_mask(scene, seed)};
+  needs.in.max_layers = 3;
+  needs.in.additive = true;
+  needs.out.bounds = true;
+  needs.in.masks = {some_mask(scene, seed)};
   return needs;
 }
 
@@ -81,7 +81,7 @@ TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
     const Scene scene = random_scene(seed, options);
     Needs needs = rich_needs(scene, seed);
     const Plan full = compile_plan(lend(scene), needs);
-    needs.skeleton_lod = some_detail(scene, seed);
+    needs.out.skeleton_lod = some_detail(scene, seed);
     const Plan lean = compile_plan(lend(scene), needs);
     const PlanAssets& kept = lean.compiled()->assets;
     ASSERT_TRUE(kept.leaves_out() && !full.compiled()->assets.leaves_out());
@@ -109,12 +109,12 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
     const Scene scene = random_scene(seed, options);
     for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation}) {
       Needs needs;
-      needs.skinning = skinning;
-      needs.bounds = true;
-      needs.skeleton_lod = some_detail(scene, seed);
+      needs.skin.kind = skinning;
+      needs.out.bounds = true;
+      needs.out.skeleton_lod = some_detail(scene, seed);
       const Plan lean = compile_plan(lend(scene), needs);
-      const Scene held = held_scene(random_scene(seed, options), lean.compiled()->assets, needs.skeleton_lod);
-      needs.skeleton_lod = {};
+      const Scene held = held_scene(random_scene(seed, options), lean.compiled()->assets, needs.out.skeleton_lod);
+      needs.out.skeleton_lod = {};
       const Plan full = compile_plan(lend(held), needs);
       FrameBuffer expected(full), found(lean);
       const ClipLayer layer{0, 0.1 * seed};
@@ -175,10 +175,10 @@ TEST(skeleton_lod, P01_joints_left_out_cost_exactly_nothing) {
   for (const std::uint32_t count : {1u, 40u, 1000u}) {
     Scene more = random_scene(8);
     add_moved_joints(more, joints - 1, count);
-    needs.masks = {some_mask(more, 1)};
-    needs.skeleton_lod = {};
+    needs.in.masks = {some_mask(more, 1)};
+    needs.out.skeleton_lod = {};
     const Plan full = compile_plan(lend(more), needs);
-    needs.skeleton_lod = without(more, joints);
+    needs.out.skeleton_lod = without(more, joints);
     const Plan lean = compile_plan(lend(more), needs);
     EXPECT_GT(full.frame_bytes(), lean.frame_bytes());
     EXPECT_EQ(plain.frame_bytes(), lean.frame_bytes());
@@ -202,8 +202,8 @@ TEST(skeleton_lod, roots_joints_above_others_and_joints_that_drive_correctives_s
   options.correctives = 2;
   const Scene scene = random_scene(2, options);
   Needs needs;
-  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
-  const std::vector<JointMapping> map = map_joints(scene, needs.skeleton_lod);
+  needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+  const std::vector<JointMapping> map = map_joints(scene, needs.out.skeleton_lod);
   for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
     const std::uint32_t parent = scene.skeleton.parents[j];
     EXPECT_TRUE(parent != kNone || map[j].is_kept);
@@ -216,7 +216,7 @@ TEST(skeleton_lod, roots_joints_above_others_and_joints_that_drive_correctives_s
 TEST(skeleton_lod, a_plan_that_leaves_nothing_out_copies_nothing) {
   const Scene scene = random_scene(2);
   Needs needs;
-  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
+  needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
   for (const Plan& plan : {compile_plan(lend(scene), {}), compile_plan(lend(scene), needs)}) {
     const PlanAssets& assets = plan.compiled()->assets;
     EXPECT_EQ(assets.skeleton, &scene.skeleton);
@@ -230,7 +230,7 @@ TEST(skeleton_lod, a_character_changes_detail_in_one_block_of_memory_without_all
   const Scene scene = random_scene(6);
   Needs needs;
   const Plan full = compile_plan(lend(scene), needs);
-  needs.skeleton_lod = some_detail(scene, 6);
+  needs.out.skeleton_lod = some_detail(scene, 6);
   const Plan lean = compile_plan(lend(scene), needs);
   ASSERT_LT(lean.frame_bytes(), full.frame_bytes());
   alignas(64) static std::byte block[1 << 20];
@@ -259,7 +259,7 @@ TEST(skeleton_lod, on_a_job_thread_levels_are_characters_of_which_one_is_awake) 
   const Scene scene = random_scene(6);
   Needs needs;
   const Plan full = compile_plan(lend(scene), needs);
-  needs.skeleton_lod = some_detail(scene, 6);
+  needs.out.skeleton_lod = some_detail(scene, 6);
   const Plan lean = compile_plan(lend(scene), needs);
   const Plan* levels[] = {&full, &lean};
   JobThread jobs;
@@ -281,9 +281,9 @@ TEST(skeleton_lod, on_a_job_thread_levels_are_characters_of_which_one_is_awake) 
 TEST(skeleton_lod, frame_buffers_of_another_detail_are_refused) {
   const Scene scene = random_scene(6);
   Needs needs;
-  needs.skeleton_lod = some_detail(scene, 6);
+  needs.out.skeleton_lod = some_detail(scene, 6);
   const Plan lean = compile_plan(lend(scene), needs);
-  needs.skeleton_lod.held[3].translation.x += 1.0f;
+  needs.out.skeleton_lod.held[3].translation.x += 1.0f;
   const Plan other = compile_plan(lend(scene), needs);
   FrameBuffer frame(lean);
   EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::wrong_plan);
@@ -295,8 +295,8 @@ TEST(skeleton_lod, G54_boxes_of_clips_hold_characters_that_leave_joints_out) {
     options.targets = seed % 2 * 3;
     const Scene scene = random_scene(seed, options);
     Needs needs;
-    needs.bounds = true;
-    needs.skeleton_lod = some_detail(scene, seed);
+    needs.out.bounds = true;
+    needs.out.skeleton_lod = some_detail(scene, seed);
     const std::vector<Aabb> reach = clip_bounds(scene, needs, 0);
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
@@ -316,7 +316,7 @@ TEST(skeleton_lod, G54_boxes_of_clips_hold_characters_that_leave_joints_out) {
 TEST(skeleton_lod, the_plan_says_what_is_left_out) {
   const Scene scene = arm_scene();
   Needs needs;
-  needs.skeleton_lod.kept = {true, true, false};
+  needs.out.skeleton_lod.kept = {true, true, false};
   const Plan plan = compile_plan(lend(scene), needs);
   const std::vector<PlanStage> stages = plan.stages();
   const auto stage =
@@ -338,8 +338,8 @@ TEST(skeleton_lod, G48_a_mesh_on_a_joint_that_is_left_out_keeps_its_winding) {
     scene.instances.push_back({.joint = 1, .mesh = 0});
     finish_scene(scene);
     Needs needs;
-    needs.skeleton_lod.kept = {true, false};
-    needs.skeleton_lod.held = scene.skeleton.rest;
+    needs.out.skeleton_lod.kept = {true, false};
+    needs.out.skeleton_lod.held = scene.skeleton.rest;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);

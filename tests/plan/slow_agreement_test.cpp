@@ -75,8 +75,8 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
     options.centers = c.skinning == Skinning::center_of_rotation;
     const Scene scene = random_scene(seed, options);
     Needs needs;
-    needs.skinning = c.skinning;
-    needs.normal_rule = c.rule;
+    needs.skin.kind = c.skinning;
+    needs.skin.normal_rule = c.rule;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.31, 0.6f}, {1, 1.63, 0.3f}, {0, 5.0, 0.4f}};
@@ -141,10 +141,10 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
     const Scene scene = random_scene(seed);
     FixedRandom random(seed);
     Needs needs;
-    needs.additive = true;
-    needs.max_layers = 2;
-    needs.masks.resize(2);
-    for (auto& mask : needs.masks)
+    needs.in.additive = true;
+    needs.in.max_layers = 2;
+    needs.in.masks.resize(2);
+    for (auto& mask : needs.in.masks)
       for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j)
         mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
     const Plan plan = compile_plan(lend(scene), needs);
@@ -176,8 +176,8 @@ TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
   for (std::uint64_t seed = 300; seed < 330; ++seed) {
     const Scene scene = busy_scene(seed);
     Needs needs = busy_needs(seed, scene);
-    needs.skinning = Skinning::linear;
-    needs.instance_skinning.clear();
+    needs.skin.kind = Skinning::linear;
+    needs.skin.per_instance.clear();
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     RandomInputs inputs(plan);
@@ -211,7 +211,7 @@ TEST(slow_agreement, instances_that_play_show_what_plain_double_loops_give) {
     waves.space = seed % 5 < 2 ? VertexSpace::mesh : VertexSpace::scene;
     waves.has_normals = seed % 7 == 0;
     Needs needs;
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) needs.cached_instances.push_back(i);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) needs.in.cached_instances.push_back(i);
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const ClipLayer layer{0, 0.31, 1.0f};

@@ -37,7 +37,7 @@ Transformd unmirrored_joint_at(const Scene& scene, const ClipLayer& layer, std::
 
 Transformd joint_at(const Scene& scene, const Needs& needs, const ClipLayer& layer, std::uint32_t joint) {
   if (!layer.mirrored) return unmirrored_joint_at(scene, layer, joint);
-  const MirroredJoint& to = needs.mirror->joints[joint];
+  const MirroredJoint& to = needs.in.mirror->joints[joint];
   return mirrored_plainly(to, unmirrored_joint_at(scene, layer, to.source));
 }
 
@@ -49,7 +49,7 @@ void sample_into(const WeightTrack& track, double time_s, std::span<double> out)
 bool blends(const ClipLayer& layer) { return layer.kind == LayerKind::blend; }
 
 double weight_of(const Needs& needs, const ClipLayer& layer, std::uint32_t joint) {
-  const double mask = layer.mask == kNone ? 1.0 : static_cast<double>(needs.masks[layer.mask][joint]);
+  const double mask = layer.mask == kNone ? 1.0 : static_cast<double>(needs.in.masks[layer.mask][joint]);
   return mask * static_cast<double>(layer.weight);
 }
 
@@ -313,7 +313,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
   SlowPrimitive shape =
       morphed(primitive, std::span(frame.weights).subspan(scene.first_weight[i], instance.rest_weights.size()));
   const bool skinned = instance.skin != kNone && !primitive.influences.empty();
-  const Skinning kind = needs.skinning_of(i);
+  const Skinning kind = needs.skin.kind_of(i);
   if (skinned) {
     const Skin& skin = scene.skins[instance.skin];
     std::vector<Affined> palette;
@@ -326,7 +326,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
       else if (kind == Skinning::center_of_rotation)
         skin_center_of_rotation(shape, v, joint, Vec3d(primitive.centers_of_rotation[v]));
       else
-        skin_linear(shape, v, joint, needs.normal_rule);
+        skin_linear(shape, v, joint, needs.skin.normal_rule);
     }
   }
   const bool moved =
@@ -341,7 +341,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
 const GeometryInput* playing(const Needs& needs, const FrameInput& input, std::uint32_t instance) {
   if (!input.out_of_view.empty() && input.out_of_view[instance] != 0) return nullptr;
   for (std::size_t slot = 0; slot < input.geometry.size(); ++slot)
-    if (needs.cached_instances[slot] == instance && input.geometry[slot].plays()) return &input.geometry[slot];
+    if (needs.in.cached_instances[slot] == instance && input.geometry[slot].plays()) return &input.geometry[slot];
   return nullptr;
 }
 

@@ -32,9 +32,9 @@ inline Transformd mirrored_plainly(const MirroredJoint& to, const Transformd& fr
 
 /// The morph weights of a layer, mirrored if the layer is.
 inline std::vector<double> on_side(const Needs& needs, const ClipLayer& layer, const std::vector<double>& weights) {
-  if (!layer.mirrored || needs.mirror->weight_source.empty()) return weights;
+  if (!layer.mirrored || needs.in.mirror->weight_source.empty()) return weights;
   std::vector<double> mirrored;
-  for (const std::uint32_t source : needs.mirror->weight_source) mirrored.push_back(weights[source]);
+  for (const std::uint32_t source : needs.in.mirror->weight_source) mirrored.push_back(weights[source]);
   return mirrored;
 }
 

@@ -20,11 +20,11 @@ void expect_same(const FrameResult& a, const FrameResult& b) { EXPECT_EQ(first_d
 
 Needs needs_by_bits(std::uint32_t bits) {
   Needs needs;
-  needs.positions = !(bits & 1);
-  needs.normals = !(bits & 2);
-  needs.bounds = bits & 4;
-  needs.additive = bits & 8;
-  needs.skinning = bits & 16 ? Skinning::dual_quaternion : Skinning::linear;
+  needs.out.positions = !(bits & 1);
+  needs.out.normals = !(bits & 2);
+  needs.out.bounds = bits & 4;
+  needs.in.additive = bits & 8;
+  needs.skin.kind = bits & 16 ? Skinning::dual_quaternion : Skinning::linear;
   return needs;
 }
 
@@ -134,7 +134,7 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   scene.skeleton.rest[1].rotation = glm::normalize(glm::quat(0.7f, 0.1f, -0.4f, 0.5f));
   finish_scene(scene);
   Needs needs;
-  needs.between_updates = true;
+  needs.in.between_updates = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan), alone(plan);
   const ClipLayer one{0, 0.5};
@@ -160,7 +160,7 @@ TEST(unchanged_frames, P01_poses_of_one_clip_after_another_are_those_of_fresh_on
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = random_scene(seed);
     Needs needs;
-    needs.additive = true;
+    needs.in.additive = true;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     const std::vector<std::vector<ClipLayer>> all = {{{0, 0.1}},
@@ -208,7 +208,7 @@ TEST(unchanged_frames, a_scene_without_clips_does_nothing_from_its_second_frame_
 TEST(unchanged_frames, P19_a_moved_face_is_not_morphed_again) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   const std::vector<float> weights(scene.weight_count(), 0.5f);
@@ -273,7 +273,7 @@ TEST(unchanged_frames, P19_results_and_stamps_are_right_for_buffers_that_take_tu
 
 TEST(unchanged_frames, a_frame_with_more_adding_layers_than_are_kept_is_right_as_well) {
   const Scene scene = face_scene();
-  const Plan plan = compile_plan(lend(scene), {.additive = true, .masks = {}, .instance_skinning = {}});
+  const Plan plan = compile_plan(lend(scene), {.in = {.additive = true}});
   FrameBuffer frame(plan);
   std::vector<ClipLayer> layers(100, {0, 0.25, 0.01f, kNone, LayerKind::add_to_rest});
   for (int round = 0; round < 3; ++round) {
@@ -288,7 +288,7 @@ TEST(unchanged_frames, a_frame_with_more_adding_layers_than_are_kept_is_right_as
 TEST(unchanged_frames, a_frame_buffer_knows_its_plan_from_another_of_the_same_size) {
   const Scene scene = arm_scene();
   Needs cofactor;
-  cofactor.normal_rule = NormalRule::cofactor;
+  cofactor.skin.normal_rule = NormalRule::cofactor;
   const Plan linear = compile_plan(lend(scene), {}), other = compile_plan(lend(scene), cofactor);
   ASSERT_EQ(linear.frame_bytes(), other.frame_bytes());
   FrameBuffer frame(linear);

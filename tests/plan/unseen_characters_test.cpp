@@ -37,7 +37,7 @@ WorkCounters mesh_work(WorkCounters work) {
 
 Needs all_needs() {
   Needs needs;
-  needs.bounds = needs.palettes = true;
+  needs.out.bounds = needs.out.palettes = true;
   return needs;
 }
 
@@ -48,8 +48,8 @@ TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_n
     options.mirrored_joints = seed % 3 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
-    needs.hidden_meshes = seed % 4 == 0;  // independent of the view
-    needs.skinning = seed % 5 == 0 ? Skinning::dual_quaternion : Skinning::linear;
+    needs.out.hidden_meshes = seed % 4 == 0;  // independent of the view
+    needs.skin.kind = seed % 5 == 0 ? Skinning::dual_quaternion : Skinning::linear;
     const Plan plan = compile_plan(lend(scene), needs);
     const ClipLayer layer{0, 0.6};
     FrameBuffer seen(plan), unseen(plan);
@@ -109,7 +109,7 @@ TEST(unseen_characters, one_that_sleeps_does_exactly_nothing_and_gives_nothing) 
     options.correctives = seed % 2;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
-    needs.stage_times = true;
+    needs.out.stage_times = true;
     const Plan plan = compile_plan(lend(scene), needs);
     FrameBuffer frame(plan);
     for (int number = 0; number < 6; ++number) {

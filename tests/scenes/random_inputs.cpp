@@ -49,7 +49,7 @@ constexpr double kPage_s = 0.4;
 /// All clips cut into pages; empty if the clips have fewer joints than the scene (skeleton LOD).
 std::vector<std::vector<Clip>> cut_pages(const Plan& plan) {
   std::vector<std::vector<Clip>> pages;
-  if (!plan.needs().skeleton_lod.kept.empty()) return pages;
+  if (!plan.needs().out.skeleton_lod.kept.empty()) return pages;
   for (const Clip& clip : plan.scene().clips) {
     std::vector<Clip>& of_clip = pages.emplace_back();
     const std::size_t count = page_count_of(clip.duration_s(), kPage_s);
@@ -69,7 +69,7 @@ RandomInputs::RandomInputs(const Plan& plan)
       pages_(std::make_shared<const std::vector<std::vector<Clip>>>(cut_pages(plan))),
       sources_(std::make_shared<Sources>(Sources{WavingVertices(plan.scene(), 11), WavingVertices(plan.scene(), 12),
                                                  WavingVertices(plan.scene(), 11)})),
-      playing_(plan.needs().cached_instances.size()) {
+      playing_(plan.needs().in.cached_instances.size()) {
   WavingVertices& other = (*sources_)[1];
   other.space = VertexSpace::mesh;
   other.has_normals = true;
@@ -83,7 +83,7 @@ ClipLayer RandomInputs::some_layer(FixedRandom& random) const {
 }
 
 void RandomInputs::change_layer(ClipLayer& layer, FixedRandom& random) {
-  const auto masks = static_cast<std::uint32_t>(plan_.needs().masks.size());
+  const auto masks = static_cast<std::uint32_t>(plan_.needs().in.masks.size());
   switch (random.below(6)) {
     case 0: layer.clip = some_layer(random).clip; break;
     case 1: layer.weight = some_weight(random); break;
@@ -179,7 +179,7 @@ void RandomInputs::set_geometry() {
 
 bool RandomInputs::is_seen_playing(std::size_t slot) const {
   return slot < geometry_.size() && geometry_[slot].plays() &&
-         !is_out_of_view(out_of_view_, plan_.needs().cached_instances[slot]);
+         !is_out_of_view(out_of_view_, plan_.needs().in.cached_instances[slot]);
 }
 
 void RandomInputs::change_one_part(FixedRandom& random) {
@@ -195,7 +195,7 @@ void RandomInputs::change_one_part(FixedRandom& random) {
     case 4: asleep_ = random.below(3) == 0; break;
     case 5:
     case 6:
-      if (plan_.needs().between_updates) move_between_updates(random);
+      if (plan_.needs().in.between_updates) move_between_updates(random);
       break;
     default: change_layers(layers_, random);
   }
@@ -206,12 +206,12 @@ void RandomInputs::make_valid(Layers& layers) const {
   const Needs& needs = plan_.needs();
   std::uint32_t active = 0;
   for (ClipLayer& layer : layers) {
-    if (!needs.additive) layer.kind = LayerKind::blend;
-    layer.mirrored &= needs.mirror != nullptr;
+    if (!needs.in.additive) layer.kind = LayerKind::blend;
+    layer.mirrored &= needs.in.mirror != nullptr;
     if (layer.kind != LayerKind::blend || layer.weight == 0.0f) continue;
-    if (++active > needs.max_layers)
+    if (++active > needs.in.max_layers)
       layer.weight = 0.0f;
-    else if (needs.max_layers == 1)
+    else if (needs.in.max_layers == 1)
       layer.weight = std::max(layer.weight, 1.0f);
   }
 }
@@ -306,32 +306,32 @@ MirrorMap some_mirror(const Scene& scene) {
 Needs busy_needs(std::uint64_t seed, const Scene& scene) {
   FixedRandom random(seed);
   Needs needs;
-  needs.positions = random.below(5) > 0;
-  needs.normals = random.below(4) > 0;
-  needs.bounds = random.below(2) == 0;
-  needs.palettes = random.below(2) == 0;
-  needs.hidden_meshes = random.below(4) == 0;
-  needs.additive = random.below(2) == 0;
-  needs.max_additive_layers = 1 + random.below(3);
-  needs.max_layers = 1 + random.below(3);
-  needs.between_updates = random.below(2) == 0;
-  needs.skinning = static_cast<Skinning>(random.below(3));
-  needs.normal_rule = random.below(2) == 0 ? NormalRule::linear : NormalRule::cofactor;
+  needs.out.positions = random.below(5) > 0;
+  needs.out.normals = random.below(4) > 0;
+  needs.out.bounds = random.below(2) == 0;
+  needs.out.palettes = random.below(2) == 0;
+  needs.out.hidden_meshes = random.below(4) == 0;
+  needs.in.additive = random.below(2) == 0;
+  needs.in.max_additive_layers = 1 + random.below(3);
+  needs.in.max_layers = 1 + random.below(3);
+  needs.in.between_updates = random.below(2) == 0;
+  needs.skin.kind = static_cast<Skinning>(random.below(3));
+  needs.skin.normal_rule = random.below(2) == 0 ? NormalRule::linear : NormalRule::cofactor;
   for (std::uint32_t m = random.below(3); m > 0; --m) {
-    std::vector<float>& mask = needs.masks.emplace_back(scene.skeleton.joint_count());
+    std::vector<float>& mask = needs.in.masks.emplace_back(scene.skeleton.joint_count());
     for (float& weight : mask) weight = 0.5f * static_cast<float>(random.below(3));
   }
-  needs.joints = random.below(6) > 0;
-  needs.tangents = random.below(4) > 0;
-  needs.tangents_of_all = random.below(4) == 0;
-  needs.weights = random.below(4) > 0;
-  needs.properties = random.below(4) > 0;
+  needs.out.joints = random.below(6) > 0;
+  needs.out.tangents = random.below(4) > 0;
+  needs.out.tangents_of_all = random.below(4) == 0;
+  needs.out.weights = random.below(4) > 0;
+  needs.out.properties = random.below(4) > 0;
   for (std::size_t i = random.below(3) == 0 ? scene.instances.size() : 0; i > 0; --i)
-    needs.instance_skinning.push_back(static_cast<Skinning>(random.below(3)));
-  if (seed % 2 == 0) needs.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
+    needs.skin.per_instance.push_back(static_cast<Skinning>(random.below(3)));
+  if (seed % 2 == 0) needs.in.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
   if (random.below(2) == 0) return needs;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (random.below(3) > 0) needs.cached_instances.push_back(i);
+    if (random.below(3) > 0) needs.in.cached_instances.push_back(i);
   return needs;
 }
 

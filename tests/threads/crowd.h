@@ -20,10 +20,10 @@ class Crowd {
     options.triangles = 12;
     for (std::uint64_t seed = 0; seed < 3; ++seed) scenes_.push_back(random_scene(seed, options));
     Needs needs;
-    needs.bounds = true;
+    needs.out.bounds = true;
     for (const Scene& scene : scenes_) {
       plans_.push_back(compile_plan(lend(scene), needs));
-      needs.skinning = Skinning::dual_quaternion;
+      needs.skin.kind = Skinning::dual_quaternion;
     }
   }
 

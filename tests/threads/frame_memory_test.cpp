@@ -115,15 +115,15 @@ TEST(frame_memory, with_two_frame_buffers_a_crowd_that_nobody_looks_at_goes_on) 
 TEST(frame_memory, no_frame_asks_for_memory_whatever_layers_its_plan_declares) {
   const Scene scene = random_scene(5);
   Needs needs;
-  needs.additive = true;
-  needs.max_layers = 2;
-  needs.max_additive_layers = 5;
+  needs.in.additive = true;
+  needs.in.max_layers = 2;
+  needs.in.max_additive_layers = 5;
   const Plan plan = compile_plan(lend(scene), needs);
   CountedMemory memory;
   JobThread jobs(with_buffers(3, false, &memory));
   jobs.add_character(plan);
   std::vector<ClipLayer> layers{{0, 0.1, 0.6f}, {1, 0.2, 0.4f}};
-  layers.resize(needs.layer_room(), {1, 0.3, 0.1f, kNone, LayerKind::add_to_start});
+  layers.resize(needs.in.layer_room(), {1, 0.3, 0.1f, kNone, LayerKind::add_to_start});
   const std::vector<float> weights(scene.weight_count(), 0.5f);
   const std::vector<std::uint8_t> out_of_view(scene.instances.size(), 0);
   FrameInput input;

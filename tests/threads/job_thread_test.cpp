@@ -270,7 +270,8 @@ TEST(job_thread, rejects_another_number_of_inputs) {
 
 TEST(job_thread, each_character_has_room_for_what_its_own_plan_declares) {
   const Scene scene = random_scene(0);
-  const Plan one = compile_plan(lend(scene), {.max_layers = 1}), two = compile_plan(lend(scene), {.max_layers = 2});
+  const Plan one = compile_plan(lend(scene), {.in = {.max_layers = 1}}),
+             two = compile_plan(lend(scene), {.in = {.max_layers = 2}});
   const ClipLayer layers[] = {{0, 0.5, 0.5f}, {0, 0.75, 0.5f}};
   const FrameInput single{.layers = std::span(layers, 1), .weights = {}, .root = {}},
       both{.layers = layers, .weights = {}, .root = {}};

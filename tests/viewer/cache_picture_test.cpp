@@ -71,8 +71,8 @@ class Pictures {
  private:
   static Needs needs(const CacheOnScene& cache) {
     Needs needs;
-    needs.cached_instances = cache.instances();
-    needs.bounds = true;
+    needs.in.cached_instances = cache.instances();
+    needs.out.bounds = true;
     return needs;
   }
 

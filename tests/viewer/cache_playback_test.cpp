@@ -39,8 +39,8 @@ class Played {
  private:
   static Needs needs(const CacheAlone& alone) {
     Needs needs;
-    needs.cached_instances = alone.cache->instances();
-    needs.stage_times = true;
+    needs.in.cached_instances = alone.cache->instances();
+    needs.out.stage_times = true;
     return needs;
   }
   Plan plan_;

@@ -69,7 +69,7 @@ TEST(camera_pose, P14_what_a_camera_of_the_file_does_not_see_is_known_before_the
   Scene scene = test::arm_scene();
   scene.cameras.push_back({.name = "aside", .joint = 1, .fov_y_rad = 0.3f});  // five metres to the right, along -z
   Needs needs;
-  needs.bounds = true;
+  needs.out.bounds = true;
   FrustumCulling culling(scene, needs);
   CameraPose pose(scene, 0);
   EXPECT_TRUE(culling.of(0, pose.at(0, 0.5, 1.0, {}), 1.0).every_instance);

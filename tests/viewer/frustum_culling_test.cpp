@@ -16,8 +16,8 @@ class frustum_culling_on_device : public DeviceTest {};
 
 Needs viewer_needs() {
   Needs needs;
-  needs.bounds = true;
-  needs.max_layers = 1;
+  needs.out.bounds = true;
+  needs.in.max_layers = 1;
   return needs;
 }
 

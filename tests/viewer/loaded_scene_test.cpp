@@ -178,8 +178,8 @@ TEST_F(scene_of_a_cache, shows_it_alone) {
   EXPECT_THAT(alone.files, ElementsAre(options.file));
   EXPECT_EQ(cache_duration_s(alone), 1.0);
   const Needs needs = needs_of(alone, {});
-  EXPECT_THAT(needs.cached_instances, ElementsAre(0));
-  EXPECT_TRUE(needs.stage_times) << "decoding is a stage";
+  EXPECT_THAT(needs.in.cached_instances, ElementsAre(0));
+  EXPECT_TRUE(needs.out.stage_times) << "decoding is a stage";
 }
 
 TEST_F(scene_of_a_cache, plays_it_over_a_file) {
@@ -289,14 +289,14 @@ TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
   LoadedScene shown;
   shown.instance_skinning = {Skinning::linear};
   const Needs plain = needs_of(shown, {});
-  EXPECT_TRUE(plain.bounds);
-  EXPECT_EQ(plain.max_layers, 1u);
-  EXPECT_EQ(plain.instance_skinning, shown.instance_skinning);
-  EXPECT_FALSE(plain.stage_times || plain.between_updates);
+  EXPECT_TRUE(plain.out.bounds);
+  EXPECT_EQ(plain.in.max_layers, 1u);
+  EXPECT_EQ(plain.skin.per_instance, shown.instance_skinning);
+  EXPECT_FALSE(plain.out.stage_times || plain.in.between_updates);
   const Needs asked =
       needs_of(shown, {.skinning = Skinning::dual_quaternion, .updates = Updates::interpolated, .stage_times = true});
-  EXPECT_EQ(asked.skinning, Skinning::dual_quaternion);
-  EXPECT_TRUE(asked.stage_times && asked.between_updates);
+  EXPECT_EQ(asked.skin.kind, Skinning::dual_quaternion);
+  EXPECT_TRUE(asked.out.stage_times && asked.in.between_updates);
 }
 
 }  // namespace

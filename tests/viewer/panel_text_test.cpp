@@ -145,7 +145,7 @@ TEST_F(PanelText, skinning_is_offered_where_there_are_skins_and_the_scene_does_n
     EXPECT_THAT(choices, HasSubstr(name));
     EXPECT_EQ(choices.find("(x)"), choices.rfind("(x)")) << "one is chosen";
   }
-  needs_.instance_skinning = {Skinning::linear};
+  needs_.skin.per_instance = {Skinning::linear};
   EXPECT_THAT(written(), HasSubstr("skinning: the scene chooses for each mesh"));
   EXPECT_THAT(written(), Not(HasSubstr("dual quaternion")));
 }

@@ -17,9 +17,9 @@ View seen_from(double distance_m) { return look_at({0.0, 1.0, distance_m}, {0.0,
 
 Plan plan_for(const Scene& scene, Updates updates) {
   Needs needs;
-  needs.bounds = true;
-  needs.max_layers = 1;
-  needs.between_updates = updates == Updates::interpolated;
+  needs.out.bounds = true;
+  needs.in.max_layers = 1;
+  needs.in.between_updates = updates == Updates::interpolated;
   return compile_plan(lend(scene), needs);
 }
 

@@ -9,10 +9,10 @@ namespace {
 
 Needs needs_for(const Scene& scene, std::uint32_t camera) {
   Needs needs;
-  needs.positions = needs.normals = needs.tangents = needs.weights = false;
-  needs.max_layers = 1;
-  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
-  needs.skeleton_lod.kept[scene.cameras[camera].joint] = true;
+  needs.out.positions = needs.out.normals = needs.out.tangents = needs.out.weights = false;
+  needs.in.max_layers = 1;
+  needs.out.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+  needs.out.skeleton_lod.kept[scene.cameras[camera].joint] = true;
   return needs;
 }
 

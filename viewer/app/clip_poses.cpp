@@ -22,10 +22,10 @@ std::vector<double> pose_times(const Scene& scene, std::uint32_t clip, const Cac
 void for_each_pose(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache, std::span<const double> times_s,
                    const std::function<void(const FrameResult& pose)>& visit) {
   Needs needs;
-  needs.normals = needs.tangents = false;
+  needs.out.normals = needs.out.tangents = false;
   std::optional<CachePlayback> played;
   if (cache) {
-    needs.cached_instances = cache->instances();
+    needs.in.cached_instances = cache->instances();
     played.emplace(*cache, scene, CacheReader::Reads::blocking);
   }
   const Plan plan = compile_plan(lend(scene), needs);

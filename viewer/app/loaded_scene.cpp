@@ -29,7 +29,7 @@ std::vector<LoadedScene> built_in(const LogLine& log_line) {
     loaded.name = std::move(shown.name);
     loaded.note = std::move(shown.what_to_look_at);
     loaded.scene = std::move(shown.scene);
-    loaded.instance_skinning = std::move(shown.needs.instance_skinning);
+    loaded.instance_skinning = std::move(shown.needs.skin.per_instance);
     loaded.camera = PlacedCamera{shown.eye, shown.target};
     loaded.fov_y_rad = static_cast<double>(shown.fov_y_rad);
     if (shown.geometry_cache.empty()) continue;
@@ -141,13 +141,13 @@ tl::expected<LoadedScene, LoadError> named_file(const Options& options, const Lo
 
 Needs needs_of(const LoadedScene& loaded, const Evaluation& evaluation) {
   Needs needs;
-  needs.bounds = true;
-  needs.max_layers = 1;
-  needs.skinning = evaluation.skinning;
-  needs.instance_skinning = loaded.instance_skinning;
-  needs.stage_times = evaluation.stage_times || loaded.cache;
-  if (loaded.cache) needs.cached_instances = loaded.cache->instances();
-  needs.between_updates = evaluation.updates == Updates::interpolated;
+  needs.out.bounds = true;
+  needs.in.max_layers = 1;
+  needs.skin.kind = evaluation.skinning;
+  needs.skin.per_instance = loaded.instance_skinning;
+  needs.out.stage_times = evaluation.stage_times || loaded.cache;
+  if (loaded.cache) needs.in.cached_instances = loaded.cache->instances();
+  needs.in.between_updates = evaluation.updates == Updates::interpolated;
   return needs;
 }
 

@@ -26,7 +26,7 @@ double size_in_picture(const FrameResult& frame, const View& view) noexcept;
 /// Decides in which frames the character is evaluated (update_rate.h), and makes the input of the frames in between.
 class UpdateLevels {
  public:
-  /// in   plan  compiled with Needs::between_updates if updates are interpolated
+  /// in   plan  compiled with Needs::in.between_updates if updates are interpolated
   UpdateLevels(const Plan& plan, Updates updates);
 
   /// Begins the next frame.

@@ -101,7 +101,7 @@ tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, c
     distance_m = *distance;
   }
   Needs needs;
-  needs.positions = needs.normals = true;
+  needs.out.positions = needs.out.normals = true;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   ProgressLine progress;

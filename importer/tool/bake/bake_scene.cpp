@@ -95,10 +95,10 @@ class SceneBaker {
  private:
   static Needs needs(const TakeBudgets& budgets) {
     Needs needs;
-    needs.normals = budgets.normals_rad.has_value();
-    needs.joints = needs.tangents = needs.properties = needs.weights = false;
-    needs.hidden_meshes = true;
-    needs.max_layers = 1;
+    needs.out.normals = budgets.normals_rad.has_value();
+    needs.out.joints = needs.out.tangents = needs.out.properties = needs.out.weights = false;
+    needs.out.hidden_meshes = true;
+    needs.in.max_layers = 1;
     return needs;
   }
 

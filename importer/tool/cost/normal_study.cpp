@@ -44,7 +44,7 @@ std::vector<std::string> findings(const Group& group) {
   const char* const verdict =
       mean_deg < kNoticeable
           ? "For this file the matrix itself will do: an average below a degree is not seen in shading."
-          : "An average above a degree is seen in shading: for this file the exact rule (Needs::normal_rule "
+          : "An average above a degree is seen in shading: for this file the exact rule (Needs::skin.normal_rule "
             "= cofactor) is worth its time.";
   out.emplace_back(verdict);
   return out;

@@ -68,15 +68,14 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 }  // namespace
 
 PoseSampler::Method::Method(const Scene& scene, Skinning skinning, bool with_vertices)
-    : plan(compile_plan(lend(scene), Needs{.positions = with_vertices,
-                                           .normals = with_vertices,
-                                           .tangents = with_vertices,
-                                           .tangents_of_all = with_vertices,
-                                           .properties = false,
-                                           .hidden_meshes = true,
-                                           .max_layers = 1,
-                                           .skinning = skinning,
-                                           .instance_skinning = {}})),
+    : plan(compile_plan(lend(scene), Needs{.out = {.positions = with_vertices,
+                                                   .normals = with_vertices,
+                                                   .tangents = with_vertices,
+                                                   .tangents_of_all = with_vertices,
+                                                   .properties = false,
+                                                   .hidden_meshes = true},
+                                           .in = {.max_layers = 1},
+                                           .skin = {.kind = skinning}})),
       frame(plan) {}
 
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene), with_bits_(content.bits) {

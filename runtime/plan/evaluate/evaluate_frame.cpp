@@ -38,12 +38,11 @@ std::span<const float> correct_weights(const CompiledPlan& plan, const PoseSpan&
 
 /// A mean or an overlay of poses rounds joints that rest.
 bool mixes_poses(const CompiledPlan& plan, const FrameInput& input) noexcept {
-  return plan.poses &&
-         (!input.program.empty() || input.interpolation_factor != 0.0f || !plays_alone(input.layers));
+  return plan.poses && (!input.program.empty() || input.interpolation_factor != 0.0f || !plays_alone(input.layers));
 }
 
-/// Sets joints that nothing moves to the rest pose, to the last bit. Writes the frame's own pose, since `local` may be a
-/// pose that is kept for later frames.
+/// Sets joints that nothing moves to the rest pose, to the last bit. Writes the frame's own pose, since `local` may be
+/// a pose that is kept for later frames.
 PoseSpan with_unmoved_at_rest(const CompiledPlan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
   if (plan.unmoved_joints.empty()) return local;
   const PoseSpan rest = memory.of(plan.layout.rest_pose), own = memory.of(plan.layout.pose.pose);
@@ -103,10 +102,8 @@ void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) no
 /// in   ops  operations of a program that run
 PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, std::size_t ops,
                    FrameWork& work) noexcept {
-  const PoseStep pose_step{.given_weights = input.weights,
-                           .memory = step.memory,
-                           .has_base = step.reuse.stands().base_pose,
-                           .end = ops};
+  const PoseStep pose_step{
+      .given_weights = input.weights, .memory = step.memory, .has_base = step.reuse.stands().base_pose, .end = ops};
   if (!input.program.empty()) return evaluate_program(plan, input, pose_step, work);
   return plan.interpolate ? interpolate_poses(plan, input, step, work)
                           : evaluate_layers(plan, input.layers, pose_step, work);
@@ -171,7 +168,8 @@ void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameM
                        std::size_t ops, bool past_caches, FrameResult& result) noexcept {
   const FrameStep step{memory, reuse, reuse.tables(), past_caches};
   FrameWork work(step.tables.stage_ns, result.work);
-  if (!input.program.empty()) evaluate_program(plan, input, {.given_weights = input.weights, .memory = memory, .first = ops}, work);
+  if (!input.program.empty())
+    evaluate_program(plan, input, {.given_weights = input.weights, .memory = memory, .first = ops}, work);
   run_stages_after_pose(plan, input, step, memory.of(plan.layout.pose.pose), work, result);
 }
 

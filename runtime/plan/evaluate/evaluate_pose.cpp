@@ -30,11 +30,11 @@ class FrameMachine {
       : assets_(pose_assets(plan, step.memory)),
         own_(step.memory.of(plan.layout.pose)),
         work_(work),
-        machine_(assets_, inputs,
-                 PoseSlots(assets_, pose_room(plan), step.memory.of(plan.layout.pose_program).data(),
-                           {own_.pose, step.given_weights.empty() ? own_.weights : std::span<float>{},
-                            own_.properties}),
-                 done_, {&charge_time, &work}) {
+        machine_(
+            assets_, inputs,
+            PoseSlots(assets_, pose_room(plan), step.memory.of(plan.layout.pose_program).data(),
+                      {own_.pose, step.given_weights.empty() ? own_.weights : std::span<float>{}, own_.properties}),
+            done_, {&charge_time, &work}) {
     std::copy(step.given_weights.begin(), step.given_weights.end(), own_.weights.begin());
   }
 

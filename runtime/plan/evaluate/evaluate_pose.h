@@ -11,8 +11,8 @@ namespace sinew {
 
 /// How a frame's pose is made, and where.
 struct PoseStep {
-  std::span<const float> given_weights;  ///< [W] replace the clips' morph weights; empty = the clips' own
-  FrameMemory memory;
+  std::span<const float> given_weights = {};  ///< [W] replace the clips' morph weights; empty = the clips' own
+  FrameMemory memory = {};
   bool has_base = false;  ///< the memory has a pose of the one clip that plays: only its tracks are sampled
   std::size_t first = 0, end = kMostPoseOps;  ///< operations of a program to run, as in PoseProgramJob
 };

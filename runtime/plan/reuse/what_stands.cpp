@@ -82,8 +82,8 @@ WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, c
   stands.all_since_before = &before.input == &last.input ? stands.all : had_same_input(before, input);
   if (stands.all || input.asleep || !last.input.is_known || last.input.asleep) return stands;
   const Layers last_layers = last.tables.input_layers.first(last.input.layer_count);
-  const bool both_alone = input.program.empty() && last.input.op_count == 0 && plays_alone(input.layers) &&
-                          plays_alone(last_layers);
+  const bool both_alone =
+      input.program.empty() && last.input.op_count == 0 && plays_alone(input.layers) && plays_alone(last_layers);
   stands.matrices = find_standing_matrices(plan, input, last_layers, last.input, both_alone);
   const std::uint32_t clip = playing_clip(input.layers);
   stands.base_pose = both_alone && clip != kNone && clip == playing_clip(last_layers);

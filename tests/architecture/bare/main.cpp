@@ -14,7 +14,7 @@
 int main() {
   const sinew::Scene scene = sinew::test::arm_scene();
   sinew::Needs needs;
-  needs.skinning = sinew::Skinning::dual_quaternion;
+  needs.skin.kind = sinew::Skinning::dual_quaternion;
   const sinew::Plan plan = sinew::compile_plan(lend(scene), needs);
   sinew::FrameBuffer frame(plan);
   sinew::PlaybackClock clock(1.0, sinew::PlayMode::clamp);

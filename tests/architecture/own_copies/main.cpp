@@ -99,7 +99,7 @@ Scene made_scene() {
 
 bool print_frames(const Scene& scene, Skinning skinning) {
   Needs needs;
-  needs.skinning = skinning;
+  needs.skin.kind = skinning;
   const Plan plan = compile_plan(lend(scene), needs);
   FrameBuffer frame(plan);
   for (int step = 0; step < 9; ++step) {

@@ -21,7 +21,7 @@ struct CacheOnScene {
   double start_s = 0.0;                   ///< cache time at scene time 0
 
   double duration_s() const noexcept;            ///< scene time at which the cache ends
-  std::vector<std::uint32_t> instances() const;  ///< for Needs::cached_instances: sorted, no duplicates
+  std::vector<std::uint32_t> instances() const;  ///< for Needs::in.cached_instances: sorted, no duplicates
   /// [instances] bounds over all frames; empty for instances without a cache.
   std::vector<Aabb> reach(const Scene& scene) const;
 };

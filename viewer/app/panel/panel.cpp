@@ -104,7 +104,7 @@ void time_controls(const Scene& scene, Playback& playback) {
 
 void skinning_choice(const PanelFacts& facts, Settings& settings) {
   if (facts.scene->skins.empty()) return;
-  if (!facts.needs->instance_skinning.empty()) {
+  if (!facts.needs->skin.per_instance.empty()) {
     ImGui::TextDisabled("skinning: the scene chooses for each mesh");
     return;
   }

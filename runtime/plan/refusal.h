@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "runtime/base/api.h"
+#include "runtime/base/index.h"
+#include "runtime/base/result.h"
+
+namespace sinew {
+
+/// The first rule that an input breaks, and where: `list`[index].`field`, without the part that is not there.
+struct Refusal {
+  ErrorCode error = ErrorCode::ok;
+  const char* field = nullptr;  ///< null: the rule is about the list as a whole
+  const char* rule = nullptr;   ///< in words; null: those of describe(error) say all
+  const char* list = nullptr;
+  std::uint32_t index = kNone;
+};
+
+// Rules that the C interface checks, too.
+inline constexpr const char* kNotEachWeight = "not one for each morph weight of the scene";
+inline constexpr const char* kNotEachSource = "not one for each of the needs' cached instances";
+inline constexpr const char* kNoUpdates = "the needs declare no frames between updates";
+
+/// The sentence of why_refused: "layers[1].weight: a weight is below 0".
+SINEW_API std::string text_of(const Refusal& refusal);
+
+}  // namespace sinew
