@@ -10,6 +10,7 @@ set(sinew_public_headers
   clip_library.h    runtime/public/clip_library.h
   compress.h        runtime/public/compress.h
   deform_jobs.h     runtime/public/deform_jobs.h
+  cut_frame.h       runtime/plan/cut_frame.h
   frame.h           runtime/public/frame.h
   frame_hash.h      runtime/public/frame_hash.h
   fwd.h             runtime/public/fwd.h

@@ -27,7 +27,8 @@ static_assert(
     error_from(ErrorCode::not_in_needs) == SINEW_NOT_IN_NEEDS &&
     error_from(ErrorCode::negative_weight) == SINEW_NEGATIVE_WEIGHT &&
     error_from(ErrorCode::not_a_fraction) == SINEW_NOT_A_FRACTION &&
-    error_from(ErrorCode::two_times) == SINEW_TWO_TIMES && error_from(ErrorCode::too_large) == SINEW_TOO_LARGE);
+    error_from(ErrorCode::two_times) == SINEW_TWO_TIMES && error_from(ErrorCode::too_large) == SINEW_TOO_LARGE &&
+    error_from(ErrorCode::no_cut) == SINEW_NO_CUT);
 static_assert(sizeof(sinew_affine) == sizeof(Affine) && sizeof(sinew_joint_matrix) == sizeof(JointMatrix));
 static_assert(SINEW_VERSION_MAJOR == SINEW_PROJECT_MAJOR && SINEW_VERSION_MINOR == SINEW_PROJECT_MINOR &&
                   SINEW_VERSION_PATCH == SINEW_PROJECT_PATCH,

@@ -60,6 +60,7 @@ typedef enum sinew_error {
   SINEW_NOT_A_FRACTION = 20,      ///< a number is outside [0, 1]
   SINEW_TWO_TIMES = 21,           ///< one vertex source is asked for two times in one frame
   SINEW_TOO_LARGE = 22,           ///< a finite number is so large that results could overflow
+  SINEW_NO_CUT = 23,              ///< no first half of a frame was run, which the second half could follow
   SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
                                   ///< library with something in the newer part

@@ -29,7 +29,7 @@ struct Outputs {
   bool properties = true;        ///< animated numbers of materials, lights and cameras
   bool hidden_meshes = false;    ///< deform meshes on hidden joints as well
   bool stage_times = false;      ///< the time that each stage takes; reads the clock a few times per frame
-  SkeletonLod skeleton_lod;      ///< joints that poses leave out
+  SkeletonLod skeleton_lod = {};  ///< joints that poses leave out
 
   /// True if anything of the vertices is asked for, not just joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
@@ -40,14 +40,15 @@ struct Inputs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;    ///< frames with more of them are evaluated anew each time
-  bool between_updates = false;             ///< some frames lie between two poses (FrameInput::interpolation_factor)
-  std::shared_ptr<const MirrorMap> mirror;  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
-  std::vector<std::vector<float>> masks;    ///< [any][J] joint weights >= 0 that layers may name
-  std::vector<std::uint32_t> cached_instances;  ///< rising; mesh instances whose vertices FrameInput::geometry may give
-  PoseProgramRoom program;  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.
-                            ///< `masks` are those of `masks` above and of the input together
-  bool cut = false;         ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
+  std::uint32_t max_additive_layers = 8;  ///< frames with more of them are evaluated anew each time
+  bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
+  std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
+  std::vector<std::vector<float>> masks = {};    ///< [any][J] joint weights >= 0 that layers may name
+  std::vector<std::uint32_t> cached_instances =
+      {};                        ///< rising; mesh instances whose vertices FrameInput::geometry may give
+  PoseProgramRoom program = {};  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.
+                                 ///< `masks` are those of `masks` above and of the input together
+  bool cut = false;  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
 
   /// Room for layers in a frame, blended and additive ones.
   std::size_t layer_room() const noexcept {
@@ -58,7 +59,7 @@ struct Inputs {
 /// How the skinned vertices of each mesh instance follow their joints.
 struct SkinningRules {
   Skinning kind = Skinning::linear;
-  std::vector<Skinning> per_instance;           ///< [instances] overrides `kind` per mesh instance; empty = no override
+  std::vector<Skinning> per_instance = {};      ///< [instances] overrides `kind` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
 
   Skinning kind_of(std::size_t instance) const noexcept {
@@ -70,9 +71,9 @@ struct SkinningRules {
 ///
 ///     const Needs needs{.out = {.bounds = true}, .in = {.max_layers = 2}, .skin = {.kind = Skinning::linear}};
 struct Needs {
-  Outputs out;
-  Inputs in;
-  SkinningRules skin;
+  Outputs out = {};
+  Inputs in = {};
+  SkinningRules skin = {};
 };
 
 }  // namespace sinew

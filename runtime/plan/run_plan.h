@@ -22,14 +22,16 @@ namespace sinew {
 ///      too_many_layers     more layers with a weight blend than Needs::in.max_layers
 ///      index_out_of_range  a clip that the plan does not know, a mask, a source without vertices for its instance
 ///      wrong_page          the page of a layer is cut from a clip with other joints, weights or properties
-///      not_in_needs        an additive or mirrored layer, a weight below 1 without blending, or a frame between
-///                          updates, where the needs do not declare it
+///      not_in_needs        an additive or mirrored layer, a weight below 1 without blending, a frame between updates,
+///                          or more of a program and its inputs, where the needs do not declare it
 ///      not_finite          a time, a weight or the root is NaN or infinite
 ///      negative_weight     of a layer
 ///      not_a_fraction      the interpolation factor, or the weight of a source, is outside [0, 1]
 ///      too_large           a weight, or a number of the root, is above 1e9
 ///      two_times           one source is asked for two times in one frame
-///      unsupported         a source in scene space for an instance with copies
+///      unsupported         a source in scene space for an instance with copies; layers or an interpolation factor
+///                          beside a program; a procedure without code
+///      The rules of programs are those of find_fault (pose_program.h).
 ///      After an error the frame buffer still holds its last good frame.
 /// cost the sum of the plan's stages, no allocation; the same input gives the same bits, whatever ran before
 SINEW_API ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;

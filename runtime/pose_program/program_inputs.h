@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/animation/skeleton.h"
-#include "runtime/clip/clip.h"
 #include "runtime/math/transform.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {
+
+class Clip;
+struct Skeleton;
 
 /// Says whether something of the caller has changed since an earlier frame. Equal versions of one table entry promise
 /// equal content. 0 promises nothing: the content may differ in each frame.
