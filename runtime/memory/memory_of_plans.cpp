@@ -35,13 +35,14 @@ std::size_t bytes_of_sums(const MirroredSums& sums) {
 /// separately.
 std::size_t bytes_of_tables(const CompiledPlan& plan) {
   const auto pairs = [](const PrimitiveSkinning& skinning) { return bytes_of(skinning.pairs); };
-  return bytes_of(plan.clip_tracks) + bytes_of(plan.moved_joints) + bytes_of(plan.joint_scales) +
-         bytes_of_nested(plan.masks) + bytes_of(plan.rest_weights) + bytes_of(plan.primitives) +
-         bytes_of(plan.primitive_skinning, pairs) + bytes_of(plan.flat_faces) + bytes_of(plan.surface_faces) +
-         bytes_of(plan.first_primitive) + bytes_of(plan.geometry_slot) + bytes_of(plan.instance_skinned) +
-         bytes_of(plan.instance_scales) + bytes_of(plan.palette) + bytes_of(plan.split) +
-         bytes_of(plan.combined, bytes_of_combined) + bytes_of_nested(plan.hemisphere_edges) +
-         bytes_of(plan.layout.palettes) + bytes_of(plan.layout.splits) + bytes_of(plan.layout.primitives);
+  return bytes_of(plan.clip_tracks) + bytes_of(plan.moved_joints) + bytes_of(plan.unmoved_joints) +
+         bytes_of(plan.joint_scales) + bytes_of_nested(plan.mask_weights) + bytes_of(plan.masks) +
+         bytes_of(plan.rest_weights) + bytes_of(plan.primitives) + bytes_of(plan.primitive_skinning, pairs) +
+         bytes_of(plan.flat_faces) + bytes_of(plan.surface_faces) + bytes_of(plan.first_primitive) +
+         bytes_of(plan.geometry_slot) + bytes_of(plan.instance_skinned) + bytes_of(plan.instance_scales) +
+         bytes_of(plan.palette) + bytes_of(plan.split) + bytes_of(plan.combined, bytes_of_combined) +
+         bytes_of_nested(plan.hemisphere_edges) + bytes_of(plan.layout.palettes) + bytes_of(plan.layout.splits) +
+         bytes_of(plan.layout.primitives);
 }
 
 std::size_t bytes_of_mirror(const MirrorTables& tables) {

@@ -44,8 +44,8 @@ struct Inputs {
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
   std::vector<std::vector<float>> masks = {};    ///< [any][J] joint weights >= 0 that layers may name
-  std::vector<std::uint32_t> cached_instances =
-      {};                        ///< rising; mesh instances whose vertices FrameInput::geometry may give
+  /// Mesh instances whose vertices FrameInput::geometry may give, rising.
+  std::vector<std::uint32_t> cached_instances = {};
   PoseProgramRoom program = {};  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.
                                  ///< `masks` are those of `masks` above and of the input together
   bool cut = false;  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
