@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/plan/compiled_plan.h"
+#include "runtime/plan/frame_buffer.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/refusal.h"
 
@@ -12,5 +13,13 @@ inline constexpr float kLargestInput = 1e9f;
 
 /// Checks what run_plan promises about its input.     cost O(layers + weights + sources). Internal to plan/
 Refusal check_input(const CompiledPlan& plan, const FrameInput& input) noexcept;
+
+/// Checks that the buffers are there and of this plan.
+/// in   followed  null: none
+Refusal check_buffers(const Plan& plan, const FrameBuffer& frame, const FrameBuffer* followed) noexcept;
+
+/// check_buffers, then check_input.
+Refusal check_run(const Plan& plan, const FrameInput& input, const FrameBuffer& frame,
+                  const FrameBuffer* followed) noexcept;
 
 }  // namespace sinew

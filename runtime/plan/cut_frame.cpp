@@ -28,7 +28,8 @@ ErrorCode run_to_cut(const Plan& plan, const FrameInput& input, FrameBuffer& fra
   if (!compiled.needs.in.cut) return ErrorCode::not_in_needs;
   if (input.asleep || ops == 0) return ErrorCode::unsupported;
   const FrameMemory memory{frame.block_.get()};
-  const Reuse nothing_stands(compiled, {memory, frame.last_}, {memory, frame.last_}, frame.result_.frame + 1);
+  const FrameTables tables(compiled, memory);
+  const Reuse nothing_stands(compiled, tables, {memory, frame.last_}, {memory, frame.last_}, frame.result_.frame + 1);
   evaluate_to_cut(compiled, input, memory, nothing_stands, ops, pose, frame.result_);
   frame.last_.is_known = false;  // the memory's pose is about to be the caller's
   frame.cut_pose_ = pose.local;
@@ -45,7 +46,8 @@ ErrorCode run_from_cut(const Plan& plan, const FrameInput& input, FrameBuffer& f
   const FrameBuffer* const followed = std::exchange(frame.before_, nullptr);
   const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
   const FrameMemory memory{frame.block_.get()};
-  const Reuse palettes_stand(compiled, {memory, frame.last_}, {{before.block_.get()}, before.last_},
+  const FrameTables tables(compiled, memory);
+  const Reuse palettes_stand(compiled, tables, {memory, frame.last_}, {{before.block_.get()}, before.last_},
                              frame.result_.frame + 1);
   frame.result_.frame = frame.result_.since_frame = palettes_stand.number();
   evaluate_from_cut(compiled, input, memory, palettes_stand, frame.cut_ops_, frame.past_caches_, frame.result_);

@@ -90,7 +90,7 @@ class SINEW_API FrameBuffer {
  private:
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
   friend std::string why_refused(const Plan&, const FrameInput&, const FrameBuffer&);
-  friend Refusal check_run(const Plan&, const FrameInput&, const FrameBuffer&, const FrameBuffer*) noexcept;
+  friend Refusal check_buffers(const Plan&, const FrameBuffer&, const FrameBuffer*) noexcept;
   friend ErrorCode run_to_cut(const Plan&, const FrameInput&, FrameBuffer&, CutPose&, std::size_t) noexcept;
   friend ErrorCode run_from_cut(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
   friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;

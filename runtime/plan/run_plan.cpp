@@ -9,29 +9,38 @@
 
 namespace sinew {
 
-Refusal check_run(const Plan& plan, const FrameInput& input, const FrameBuffer& frame,
-                  const FrameBuffer* followed) noexcept {
+Refusal check_buffers(const Plan& plan, const FrameBuffer& frame, const FrameBuffer* followed) noexcept {
   const CompiledPlan* const compiled = plan.compiled().get();
   if (compiled == nullptr) return {ErrorCode::no_plan, "plan"};
   if (frame.plan_ == nullptr) return {ErrorCode::moved_from, "frame"};
   if (frame.plan_.get() != compiled) return {ErrorCode::wrong_plan, "frame"};
   if (followed != nullptr && followed->plan_ == nullptr) return {ErrorCode::moved_from, "the followed frame"};
   if (followed != nullptr && followed->plan_.get() != compiled) return {ErrorCode::wrong_plan, "the followed frame"};
-  return check_input(*compiled, input);
+  return {};
+}
+
+Refusal check_run(const Plan& plan, const FrameInput& input, const FrameBuffer& frame,
+                  const FrameBuffer* followed) noexcept {
+  const Refusal refusal = check_buffers(plan, frame, followed);
+  return refusal.error != ErrorCode::ok ? refusal : check_input(*plan.compiled(), input);
 }
 
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
-  // 1. Refuse bad input.
+  // 1. Refuse bad input. The input of the frame before was not refused.
   const FrameBuffer* const followed = std::exchange(frame.before_, nullptr);
-  if (const Refusal refusal = check_run(plan, input, frame, followed); refusal.error != ErrorCode::ok)
+  if (const Refusal refusal = check_buffers(plan, frame, followed); refusal.error != ErrorCode::ok)
     return refusal.error;
+  const CompiledPlan& compiled = *plan.compiled();
+  const FrameMemory memory{frame.block_.get()};
+  const FrameTables tables(compiled, memory);
+  const bool had_it = had_same_input({frame.last_, tables}, input);
+  if (!had_it)
+    if (const Refusal refusal = check_input(compiled, input); refusal.error != ErrorCode::ok) return refusal.error;
 
   // 2. Find what stands.
   frame.cut_pose_ = {};
-  const CompiledPlan& compiled = *plan.compiled();
   const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
-  const FrameMemory memory{frame.block_.get()};
-  const Reuse reuse(compiled, input, {memory, frame.last_}, {{before.block_.get()}, before.last_},
+  const Reuse reuse(compiled, input, tables, {memory, frame.last_}, {{before.block_.get()}, before.last_}, had_it,
                     frame.result_.frame + 1);
 
   // 3. Evaluate the rest.

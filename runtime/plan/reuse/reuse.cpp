@@ -23,23 +23,20 @@ std::span<float> weights_of(const CompiledPlan& plan, std::span<float> weights, 
 
 }  // namespace
 
-Reuse::Reuse(const CompiledPlan& plan, const FrameInput& input, const Run& last, const Run& before,
+Reuse::Reuse(const CompiledPlan& plan, const FrameTables& tables, const Run& last, const Run& before,
              std::uint64_t number) noexcept
     : plan_(plan),
       memory_(last.memory),
       memory_before_(before.memory),
-      tables_(plan, last.memory),
-      before_(last.memory.start == before.memory.start ? tables_ : other_tables_.emplace(plan, before.memory)),
-      number_(number),
-      stands_(find_what_stands(plan, input, {last.input, tables_}, {before.input, before_})) {}
-
-Reuse::Reuse(const CompiledPlan& plan, const Run& last, const Run& before, std::uint64_t number) noexcept
-    : plan_(plan),
-      memory_(last.memory),
-      memory_before_(before.memory),
-      tables_(plan, last.memory),
+      tables_(tables),
       before_(last.memory.start == before.memory.start ? tables_ : other_tables_.emplace(plan, before.memory)),
       number_(number) {}
+
+Reuse::Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTables& tables, const Run& last,
+             const Run& before, bool had_it, std::uint64_t number) noexcept
+    : Reuse(plan, tables, last, before, number) {
+  stands_ = find_what_stands(plan, input, {last.input, tables_}, {before.input, before_}, had_it);
+}
 
 bool Reuse::find_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept {
   const auto has = [&](const FrameTables& tables, FrameMemory memory, std::size_t u) {

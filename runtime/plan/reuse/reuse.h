@@ -19,12 +19,15 @@ class Reuse {
     const LastInput& input;
   };
 
-  /// in   last    run into the frame's memory;   before  the character's last run, perhaps the same
+  /// in   tables  of the frame's memory, which are kept by reference
+  ///      last    run into the frame's memory;   before  the character's last run, perhaps the same
+  ///      had_it  had_same_input of the last run
   ///      number  FrameResult::frame of this frame
-  Reuse(const CompiledPlan& plan, const FrameInput& input, const Run& last, const Run& before,
-        std::uint64_t number) noexcept;
+  Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTables& tables, const Run& last,
+        const Run& before, bool had_it, std::uint64_t number) noexcept;
   /// Of a frame whose input does not say what its pose is: nothing stands by comparing inputs.
-  Reuse(const CompiledPlan& plan, const Run& last, const Run& before, std::uint64_t number) noexcept;
+  Reuse(const CompiledPlan& plan, const FrameTables& tables, const Run& last, const Run& before,
+        std::uint64_t number) noexcept;
   Reuse(const Reuse&) = delete;
   Reuse& operator=(const Reuse&) = delete;
 
@@ -79,7 +82,7 @@ class Reuse {
  private:
   const CompiledPlan& plan_;
   FrameMemory memory_, memory_before_;
-  FrameTables tables_;
+  const FrameTables& tables_;
   std::optional<FrameTables> other_tables_;  // of the run before, where that was into other memory
   const FrameTables& before_;
   std::uint64_t number_;

@@ -35,6 +35,12 @@ StandingMatrices find_standing_matrices(const CompiledPlan& plan, const FrameInp
   return at_rest || plan.moved_joints.empty() ? StandingMatrices::all : StandingMatrices::of_unmoved_joints;
 }
 
+/// Lists that are not empty have an entry for each instance that they are about.
+bool has_lengths(const FrameTables& tables, const FrameInput& input) noexcept {
+  return (input.out_of_view.empty() || input.out_of_view.size() == tables.input_out_of_view.size()) &&
+         (input.geometry.empty() || input.geometry.size() == tables.input_geometry.size());
+}
+
 /// As FrameTables::input_geometry.
 GeometryInput playing(const FrameTables& tables, const FrameInput& input, std::size_t slot) noexcept {
   const bool plays =
@@ -63,6 +69,7 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
   const FrameTables& tables = frame.tables;
   if (!last.is_known || input.asleep != last.asleep) return false;
   if (input.asleep) return true;  // a sleeping character shows nothing, whatever its layers are
+  if (!has_lengths(tables, input)) return false;
   if (last.is_late || !had_same_geometry(tables, input) || !had_same_program(frame, input)) return false;
   if (input.layers.size() != last.layer_count || input.weights.size() != last.weight_count) return false;
   if (!same_bits(input.interpolation_factor, last.interpolation_factor)) return false;
@@ -76,9 +83,9 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
 }
 
 WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
-                            const LastFrame& before) noexcept {
+                            const LastFrame& before, bool had_it) noexcept {
   WhatStands stands;
-  stands.all = had_same_input(last, input);
+  stands.all = had_it;
   stands.all_since_before = &before.input == &last.input ? stands.all : had_same_input(before, input);
   if (stands.all || input.asleep || !last.input.is_known || last.input.asleep) return stands;
   const Layers last_layers = last.tables.input_layers.first(last.input.layer_count);

@@ -30,14 +30,15 @@ struct LastFrame {
 };
 
 /// True if the last run had this input, bit for bit.     cost O(layers + weights + instances)
+/// in   input  lists of any content, whose lengths may be wrong
 bool had_same_input(const LastFrame& last, const FrameInput& input) noexcept;
 
 /// Compares the input with those of earlier frames.
 /// in   input   checked;   last  run into the frame's memory;   before  the character's last run, perhaps into other
-///      memory
+///      memory;   had_it  had_same_input of the last run
 /// cost O(layers + weights + instances), no allocation. Internal to plan/
 WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
-                            const LastFrame& before) noexcept;
+                            const LastFrame& before, bool had_it) noexcept;
 
 /// Keeps the input of a frame that was evaluated. More layers than there is room for are not kept: then nothing stands
 /// for the next frame.
