@@ -151,6 +151,26 @@ TEST(retarget_animation, one_joint_that_moves_among_others_that_rest_keeps_its_k
   }
 }
 
+/// The forearm is mapped by itself, or lies between the hand and what the hand hangs from.
+TEST(retarget_animation, tracks_of_a_joint_with_a_fixed_matrix_move_nothing) {
+  for (const bool is_between : {false, true}) {
+    Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
+             to = scenes::two_sided(RightSide::another_posture, 2).skeleton;
+    from.fixed_matrix_of[9] = 0;
+    from.fixed_matrices = {affine_from_transform(from.rest[9])};
+    if (is_between) to.names[9] = "something";
+    const SkeletonMap map = make_skeleton_map(from, to, {.translations = TranslationRule::by_length});
+    BoneAnimation moves{.joint = 9}, turns{.joint = 9}, grows{.joint = 9};
+    moves.translation = {Interpolation::step, {0.0f}, {glm::vec3(3.0f)}};
+    turns.rotation = {Interpolation::step, {0.0f}, {test::FixedRandom(4).rotation_by(1.0)}};
+    grows.scale = {Interpolation::step, {0.0f}, {glm::vec3(2.0f)}};
+    for (const BoneAnimation& bone : {moves, turns, grows}) {
+      const Animation found = retarget_animation({"", 1.0, {bone}, {}}, map, from, to);
+      EXPECT_TRUE(found.bones.empty()) << is_between << " " << bone.translation.key_count() << bone.scale.key_count();
+    }
+  }
+}
+
 TEST(retarget_animation, scales_come_from_the_joint_itself_and_not_over_joints_between) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
   Skeleton to = from;
