@@ -10,6 +10,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/math/axis_angle.h"
+#include "runtime/model/mirror_scene.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/pose_memory.h"
 #include "tests/reference/pose_program.h"
@@ -17,9 +18,25 @@
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
+
+/// A random scene. Each of its clips also animates two properties of a material.
+Scene scene_with_properties(std::uint64_t seed) {
+  Scene scene = random_scene(seed);
+  scene.materials.resize(1);
+  for (std::size_t c = 0; c < scene.animations.size(); ++c) {
+    const float most = 0.25f * static_cast<float>(c + 1);
+    scene.animations[c].properties = {
+        {{PropertyKind::roughness, 0}, {Interpolation::linear, {0.0f, 1.0f}, {most, 0.0f}, 1}},
+        {{PropertyKind::emissive, 0}, {Interpolation::linear, {0.0f, 1.0f}, {0.0f, most, 1.0f, most, 1.0f, 2.0f}, 3}}};
+  }
+  scene.clips.clear();
+  finish_scene(scene);
+  return scene;
+}
 
 /// A scene with what programs read of it, and memory to run them in.
 struct Stage {
@@ -38,7 +55,7 @@ struct Stage {
   PoseProgramWork work;
 
   explicit Stage(std::uint64_t seed)
-      : scene(random_scene(seed)),
+      : scene(scene_with_properties(seed)),
         rest_weights(rest_weights_of(scene)),
         rest(joints()),
         result(joints()),
@@ -298,6 +315,126 @@ TEST(run_pose_program, work_is_counted_by_kind_and_what_is_not_in_the_program_co
   EXPECT_EQ(
       stage.work.poses_overlaid + stage.work.poses_added + stage.work.poses_mirrored + stage.work.joints_overridden,
       0u);
+}
+
+TEST(run_pose_program, each_external_pose_has_its_own_joints_weights_and_properties) {
+  Stage stage(11);
+  ASSERT_FALSE(stage.weights.empty());
+  ASSERT_FALSE(stage.properties.empty());
+  PoseMemory second(stage.joints());
+  for (std::size_t j = 0; j < stage.joints(); ++j) second.span().set(j, {glm::vec3(static_cast<float>(j))});
+  const std::vector<float> weights(stage.weights.size(), 0.75f), properties(stage.properties.size(), 3.0f);
+  const ExternalPose both[] = {stage.external, {second.span(), weights, properties}};
+  const PoseProgram program = PoseProgram().external(1);
+  PoseProgramJob job = stage.job(program.ops());
+  job.externals = both;
+  ASSERT_EQ(run(job), ErrorCode::ok);
+  EXPECT_EQ(stage.result.span().get(2).translation, glm::vec3(2.0f));
+  EXPECT_EQ(stage.weights, weights);
+  EXPECT_EQ(stage.properties, properties);
+  ExternalPose fewer = both[1];
+  fewer.properties = fewer.properties.first(fewer.properties.size() - 1);
+  const ExternalPose bad[] = {both[0], fewer};
+  job.externals = bad;
+  EXPECT_EQ(run(job), ErrorCode::size_mismatch) << "of the second pose too";
+}
+
+TEST(run_pose_program, an_override_of_a_share_mixes_both_transforms) {
+  Stage stage(12);
+  const Transform given{{1, 2, 3}, stage.scene.skeleton.rest[0].rotation, {2, 2, 2}};
+  const JointOverride joints[] = {{0, given}};
+  const std::span<const JointOverride> lists[] = {{}, joints};
+  const auto placed = [&](double share, float weight) {
+    const PoseProgram program = PoseProgram().rest().override_joints(1, share, weight);
+    PoseProgramJob job = stage.job(program.ops());
+    job.overrides = lists;
+    EXPECT_EQ(run(job), ErrorCode::ok);
+    return stage.result.span().get(0);
+  };
+  const Transform rest = stage.scene.skeleton.rest[0];
+  for (const double share : {0.0, 0.25, 1.0}) {
+    const auto w = static_cast<float>(share);
+    const Transform found = placed(share, 0.5f);
+    EXPECT_LT(test::distance(found.translation, rest.translation * (1.0f - w) + given.translation * w), 1e-6) << share;
+    EXPECT_LT(test::distance(found.scale, rest.scale * (1.0f - w) + given.scale * w), 1e-6) << share;
+  }
+}
+
+TEST(run_pose_program, every_kind_of_work_is_counted_and_added_to_the_count_before) {
+  Stage stage(14);
+  const MirrorMap map = make_mirror_map(stage.scene);
+  const MirrorTables mirror = make_mirror_tables(map.joints);
+  stage.assets.mirror = &mirror;
+  stage.assets.mirrored_weight_source = map.weight_source;
+  const PoseProgram program = PoseProgram()
+                                  .sample(0, 0.1)
+                                  .sample_mirrored(1, 0.2)
+                                  .overlay()
+                                  .sample(1, 0.3)
+                                  .add_to_rest()
+                                  .rest()
+                                  .sample_mirrored(0, 0.4)
+                                  .add()
+                                  .override_joints(0)
+                                  .external(0)
+                                  .overlay_model();
+  for (const std::uint32_t runs : {1u, 2u}) {
+    ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
+    EXPECT_EQ(stage.work.clips_sampled, 4 * runs);
+    EXPECT_EQ(stage.work.poses_mirrored, 2 * runs);
+    EXPECT_EQ(stage.work.poses_overlaid, 2 * runs);
+    EXPECT_EQ(stage.work.poses_added, 2 * runs);
+    EXPECT_EQ(stage.work.joints_overridden, 2 * runs);
+    EXPECT_EQ(stage.work.poses_blended, 0u);
+  }
+}
+
+/// Base, layer and reference lie one above the other: 1 + w (3 - 2) along x, and the other way round for y.
+TEST(run_pose_program, an_addition_takes_base_layer_and_reference_in_this_order) {
+  Stage stage(15);
+  std::vector<PoseMemory> poses;
+  std::vector<std::vector<float>> weights;
+  std::vector<ExternalPose> externals;
+  for (const float number : {1.0f, 3.0f, 2.0f}) {
+    poses.emplace_back(stage.joints());
+    weights.emplace_back(stage.weights.size(), number);
+  }
+  const glm::vec3 places[] = {{1, 1, 0}, {3, 2, 0}, {2, 4, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < stage.joints(); ++j) poses[i].span().set(j, {places[i]});
+    externals.push_back({poses[i].span(), weights[i], {}});
+  }
+  const PoseProgram program = PoseProgram().external(0).external(1, 0.5f).external(2).add();
+  PoseProgramJob job = stage.job(program.ops());
+  job.externals = externals;
+  ASSERT_EQ(run(job), ErrorCode::ok);
+  EXPECT_LT(test::distance(stage.result.span().get(1).translation, glm::vec3(1.5f, 0.0f, 0.0f)), 1e-6);
+  EXPECT_EQ(stage.weights, std::vector<float>(stage.weights.size(), 1.5f));
+}
+
+TEST(run_pose_program, clips_pages_and_tables_of_another_shape_are_refused) {
+  Stage stage(16);
+  const PoseProgram program = PoseProgram().sample(0, 0.1).sample(1, 0.2).overlay();
+  const auto with_assets = [&](auto change) {
+    Stage changed(16);
+    change(changed.assets);
+    return run(changed.job(program.ops()));
+  };
+  const Clip foreign = clip_of({}, chain_skeleton(static_cast<std::uint32_t>(stage.joints() + 1)));
+  const Clip* const pages[] = {nullptr, &foreign, nullptr};
+  PoseProgramJob job = stage.job(program.ops());
+  job.pages = pages;
+  EXPECT_EQ(run(job), ErrorCode::size_mismatch) << "the second page";
+  const Clip clips[] = {stage.scene.clips[0], foreign};
+  EXPECT_EQ(with_assets([](PoseProgramAssets&) {}), ErrorCode::ok);
+  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.clips = clips; }), ErrorCode::size_mismatch);
+  const std::vector<float> short_mask(stage.joints() - 1, 1.0f);
+  const std::span<const float> masks[] = {stage.masks[0], short_mask};
+  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.masks = masks; }), ErrorCode::size_mismatch);
+  const std::vector<std::uint32_t> sources(stage.weights.size() + 1, 0);
+  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.mirrored_weight_source = sources; }), ErrorCode::size_mismatch);
+  const MirrorTables mirror = make_mirror_tables(std::vector<MirroredJoint>(stage.joints() + 1));
+  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.mirror = &mirror; }), ErrorCode::size_mismatch);
 }
 
 TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_are_refused) {
