@@ -3,120 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <memory>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/math/axis_angle.h"
-#include "runtime/model/mirror_scene.h"
 #include "runtime/pose/local_to_model.h"
-#include "runtime/pose/pose_memory.h"
-#include "tests/reference/pose_program.h"
-#include "tests/scenes/random_scene.h"
+#include "tests/pose_program/program_stage.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
-#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
 
-/// A random scene. Each of its clips also animates two properties of a material.
-Scene scene_with_properties(std::uint64_t seed) {
-  Scene scene = random_scene(seed);
-  scene.materials.resize(1);
-  for (std::size_t c = 0; c < scene.animations.size(); ++c) {
-    const float most = 0.25f * static_cast<float>(c + 1);
-    scene.animations[c].properties = {
-        {{PropertyKind::roughness, 0}, {Interpolation::linear, {0.0f, 1.0f}, {most, 0.0f}, 1}},
-        {{PropertyKind::emissive, 0}, {Interpolation::linear, {0.0f, 1.0f}, {0.0f, most, 1.0f, most, 1.0f, 2.0f}, 3}}};
-  }
-  scene.clips.clear();
-  finish_scene(scene);
-  return scene;
-}
-
-/// A scene with what programs read of it, and memory to run them in.
-struct Stage {
-  Scene scene;
-  std::vector<float> rest_weights;
-  PoseMemory rest, result, external_memory;
-  std::vector<std::vector<float>> mask_memory;
-  std::vector<std::span<const float>> masks;
-  PoseProgramAssets assets;
-  ExternalPose external;
-  std::vector<float> external_weights, weights, properties;
-  std::vector<std::vector<JointOverride>> override_memory;
-  std::vector<std::span<const JointOverride>> overrides;
-  std::unique_ptr<std::byte[], decltype(&std::free)> block{nullptr, std::free};
-  std::size_t bytes = 0;
-  PoseProgramWork work;
-
-  explicit Stage(std::uint64_t seed)
-      : scene(scene_with_properties(seed)),
-        rest_weights(rest_weights_of(scene)),
-        rest(joints()),
-        result(joints()),
-        external_memory(joints()) {
-    FixedRandom random(seed);
-    mask_memory.resize(2);
-    for (std::size_t j = 0; j < joints(); ++j) {
-      rest.span().set(j, scene.skeleton.rest[j]);
-      Transform moved = scene.skeleton.rest[j];
-      moved.translation += random.vec3(-0.2, 0.2);
-      moved.rotation = random.rotation_by(0.4) * moved.rotation;
-      external_memory.span().set(j, moved);
-      mask_memory[0].push_back(static_cast<float>(random.unit()));
-      mask_memory[1].push_back(random.below(2) == 0 ? 0.0f : 1.0f);
-    }
-    masks.assign(mask_memory.begin(), mask_memory.end());
-    for (std::size_t i = 0; i < rest_weights.size(); ++i) external_weights.push_back(static_cast<float>(random.unit()));
-    external = {external_memory.span(), external_weights, {}};
-    override_memory.resize(2);
-    for (const OverrideSpace space : {OverrideSpace::local, OverrideSpace::model})
-      for (int i = 0; i < 2; ++i)
-        override_memory[space == OverrideSpace::model].push_back(
-            {random.below(static_cast<std::uint32_t>(joints())),
-             {random.vec3(-1, 1), random.rotation_by(0.3), {1, 1, 1}},
-             space});
-    overrides.assign(override_memory.begin(), override_memory.end());
-    assets = {.skeleton = &scene.skeleton,
-              .clips = scene.clips,
-              .rest = rest.span(),
-              .rest_weights = rest_weights,
-              .rest_properties = scene.properties.rest,
-              .masks = masks};
-    weights.resize(rest_weights.size());
-    properties.resize(scene.properties.rest.size());
-    bytes = pose_program_bytes(assets, 8);
-    block.reset(static_cast<std::byte*>(std::aligned_alloc(64, bytes)));
-  }
-
-  std::size_t joints() const { return scene.skeleton.joint_count(); }
-
-  PoseProgramJob job(PoseProgramSpan program) {
-    return {.program = program,
-            .assets = &assets,
-            .externals = {&external, 1},
-            .overrides = overrides,
-            .memory = {block.get(), bytes},
-            .pose = result.span(),
-            .weights = weights,
-            .properties = properties,
-            .work = &work};
-  }
-  ErrorCode run_program(const PoseProgram& program) { return run(job(program.ops())); }
-
-  reference::SlowPose run_slowly(PoseProgramSpan program) const {
-    reference::SlowPose slow_external;
-    for (std::size_t j = 0; j < joints(); ++j) slow_external.joints.push_back(in_double(external.pose.get(j)));
-    slow_external.weights.assign(external_weights.begin(), external_weights.end());
-    slow_external.properties.assign(scene.properties.rest.begin(), scene.properties.rest.end());
-    return reference::SlowProgram(scene, rest_weights, masks, {&slow_external, 1}, overrides).run(program);
-  }
-};
+using Stage = ProgramStage;
 
 /// Random operations. Each number is drawn in a statement of its own, so that all compilers draw the same program.
 class RandomProgram {
@@ -307,16 +207,6 @@ TEST(run_pose_program, joints_are_placed_in_model_space_under_any_parent_but_a_f
   EXPECT_EQ(stayed, stage.result.span().get(joint));
 }
 
-TEST(run_pose_program, work_is_counted_by_kind_and_what_is_not_in_the_program_counts_zero) {
-  Stage stage(9);
-  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.1).sample(1, 0.2).mean(2)), ErrorCode::ok);
-  EXPECT_EQ(stage.work.clips_sampled, 2u);
-  EXPECT_EQ(stage.work.poses_blended, 2u);
-  EXPECT_EQ(
-      stage.work.poses_overlaid + stage.work.poses_added + stage.work.poses_mirrored + stage.work.joints_overridden,
-      0u);
-}
-
 TEST(run_pose_program, each_external_pose_has_its_own_joints_weights_and_properties) {
   Stage stage(11);
   ASSERT_FALSE(stage.weights.empty());
@@ -360,35 +250,6 @@ TEST(run_pose_program, an_override_of_a_share_mixes_both_transforms) {
   }
 }
 
-TEST(run_pose_program, every_kind_of_work_is_counted_and_added_to_the_count_before) {
-  Stage stage(14);
-  const MirrorMap map = make_mirror_map(stage.scene);
-  const MirrorTables mirror = make_mirror_tables(map.joints);
-  stage.assets.mirror = &mirror;
-  stage.assets.mirrored_weight_source = map.weight_source;
-  const PoseProgram program = PoseProgram()
-                                  .sample(0, 0.1)
-                                  .sample_mirrored(1, 0.2)
-                                  .overlay()
-                                  .sample(1, 0.3)
-                                  .add_to_rest()
-                                  .rest()
-                                  .sample_mirrored(0, 0.4)
-                                  .add()
-                                  .override_joints(0)
-                                  .external(0)
-                                  .overlay_model();
-  for (const std::uint32_t runs : {1u, 2u}) {
-    ASSERT_EQ(stage.run_program(program), ErrorCode::ok);
-    EXPECT_EQ(stage.work.clips_sampled, 4 * runs);
-    EXPECT_EQ(stage.work.poses_mirrored, 2 * runs);
-    EXPECT_EQ(stage.work.poses_overlaid, 2 * runs);
-    EXPECT_EQ(stage.work.poses_added, 2 * runs);
-    EXPECT_EQ(stage.work.joints_overridden, 2 * runs);
-    EXPECT_EQ(stage.work.poses_blended, 0u);
-  }
-}
-
 /// Base, layer and reference lie one above the other: 1 + w (3 - 2) along x, and the other way round for y.
 TEST(run_pose_program, an_addition_takes_base_layer_and_reference_in_this_order) {
   Stage stage(15);
@@ -410,60 +271,6 @@ TEST(run_pose_program, an_addition_takes_base_layer_and_reference_in_this_order)
   ASSERT_EQ(run(job), ErrorCode::ok);
   EXPECT_LT(test::distance(stage.result.span().get(1).translation, glm::vec3(1.5f, 0.0f, 0.0f)), 1e-6);
   EXPECT_EQ(stage.weights, std::vector<float>(stage.weights.size(), 1.5f));
-}
-
-TEST(run_pose_program, clips_pages_and_tables_of_another_shape_are_refused) {
-  Stage stage(16);
-  const PoseProgram program = PoseProgram().sample(0, 0.1).sample(1, 0.2).overlay();
-  const auto with_assets = [&](auto change) {
-    Stage changed(16);
-    change(changed.assets);
-    return run(changed.job(program.ops()));
-  };
-  const Clip foreign = clip_of({}, chain_skeleton(static_cast<std::uint32_t>(stage.joints() + 1)));
-  const Clip* const pages[] = {nullptr, &foreign, nullptr};
-  PoseProgramJob job = stage.job(program.ops());
-  job.pages = pages;
-  EXPECT_EQ(run(job), ErrorCode::size_mismatch) << "the second page";
-  const Clip clips[] = {stage.scene.clips[0], foreign};
-  EXPECT_EQ(with_assets([](PoseProgramAssets&) {}), ErrorCode::ok);
-  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.clips = clips; }), ErrorCode::size_mismatch);
-  const std::vector<float> short_mask(stage.joints() - 1, 1.0f);
-  const std::span<const float> masks[] = {stage.masks[0], short_mask};
-  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.masks = masks; }), ErrorCode::size_mismatch);
-  const std::vector<std::uint32_t> sources(stage.weights.size() + 1, 0);
-  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.mirrored_weight_source = sources; }), ErrorCode::size_mismatch);
-  const MirrorTables mirror = make_mirror_tables(std::vector<MirroredJoint>(stage.joints() + 1));
-  EXPECT_EQ(with_assets([&](PoseProgramAssets& a) { a.mirror = &mirror; }), ErrorCode::size_mismatch);
-}
-
-TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_are_refused) {
-  Stage stage(10);
-  PoseProgram program;
-  program.sample(0, 0.1).external(0).overlay().override_joints(0);
-  const auto code = [&](auto change) {
-    PoseProgramJob job = stage.job(program.ops());
-    change(job);
-    return run(job);
-  };
-  EXPECT_EQ(code([](PoseProgramJob&) {}), ErrorCode::ok);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.assets = nullptr; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.memory = job.memory.first(64); }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.joint_count -= 1; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.planes = nullptr; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.weights = job.weights.first(1); }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.externals = {}; }), ErrorCode::index_out_of_range);
-  const Clip* const one_page[] = {nullptr};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.pages = one_page; }), ErrorCode::size_mismatch);
-  ExternalPose smaller = stage.external;
-  smaller.weights = smaller.weights.first(1);
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.externals = {&smaller, 1}; }), ErrorCode::size_mismatch);
-  JointOverride bad{0, {}, OverrideSpace::local};
-  bad.transform.rotation.y = std::numeric_limits<float>::infinity();
-  const std::span<const JointOverride> bad_joints(&bad, 1);
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::not_finite);
-  bad = {static_cast<std::uint32_t>(stage.joints()), {}, OverrideSpace::local};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.overrides = {&bad_joints, 1}; }), ErrorCode::index_out_of_range);
 }
 
 }  // namespace
