@@ -21,67 +21,39 @@ namespace {
 struct TileStreams {
   const VertexTiles& tiles;
   const JointMatrix* palette;
-  VertexInput moved;
   VertexOutput out;
   bool past_caches;  ///< stores may bypass the caches where they are aligned
 
   const std::uint16_t* joints_of(const TileRun& run) const { return tiles.joints.data() + run.first_joint; }
-  bool any_moved() const { return !moved.positions.empty() || !moved.normals.empty() || !moved.tangents.empty(); }
 };
 
-/// Planes of a tile, and where packed vertices go.
-struct TileAccess {
+/// Planes of a tile.
+struct TileInputs {
   const TilePlane* positions;
   const TilePlane* normals;
   const TilePlane* tangents;
-  glm::vec3* positions_out;
-  glm::vec3* normals_out;
-  glm::vec4* tangents_out;
 };
 
-/// Stands between a vector of lanes and the arrays of vertices, if the vertices are not in a row, have moved, or go
-/// past the caches.
-struct Detour {
-  TilePlane positions[3], normals[3], tangents[4];
-  glm::vec3 positions_out[kTileSize], normals_out[kTileSize];
-  glm::vec4 tangents_out[kTileSize];
+/// Packed vertices of a vector of lanes on their way to places that are not in a row, or past the caches.
+struct KeptVertices {
+  HWY_ALIGN glm::vec3 positions[kTileSize];
+  HWY_ALIGN glm::vec3 normals[kTileSize];
+  HWY_ALIGN glm::vec4 tangents[kTileSize];
 
-  /// in   tile  of the tiles;   at  index of the first lane among all lanes
-  HWY_NOINLINE TileAccess begin(const TileStreams& s, std::size_t at, const TilePlane* rest_positions,
-                                const TilePlane* rest_normals, const TilePlane* rest_tangents) {
-    const std::uint32_t* vertices = s.tiles.vertices.data() + at;
-    const std::size_t lane = at % VertexTiles::kLanes;
-    const auto moved_or = [&](const auto& moved, const TilePlane* rest, TilePlane* gathered) -> const TilePlane* {
-      if (moved.empty()) return rest;
-      gather(moved.data(), vertices, lane, gathered);
-      return gathered;
-    };
-    return {moved_or(s.moved.positions, rest_positions, positions),
-            moved_or(s.moved.normals, rest_normals, normals),
-            moved_or(s.moved.tangents, rest_tangents, tangents),
-            positions_out,
-            normals_out,
-            tangents_out};
-  }
-  HWY_NOINLINE void end(const TileStreams& s, const TileRun& run, std::size_t lane, bool has_normals,
-                        bool has_tangents) const {
-    const std::size_t at = std::size_t{run.first_tile} * VertexTiles::kLanes + lane;
-    const bool streams = s.past_caches && lane < lanes_in_a_row(run);
-    const std::uint32_t* vertices = s.tiles.vertices.data() + at;
-    const std::uint32_t* fours = s.tiles.fours.data() + at / 4;
-    scatter(positions_out, vertices, fours, streams, s.out.positions.data());
-    if (has_normals) scatter(normals_out, vertices, fours, streams, s.out.normals.data());
-    if (has_tangents) scatter(tangents_out, vertices, fours, streams, s.out.tangents.data());
+  HWY_NOINLINE void store(const TileStreams& s, const LaneVertices& at, bool has_normals, bool has_tangents) const {
+    scatter(positions, at, s.past_caches, s.out.positions.data());
+    if (has_normals) scatter(normals, at, s.past_caches, s.out.normals.data());
+    if (has_tangents) scatter(tangents, at, s.past_caches, s.out.tangents.data());
   }
 };
 
-/// The scalar path for normals and tangents of a vector of lanes. Needed if squares leave the range of float, the side of
-/// a normal is in doubt, or a direction vanishes. The matrices have the bits of those that move the positions.
-/// in   tile  outputs begin with the vector
-HWY_NOINLINE void write_careful(const TileStreams& s, const TileRun& run, std::size_t lane_of_run, TileAccess tile,
+/// The scalar path for normals and tangents of a vector of lanes. Needed if squares leave the range of float, the side
+/// of a normal is in doubt, or a direction vanishes. The matrices have the bits of those that move the positions.
+HWY_NOINLINE void write_careful(const TileStreams& s, const TileRun& run, std::size_t lane_of_run, TileInputs tile,
                                 bool normals, bool tangents, bool cofactor) {
   const TileTag d;
   const std::size_t lane = lane_of_run % VertexTiles::kLanes;
+  const std::uint32_t* vertices = &s.tiles.vertices[std::size_t{run.first_tile} * VertexTiles::kLanes + lane_of_run];
   const TilePlane* weights =
       &s.tiles.positions[run.first_plane + lane_of_run / VertexTiles::kLanes * run.planes_per_tile() + 3];
   const SpreadMatrices<0> matrices(s.palette, s.joints_of(run), run.joint_count);
@@ -105,12 +77,12 @@ HWY_NOINLINE void write_careful(const TileStreams& s, const TileRun& run, std::s
   if (normals) {
     Lanes3 moved = moved_normals(m, load_planes3(tile.normals, lane), cofactor);
     for_each_lane_not_in(normalise(moved),
-                         [&](std::size_t i) { tile.normals_out[i] = careful(tile.normals, i, cofactor); });
+                         [&](std::size_t i) { s.out.normals[vertices[i]] = careful(tile.normals, i, cofactor); });
   }
   if (tangents) {
     Lanes3 moved = transform_vectors(m, load_planes3(tile.tangents, lane));
     for_each_lane_not_in(normalise(moved), [&](std::size_t i) {
-      tile.tangents_out[i] = glm::vec4(careful(tile.tangents, i, false), tile.tangents[3].lane[lane + i]);
+      s.out.tangents[vertices[i]] = glm::vec4(careful(tile.tangents, i, false), tile.tangents[3].lane[lane + i]);
     });
   }
 }
@@ -121,57 +93,48 @@ struct SkinRun {
   const TileStreams& s;
 
   HWY_NOINLINE void operator()(const TileRun& run) const {
-    const auto matrices = matrices_of(run);
+    const SpreadMatrices<kCount> matrices(s.palette, s.joints_of(run), run.joint_count);
     const std::size_t planes = kCount > 0 ? 2 + static_cast<std::size_t>(kCount) : run.planes_per_tile();
-    const std::size_t lane_count = run.lane_count, first_lane = std::size_t{run.first_tile} * VertexTiles::kLanes;
-    const std::size_t direct_lanes = s.past_caches || s.any_moved() ? 0 : lanes_in_a_row(run);
-    const std::uint32_t* first_of = kTileSize == 1 ? &s.tiles.vertices[first_lane] : &s.tiles.fours[first_lane / 4];
-    const VertexOutput out = s.out;  // a copy, which no store can change
-    TileAccess tile = inputs(run);
-    Detour detour;
+    const std::size_t lane_count = run.lane_count, row_lanes = lanes_in_a_row(run);
+    const std::size_t direct_lanes = s.past_caches ? 0 : row_lanes;
+    const std::uint32_t* vertices = &s.tiles.vertices[std::size_t{run.first_tile} * VertexTiles::kLanes];
+    const std::uint32_t* fours = &s.tiles.fours[std::size_t{run.first_tile} * VertexTiles::kLanes / 4];
+    const VertexOutput out = s.out;  // copies, which no store can change
+    const TilePlane* positions = s.tiles.positions.data() + run.first_plane;
+    const TilePlane* normals = kNormals ? s.tiles.normals.data() + std::size_t{run.first_tile} * 3 : nullptr;
+    const TilePlane* tangents = kTangents ? s.tiles.tangents.data() + std::size_t{run.first_tile} * 4 : nullptr;
+    KeptVertices kept;
     for (std::size_t lane = 0, in_tile = 0; lane < lane_count; lane += kTileSize) {
-      const TilePlane* weights = tile.positions + 3;
-      TileAccess at;
+      glm::vec3 *positions_out = kept.positions, *normals_out = kept.normals;
+      glm::vec4* tangents_out = kept.tangents;
       const bool is_direct = lane < direct_lanes;
       if (HWY_LIKELY(is_direct)) {
-        const std::size_t first = first_of[lane / std::min<std::size_t>(kTileSize, 4)];
-        at = {tile.positions,
-              tile.normals,
-              tile.tangents,
-              out.positions.data() + first,
-              kNormals ? out.normals.data() + first : nullptr,
-              kTangents ? out.tangents.data() + first : nullptr};
-      } else {
-        at = detour.begin(s, first_lane + lane, tile.positions, tile.normals, tile.tangents);
+        const std::size_t first = kTileSize == 1 ? vertices[lane] : fours[lane / 4];
+        positions_out = out.positions.data() + first;
+        if constexpr (kNormals) normals_out = out.normals.data() + first;
+        if constexpr (kTangents) tangents_out = out.tangents.data() + first;
       }
-      const bool sound = skin_lanes(matrices, weights, in_tile, at);
+      const bool sound = skin_lanes(matrices, positions + 3, in_tile, {positions, normals, tangents}, positions_out,
+                                    normals_out, tangents_out);
+      if (HWY_UNLIKELY(!is_direct))
+        kept.store(s, {vertices + lane, fours + lane / 4, lane < row_lanes}, kNormals, kTangents);
       if constexpr (kNormals || kTangents)
-        if (HWY_UNLIKELY(!sound)) write_careful(s, run, lane, at, kNormals, kTangents, kCofactor);
-      if (HWY_UNLIKELY(!is_direct)) detour.end(s, run, lane, kNormals, kTangents);
+        if (HWY_UNLIKELY(!sound))
+          write_careful(s, run, lane, TileInputs{positions, normals, tangents}, kNormals, kTangents, kCofactor);
       in_tile += kTileSize;
       if (in_tile < VertexTiles::kLanes) continue;
       in_tile = 0;
-      tile.positions += planes;
-      if constexpr (kNormals) tile.normals += 3;
-      if constexpr (kTangents) tile.tangents += 4;
+      positions += planes;
+      if constexpr (kNormals) normals += 3;
+      if constexpr (kTangents) tangents += 4;
     }
   }
 
  private:
-  HWY_INLINE auto matrices_of(const TileRun& run) const {
-    return SpreadMatrices<kCount>(s.palette, s.joints_of(run), run.joint_count);
-  }
-  HWY_INLINE TileAccess inputs(const TileRun& run) const {
-    TileAccess tile{};
-    tile.positions = s.tiles.positions.data() + run.first_plane;
-    if constexpr (kNormals) tile.normals = s.tiles.normals.data() + std::size_t{run.first_tile} * 3;
-    if constexpr (kTangents) tile.tangents = s.tiles.tangents.data() + std::size_t{run.first_tile} * 4;
-    return tile;
-  }
   /// Column by column, so that everything fits into sixteen registers. True if all directions keep their digits.
-  template <class Matrices>
-  HWY_INLINE bool skin_lanes(const Matrices& matrices, const TilePlane* weights, std::size_t lane,
-                             const TileAccess& tile) const {
+  HWY_INLINE bool skin_lanes(const SpreadMatrices<kCount>& matrices, const TilePlane* weights, std::size_t lane,
+                             const TileInputs& tile, glm::vec3* positions_out, [[maybe_unused]] glm::vec3* normals_out,
+                             [[maybe_unused]] glm::vec4* tangents_out) const {
     const auto column = [&](std::size_t c) HWY_ATTR { return matrices.column(c, weights, lane); };
     const Lanes3 p = load_planes3(tile.positions, lane);
     Lanes3 n{}, t{}, moved_n{}, moved_t{};
@@ -187,17 +150,17 @@ struct SkinRun {
     if constexpr (kNormals && !kCofactor) moved_n = plus_product(moved_n, m.c1, n.y);
     if constexpr (kTangents) moved_t = plus_product(moved_t, m.c1, t.y);
     m.c2 = column(2);
-    pack(plus_product(moved_p, m.c2, p.z), tile.positions_out);
+    pack(plus_product(moved_p, m.c2, p.z), positions_out);
     auto sound = hn::FirstN(TileTag(), kTileSize);
     if constexpr (kNormals) {
       moved_n = kCofactor ? moved_normals(m, n, true) : plus_product(moved_n, m.c2, n.z);
       sound = normalise(moved_n);
-      pack(moved_n, tile.normals_out);
+      pack(moved_n, normals_out);
     }
     if constexpr (kTangents) {
       moved_t = plus_product(moved_t, m.c2, t.z);
       sound = hn::And(sound, normalise(moved_t));
-      pack(Lanes4{moved_t.x, moved_t.y, moved_t.z, load_plane(tile.tangents[3], lane)}, tile.tangents_out);
+      pack(Lanes4{moved_t.x, moved_t.y, moved_t.z, load_plane(tile.tangents[3], lane)}, tangents_out);
     }
     return hn::AllTrue(TileTag(), sound);
   }
@@ -222,7 +185,7 @@ bool wants_streams(const SkinTilesJob& job) {
 }
 
 void skin_tiles(const SkinTilesJob& job) {
-  const TileStreams streams{*job.tiles, job.palette.data(), job.moved, job.out, wants_streams(job)};
+  const TileStreams streams{*job.tiles, job.palette.data(), job.out, wants_streams(job)};
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for (const TileRun& run : job.tiles->runs)
       with_joint_count(run, [&](auto count) {
@@ -248,15 +211,11 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 
 ErrorCode check(const SkinTilesJob& job) noexcept {
-  if (job.tiles == nullptr || !have_memory(job.palette, job.moved.positions, job.moved.normals, job.moved.tangents,
-                                           job.out.positions, job.out.normals, job.out.tangents))
+  if (job.tiles == nullptr || !have_memory(job.palette, job.out.positions, job.out.normals, job.out.tangents))
     return ErrorCode::size_mismatch;
   const std::size_t count = job.tiles->vertex_count;
-  const auto moved_fits = [count](std::size_t moved) { return moved == 0 || moved == count; };
   const bool fits = job.out.positions.size() >= count && (!job.writes_normals() || job.out.normals.size() >= count) &&
-                    (!job.writes_tangents() || job.out.tangents.size() >= count) &&
-                    moved_fits(job.moved.positions.size()) && moved_fits(job.moved.normals.size()) &&
-                    moved_fits(job.moved.tangents.size());
+                    (!job.writes_tangents() || job.out.tangents.size() >= count);
   if (!fits) return ErrorCode::size_mismatch;
   return job.palette.size() < job.tiles->joint_count ? ErrorCode::index_out_of_range : ErrorCode::ok;
 }

@@ -14,8 +14,6 @@ namespace sinew {
 /// eq   M = B + sum(w_i * (palette[joint_i] - B)), B the matrix of the run's last joint, whose weight is left out;
 ///      p' = M p,  n and t as in SkinLinearJob
 /// in   tiles    of the primitive;   palette[N]  finite
-///      moved    vertices in the order of the primitive in place of those in the tiles, such as morphed ones. Empty:
-///               the attribute did not move
 /// out  out      in the order of the primitive; must not overlap the input. A normal that collapses to zero keeps its
 ///               input value
 /// err  size_mismatch, index_out_of_range
@@ -24,18 +22,13 @@ namespace sinew {
 struct SkinTilesJob {
   const VertexTiles* tiles = nullptr;
   std::span<const JointMatrix> palette;
-  VertexInput moved;
   VertexOutput out;
   NormalRule normal_rule = NormalRule::linear;
   bool past_caches = false;
 
-  /// An attribute is written if the mesh has it and there is room for it.
-  bool writes_normals() const noexcept {
-    return !out.normals.empty() && !(tiles->normals.empty() && moved.normals.empty());
-  }
-  bool writes_tangents() const noexcept {
-    return !out.tangents.empty() && !(tiles->tangents.empty() && moved.tangents.empty());
-  }
+  /// An attribute is written if the tiles have it and there is room for it.
+  bool writes_normals() const noexcept { return !out.normals.empty() && !tiles->normals.empty(); }
+  bool writes_tangents() const noexcept { return !out.tangents.empty() && !tiles->tangents.empty(); }
 };
 
 SINEW_API ErrorCode check(const SkinTilesJob& job) noexcept;

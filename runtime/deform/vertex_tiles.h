@@ -32,9 +32,9 @@ struct TileRun {
 /// Vertices of a primitive in the order in which linear skinning is fastest (SkinTilesJob). The order depends on the
 /// mesh alone: it is made once, and all characters and instruction sets share it.
 ///
-/// Vertices are sorted by the set of their joints, whose order does not matter. If they fill no whole vector of their
-/// set, the last ones take free lanes of larger sets, with weight 0 for the joints that they do not follow. Weights are
-/// divided by their sum, so that the last one can be left out.
+/// Vertices are sorted by the set of their joints, whose order does not matter. If the last ones of a set
+/// fill no vector, they take free lanes of larger sets, with weight 0 for all other joints. Weights are divided by
+/// their sum, so that the last one can be left out.
 struct VertexTiles {
   static constexpr std::uint32_t kLanes = 16;
   static constexpr std::uint32_t kNotInARow = 0x7fffffff;

@@ -28,7 +28,7 @@ struct TiledVertices {
     test::share_joints(random, s, 3);
     tiles = tile_vertices(s.influences, s.in());
   }
-  SkinTilesJob job() { return {.tiles = &tiles, .palette = s.palette, .moved = {}, .out = s.out()}; }
+  SkinTilesJob job() { return {.tiles = &tiles, .palette = s.palette, .out = s.out()}; }
 
   /// Double-precision blend of the matrices of vertex v.
   Affined truth(std::size_t v) const {
@@ -92,18 +92,11 @@ TEST(skin_vertex_tiles, rejects_wrong_sizes_and_joints_out_of_range) {
   job = v.job();
   job.out.tangents = job.out.tangents.first(1);
   EXPECT_EQ(check(job), ErrorCode::size_mismatch);
-  for (const VertexInput& moved :
-       {VertexInput{std::span(v.s.positions).first(1), {}, {}}, VertexInput{{}, std::span(v.s.normals).first(1), {}},
-        VertexInput{{}, {}, std::span(v.s.tangents).first(1)}}) {
-    job = v.job();
-    job.moved = moved;
-    EXPECT_EQ(check(job), ErrorCode::size_mismatch);
-  }
 }
 
 TEST(skin_vertex_tiles, no_vertices_is_no_work) {
   const VertexTiles none = tile_vertices({}, {});
-  EXPECT_EQ(run(SkinTilesJob{.tiles = &none, .palette = {}, .moved = {}, .out = {}}), ErrorCode::ok);
+  EXPECT_EQ(run(SkinTilesJob{.tiles = &none, .palette = {}, .out = {}}), ErrorCode::ok);
 }
 
 TEST(skin_vertex_tiles, vertices_agree_with_double_on_every_instruction_set) {
@@ -144,32 +137,6 @@ TEST(skin_vertex_tiles, groups_of_every_size_have_the_same_bits_on_every_instruc
         EXPECT_TRUE(bits_on(target) == (test::fuses_multiply_add(target) ? fused : unfused))
             << size << ' ' << test::simd_name(target);
     }
-}
-
-TEST(skin_vertex_tiles, moved_vertices_have_the_bits_of_tiles_of_them) {
-  for (const std::int64_t target : test::simd_targets()) {
-    const test::OnlyTarget only(target);
-    TiledVertices v(4);
-    const test::SkinnedVertices rest = v.s;
-    for (glm::vec3& p : v.s.positions) p += glm::vec3(0.25f, -0.5f, 0.125f);
-    for (glm::vec3& n : v.s.normals) n = {n.y, n.z, n.x};
-    for (glm::vec4& t : v.s.tangents) t = {t.y, t.z, t.x, -t.w};
-    auto job = v.job();
-    job.moved = v.s.in();
-    EXPECT_EQ(run(job), ErrorCode::ok);
-    const OutputBits moved(v.s);
-    const VertexTiles of_moved = tile_vertices(v.s.influences, v.s.in());
-    job = v.job();
-    job.tiles = &of_moved;
-    EXPECT_EQ(run(job), ErrorCode::ok);
-    EXPECT_TRUE(moved == OutputBits(v.s)) << test::simd_name(target);
-
-    job = v.job();  // one attribute alone
-    job.moved.positions = v.s.positions;
-    EXPECT_EQ(run(job), ErrorCode::ok);
-    EXPECT_EQ(v.s.out_positions, moved.positions);
-    EXPECT_NE(v.s.out_normals, moved.normals);
-  }
 }
 
 TEST(skin_vertex_tiles, stores_past_the_caches_write_the_same_bits) {
@@ -263,7 +230,7 @@ TEST(skin_vertex_tiles, a_joint_far_away_does_not_reach_the_vertices_that_do_not
   s.palette[4].column[3] = {1e7f, 0, 0, 1};
   const VertexTiles tiles = tile_vertices(s.influences, s.in());
   ASSERT_EQ(tiles.runs.size(), 1u);
-  EXPECT_EQ(run(SkinTilesJob{.tiles = &tiles, .palette = s.palette, .moved = {}, .out = s.out()}), ErrorCode::ok);
+  EXPECT_EQ(run(SkinTilesJob{.tiles = &tiles, .palette = s.palette, .out = s.out()}), ErrorCode::ok);
   const Affine m = affine_from(s.palette[1]);
   for (std::size_t v = 0; v < 3; ++v)
     EXPECT_TRUE(test::is_near(s.out_positions[v], transform_point(m, s.positions[v]), 1e-6)) << v;

@@ -10,8 +10,8 @@
 
 namespace sinew::test {
 
-/// Gives the vertices of each group the joints of its first `sets` vertices, some in a row and some in turns, each in
-/// an order of its own.
+/// Gives the vertices of each group the joints of its first `sets` vertices, in shuffled orders. The first half of the
+/// vertices has them in a row, the others in turns.
 inline void share_joints(FixedRandom& random, SkinnedVertices& s, std::uint32_t sets) {
   for (const InfluenceGroup& group : s.influences.groups) {
     const std::uint32_t half = group.vertex_count / 2;

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/deform/simd/triples-inl.h"
@@ -59,34 +61,62 @@ HWY_INLINE void pack(const Lanes3& v, glm::vec3* to) {
 }
 HWY_INLINE void pack(const Lanes4& v, glm::vec4* to) { hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &to->x); }
 
-/// Writes the attributes of a vector's vertices to their lanes of planes.
+/// The vertices of a vector of lanes.
+struct LaneVertices {
+  const std::uint32_t* vertices;  ///< [kTileSize]
+  const std::uint32_t* fours;     ///< [kTileSize / 4]
+  bool in_a_row;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
 template <class V>
-void gather(const V* all, const std::uint32_t* vertices, std::size_t lane, TilePlane* planes) {
-  for (std::size_t i = 0; i < kTileSize; ++i)
-    for (int c = 0; c < V::length(); ++c) planes[c].lane[lane + i] = all[vertices[i]][c];
+void scatter(const V* packed, const LaneVertices& at, bool, V* all) {
+  all[*at.vertices] = *packed;
 }
 
-/// Copies packed attributes to where the vertices lie.
-/// in   streams  the vertices are in a row: bypass the caches if the place is aligned to vectors
+#else
+
+/// Copies the vertices of four lanes. Each load lies in one of the vectors just stored: one that takes parts of two has
+/// to wait for both.
+template <std::size_t kFirst, std::size_t... kLanes, class V>
+HWY_INLINE void copy_four(const V* packed, const std::uint32_t* vertices, V* all, std::index_sequence<kLanes...>) {
+  const auto copy = [&](auto lane) {
+    constexpr std::size_t kAt = decltype(lane)::value * sizeof(V) % sizeof(Wide);
+    constexpr std::size_t kPart = sizeof(Wide) - kAt == sizeof(float) ? sizeof(float) : 2 * sizeof(float);
+    const char* from = reinterpret_cast<const char*>(packed + lane);
+    char* to = reinterpret_cast<char*>(all + vertices[lane]);
+    std::memcpy(to, from, kPart);
+    std::memcpy(to + kPart, from + kPart, sizeof(V) - kPart);
+  };
+  (copy(std::integral_constant<std::size_t, kFirst + kLanes>()), ...);
+}
+
+/// Copies packed attributes to where their vertices lie.
+/// in   past_caches  bypass the caches where vertices in a row are aligned to vectors
 template <class V>
-void scatter(const V* packed, const std::uint32_t* vertices, const std::uint32_t* fours, bool streams, V* all) {
-  V* to = all + *vertices;
-  if (streams && reinterpret_cast<std::uintptr_t>(to) % sizeof(Wide) == 0) {
-    const TileTag d;
+void scatter(const V* packed, const LaneVertices& at, bool past_caches, V* all) {
+  const TileTag d;
+  V* to = all + *at.vertices;
+  if (past_caches && at.in_a_row && reinterpret_cast<std::uintptr_t>(to) % sizeof(Wide) == 0) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(V::length()) * kTileSize; i += kTileSize)
       hn::Stream(hn::LoadU(d, &packed->x + i), d, &to->x + i);
     return;
   }
-  if constexpr (kTileSize == 1) {
-    *to = *packed;
-  } else {
-    for (std::size_t i = 0; i < kTileSize; i += 4)
-      if (fours[i / 4] != VertexTiles::kNotInARow)
-        std::memcpy(all + fours[i / 4], packed + i, 4 * sizeof(V));
-      else
-        for (std::size_t k = i; k < i + 4; ++k) all[vertices[k]] = packed[k];
-  }
+  const auto store_four = [&](auto first) {
+    const std::uint32_t four = at.fours[first / 4];
+    if (four != VertexTiles::kNotInARow)
+      std::memcpy(all + four, packed + first, 4 * sizeof(V));
+    else
+      copy_four<first>(packed, at.vertices, all, std::make_index_sequence<4>());
+  };
+  store_four(std::integral_constant<std::size_t, 0>());
+  if constexpr (kTileSize >= 8) store_four(std::integral_constant<std::size_t, 4>());
+  if constexpr (kTileSize >= 16) store_four(std::integral_constant<std::size_t, 8>());
+  if constexpr (kTileSize >= 16) store_four(std::integral_constant<std::size_t, 12>());
 }
+
+#endif
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
