@@ -14,6 +14,7 @@
 #include "runtime/clip/clip_layout.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/plan_primitives.h"
+#include "runtime/plan/pose_operations.h"
 #include "runtime/plan/scene_indices.h"
 #include "runtime/pose/hemisphere_pairs.h"
 #include "runtime/pose/simd/choose_instruction_set.h"
@@ -232,6 +233,7 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
     plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s])
                                                   : std::vector<JointPair>{});
   plan.stages = chosen_stages(plan);
+  plan.pose_assets = pose_assets(plan);
   lay_out_frame(plan);
   return Plan(made);
 }

@@ -48,6 +48,7 @@ struct CompiledPlan {
   std::vector<std::vector<float>> mask_weights;  ///< [masks of the needs][joints of poses]
   std::vector<std::span<const float>> masks;     ///< views of `mask_weights`
   std::vector<float> rest_weights;               ///< [W]
+  PoseProgramAssets pose_assets;                 ///< views of the above; the rest pose is FrameLayout::rest_pose
 
   // Mesh instances and their primitives.
   std::vector<PrimitivePlan> primitives;                     ///< one per primitive of each mesh instance

@@ -140,6 +140,10 @@ void lay_out_front(CompiledPlan& plan, PoseMaker& make, MemoryLayout& memory) {
   }
   layout.stretch = memory.take<bool>(scene.skins.size());
   layout.front_bytes = memory.size();
+  if (!plan.poses) return;
+  layout.pose_slots = PoseSlotLayout(plan.pose_assets, pose_room(plan));
+  layout.pose_program = memory.take<std::byte>(layout.pose_slots.bytes);
+  layout.front_bytes += layout.pose_slots.front_bytes;
 }
 
 std::size_t most_corrective_scratch(const CompiledPlan& plan) {
@@ -158,7 +162,6 @@ void lay_out_frame(CompiledPlan& plan) {
   lay_out_front(plan, make, memory);
   layout.rest_pose = make.pose();
   if (!plan.poses) layout.pose.pose = layout.rest_pose;
-  if (plan.poses) layout.pose_program = memory.take<std::byte>(pose_memory_bytes(plan));
   layout.corrective_scratch = memory.take<double>(most_corrective_scratch(plan));
   if (plan.interpolate)
     for (PoseBlocks& update : layout.updates) update = {make.pose(), make.weights(), make.properties()};

@@ -9,6 +9,7 @@
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
 #include "runtime/pose/joint_palette.h"
+#include "runtime/pose_program/pose_slots.h"
 
 namespace sinew {
 
@@ -47,7 +48,8 @@ struct TableLayout {
 struct FrameLayout {
   PoseBlock rest_pose;
   PoseBlocks pose;                           ///< of the frame, the lowest pose of the stack of pose operations
-  Block<std::byte> pose_program;             ///< the other poses of that stack, and scratch (pose_program_bytes)
+  Block<std::byte> pose_program;             ///< the other poses of that stack, and scratch
+  PoseSlotLayout pose_slots;                 ///< of `pose_program`
   PoseBlocks updates[2];                     ///< poses of `layers` and `next_layers` of frames between updates
   Block<double> corrective_scratch;          ///< of one corrective at a time
   Block<bool> hidden;                        ///< [joints of the scene]

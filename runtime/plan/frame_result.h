@@ -7,6 +7,7 @@
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/aabb.h"
 #include "runtime/pose/pose.h"
+#include "runtime/pose_program/pose_work.h"
 
 namespace sinew {
 
@@ -50,16 +51,7 @@ struct SkinPalette {
 };
 
 /// Work done by one frame of one character. A stage that the plan leaves out counts exactly zero.
-struct WorkCounters {
-  std::uint64_t tracks_sampled = 0;
-  std::uint64_t properties_sampled = 0;
-  std::uint64_t poses_mirrored = 0;
-  std::uint64_t poses_blended = 0;
-  std::uint64_t poses_added = 0;
-  std::uint64_t poses_copied = 0;  ///< of the caller
-  std::uint64_t poses_overlaid = 0;
-  std::uint64_t joints_overridden = 0;
-  std::uint64_t procedures_run = 0;
+struct WorkCounters : PoseProgramWork {
   std::uint64_t poses_interpolated = 0;  ///< between two that are there
   std::uint64_t poses_compared = 0;      ///< with the samples of correctives
   std::uint64_t joints_composed = 0;

@@ -4,10 +4,7 @@
 #include <algorithm>
 
 namespace sinew {
-namespace {
-
-/// All but the rest pose.
-PoseProgramAssets tables_of(const CompiledPlan& plan) noexcept {
+PoseProgramAssets pose_assets(const CompiledPlan& plan) noexcept {
   PoseProgramAssets assets;
   assets.skeleton = plan.assets.skeleton;
   assets.clips = plan.assets.clips;
@@ -22,22 +19,10 @@ PoseProgramAssets tables_of(const CompiledPlan& plan) noexcept {
   return assets;
 }
 
-}  // namespace
-
-PoseProgramAssets pose_assets(const CompiledPlan& plan, FrameMemory memory) noexcept {
-  PoseProgramAssets assets = tables_of(plan);
-  assets.rest = memory.of(plan.layout.rest_pose);
-  return assets;
-}
-
 PoseProgramRoom pose_room(const CompiledPlan& plan) noexcept {
   const std::uint32_t blended = plan.blend ? plan.needs.in.max_layers : 1;
   const std::uint32_t with_added = plan.add ? 3 : 1;  // the pose, a layer, its reference
   return larger({.slots = std::max(blended, with_added)}, plan.needs.in.program);
-}
-
-std::size_t pose_memory_bytes(const CompiledPlan& plan) noexcept {
-  return pose_program_bytes(tables_of(plan), pose_room(plan));
 }
 
 PoseProgramLimits program_limits(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {

@@ -3,19 +3,16 @@
 #include <cstddef>
 
 #include "runtime/plan/compiled_plan.h"
-#include "runtime/plan/frame_memory.h"
 #include "runtime/pose_program/run_pose_program.h"
 
 namespace sinew {
 
-/// The tables that pose operations of this plan read. The rest pose lies in the frame's memory.
-PoseProgramAssets pose_assets(const CompiledPlan& plan, FrameMemory memory) noexcept;
+/// The tables that pose operations of this plan read, but for the rest pose, which lies in the frame's memory.
+/// out  views of the plan
+PoseProgramAssets pose_assets(const CompiledPlan& plan) noexcept;
 
 /// Room for the operations that a frame's layers or its program become.
 PoseProgramRoom pose_room(const CompiledPlan& plan) noexcept;
-
-/// Bytes of FrameLayout::pose_program.
-std::size_t pose_memory_bytes(const CompiledPlan& plan) noexcept;
 
 /// Entries of all lists of PoseProgramInputs that have a version.
 constexpr std::size_t most_versions(const PoseProgramRoom& room) noexcept {

@@ -34,7 +34,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.block_.get()};
   const FrameTables tables(compiled, memory);
   const bool had_it = had_same_input({frame.last_, tables}, input);
-  if (!had_it)
+  if (!had_it || input.asleep)  // of a character that sleeps, nothing else was compared
     if (const Refusal refusal = check_input(compiled, input); refusal.error != ErrorCode::ok) return refusal.error;
 
   // 2. Find what stands.

@@ -56,13 +56,6 @@ void PoseMachine::skip(const PoseOp& op) noexcept {
   slots_.share(depth_ - 1) = {op.weight, op.mask};
 }
 
-/// The slot, with the numbers that the operation at hand is to work on.
-PoseSlot PoseMachine::slot(std::size_t index) const noexcept {
-  PoseSlot slot = slots_.slot(index);
-  if (!step_.with_properties) slot.properties = {};
-  return slot;
-}
-
 std::span<const float> PoseMachine::mask(std::uint8_t index) const noexcept {
   if (index == PoseOp::kNoMask) return {};
   const std::size_t shared = assets_.masks.size();
@@ -71,7 +64,7 @@ std::span<const float> PoseMachine::mask(std::uint8_t index) const noexcept {
 
 void PoseMachine::push_rest() noexcept {
   const PoseSlot to = slot(depth_++);
-  copy_pose(assets_.rest, to.pose);
+  copy_pose(rest_, to.pose);
   copy_or_rest({}, assets_.rest_weights, to.weights);
   copy_or_rest({}, assets_.rest_properties, to.properties);
 }
@@ -123,7 +116,7 @@ void PoseMachine::push_mirrored_sample(const PoseOp& op) noexcept {
 
 void PoseMachine::push_mirrored_rest() noexcept {
   const PoseSlot to = slot(depth_++);
-  mirror(assets_.rest, assets_.rest_weights, to);
+  mirror(rest_, assets_.rest_weights, to);
   copy_or_rest({}, assets_.rest_properties, to.properties);
 }
 
@@ -131,27 +124,30 @@ void PoseMachine::push_mirrored_rest() noexcept {
 void PoseMachine::mean(std::size_t operands, double threshold) noexcept {
   if (operands == 0) return push_rest();
   depth_ -= operands;
-  const std::span<BlendLayer> layers = slots_.blend_layers().first(operands);
+  const std::span<BlendLayer> layers(slots_.blend_layers(), operands);
   for (std::size_t l = 0; l < operands; ++l) {
-    const PoseSlots::Share& share = slots_.share(depth_ + l);
+    const PoseShare& share = slots_.share(depth_ + l);
     layers[l] = {.pose = slots_.slot(depth_ + l).pose,
                  .weight = static_cast<float>(static_cast<double>(share.weight) / threshold),
                  .joint_weights = mask(share.mask)};
   }
   const PoseSlot to = slot(depth_++);
   if (operands == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return;
-  const BlendPosesJob blend{.layers = layers, .rest = assets_.rest, .pose = to.pose};
+  const BlendPosesJob blend{.layers = layers, .rest = rest_, .pose = to.pose};
   assert(check(blend) == ErrorCode::ok);
   run_unchecked(blend);
-  blend_weights(layers, assets_.rest_weights, to.weights, slots_.weights_above(depth_ - 1));
-  blend_weights(layers, assets_.rest_properties, to.properties, slots_.properties_above(depth_ - 1));
+  const std::size_t others = operands - 1;
+  blend_weights(layers, assets_.rest_weights, to.weights,
+                {slots_.weights_above(depth_ - 1), others * to.weights.size()});
+  blend_weights(layers, assets_.rest_properties, to.properties,
+                {slots_.properties_above(depth_ - 1), others * to.properties.size()});
   work_.poses_blended += operands;
   ended(PosePhase::blend);
 }
 
 void PoseMachine::overlay(bool in_model_space) noexcept {
   const PoseSlot above = slot(--depth_), below = slot(depth_ - 1);
-  const PoseSlots::Share& above_share = slots_.share(depth_);
+  const PoseShare& above_share = slots_.share(depth_);
   const MixShare share{above_share.weight, mask(above_share.mask)};
   if (in_model_space)
     overlay_pose_in_model_space(*assets_.skeleton, above.pose, share, slots_.model_rotations(), below.pose);
@@ -164,7 +160,7 @@ void PoseMachine::overlay(bool in_model_space) noexcept {
   ended(PosePhase::overlay);
 }
 
-void PoseMachine::add(const PoseSlot& layer, const PoseSlots::Share& share, const PoseSpan& reference,
+void PoseMachine::add(const PoseSlot& layer, const PoseShare& share, const PoseSpan& reference,
                       std::span<const float> reference_weights) noexcept {
   const PoseSlot base = slots_.slot(depth_ - 1);
   const AddPoseJob added{.layer = layer.pose,
@@ -182,7 +178,7 @@ void PoseMachine::add(const PoseSlot& layer, const PoseSlots::Share& share, cons
 
 void PoseMachine::add_to_rest() noexcept {
   --depth_;
-  add(slots_.slot(depth_), slots_.share(depth_), assets_.rest, assets_.rest_weights);
+  add(slots_.slot(depth_), slots_.share(depth_), rest_, assets_.rest_weights);
 }
 
 void PoseMachine::add_to_reference() noexcept {

@@ -16,9 +16,10 @@ class PoseMachine {
   };
 
   /// Keeps the references.
-  PoseMachine(const PoseProgramAssets& assets, const PoseProgramInputs& inputs, const PoseSlots& slots,
-              PoseProgramWork& work, PosePhaseClock clock) noexcept
-      : assets_(assets), inputs_(inputs), slots_(slots), work_(work), clock_(clock) {}
+  /// in   rest  in place of that of `assets`
+  PoseMachine(const PoseProgramAssets& assets, const PoseSpan& rest, const PoseProgramInputs& inputs,
+              const PoseSlots& slots, PoseProgramWork& work, PosePhaseClock clock) noexcept
+      : assets_(assets), inputs_(inputs), rest_(rest), slots_(slots), work_(work), clock_(clock) {}
 
   void run(const PoseOp& op, const Step& step) noexcept;
   /// Counts an operation that an earlier machine has run on this memory.
@@ -31,7 +32,12 @@ class PoseMachine {
   void ended(PosePhase phase) const noexcept {
     if (clock_.ended != nullptr) clock_.ended(clock_.context, phase);
   }
-  PoseSlot slot(std::size_t index) const noexcept;
+  /// The slot, with the numbers that the operation at hand is to work on.
+  PoseSlot slot(std::size_t index) const noexcept {
+    PoseSlot slot = slots_.slot(index);
+    if (!step_.with_properties) slot.properties = {};
+    return slot;
+  }
   std::span<const float> mask(std::uint8_t index) const noexcept;
 
   void push_rest() noexcept;
@@ -44,13 +50,14 @@ class PoseMachine {
   void overlay(bool in_model_space) noexcept;
   void add_to_rest() noexcept;
   void add_to_reference() noexcept;
-  void add(const PoseSlot& layer, const PoseSlots::Share& share, const PoseSpan& reference,
+  void add(const PoseSlot& layer, const PoseShare& share, const PoseSpan& reference,
            std::span<const float> reference_weights) noexcept;
   void override_top(const PoseOp& op) noexcept;
   void run_procedure(const PoseOp& op) noexcept;
 
   const PoseProgramAssets& assets_;
   const PoseProgramInputs& inputs_;
+  PoseSpan rest_;
   PoseSlots slots_;
   PoseProgramWork& work_;
   PosePhaseClock clock_;

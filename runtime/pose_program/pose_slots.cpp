@@ -3,45 +3,41 @@
 
 namespace sinew {
 
-template <class T>
-std::span<T> PoseSlots::take(std::size_t count) noexcept {
-  const std::size_t at = bytes_;
-  bytes_ += (count * sizeof(T) + 63) / 64 * 64;
-  return memory_ == nullptr ? std::span<T>{} : std::span<T>(reinterpret_cast<T*>(memory_ + at), count);
+PoseSlotLayout::PoseSlotLayout(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept
+    : joints(assets.skeleton->joint_count()),
+      weights(assets.rest_weights.size()),
+      properties(assets.rest_properties.size()) {
+  const auto take = [&](std::size_t byte_count) {
+    const std::size_t at = bytes;
+    bytes += (byte_count + 63) / 64 * 64;
+    return at;
+  };
+  const std::size_t pose_bytes = PoseSpan::floats_for(joints) * sizeof(float);
+  const std::size_t above = room.slots > 0 ? room.slots - 1 : 0, mirrored = assets.mirror != nullptr ? 1 : 0;
+  shares = take(room.slots * sizeof(PoseShare));
+  blend_layers = take(room.slots * sizeof(BlendLayer));
+  front_bytes = bytes;
+  poses = take(above * pose_bytes);
+  pose_weights = take(above * weights * sizeof(float));
+  pose_properties = take(above * properties * sizeof(float));
+  unmirrored = take(mirrored * pose_bytes);
+  unmirrored_weights = take(mirrored * weights * sizeof(float));
+  model_rotations = take(room.overlays_in_model_space ? 3 * joints * sizeof(glm::quat) : 0);
 }
 
-PoseSlots::PoseSlots(const PoseProgramAssets& assets, const PoseProgramRoom& room, std::byte* memory,
-                     const PoseSlot& output) noexcept
-    : memory_(memory), output_(output) {
-  const std::size_t joints = assets.skeleton->joint_count(), floats = PoseSpan::floats_for(joints);
-  const std::size_t above = room.slots > 0 ? room.slots - 1 : 0;
-  poses_ = take<float>(above * floats);
-  weights_ = take<float>(above * assets.rest_weights.size());
-  properties_ = take<float>(above * assets.rest_properties.size());
-  if (assets.mirror != nullptr) {
-    const std::span<float> pose = take<float>(floats);
-    unmirrored_.weights = take<float>(assets.rest_weights.size());
-    if (memory_ != nullptr) unmirrored_.pose = pose_over(pose, joints);
-  }
-  shares_ = take<Share>(room.slots);
-  blend_layers_ = take<BlendLayer>(room.slots);
-  model_rotations_ = take<glm::quat>(room.overlays_in_model_space ? 3 * joints : 0);
-}
-
-PoseSlot PoseSlots::slot(std::size_t index) const noexcept {
-  if (index == 0) return output_;
-  const std::size_t above = index - 1, joints = output_.pose.joint_count, floats = PoseSpan::floats_for(joints);
+PoseSlot PoseSlots::slot_above(std::size_t index) const noexcept {
+  const std::size_t floats = PoseSpan::floats_for(layout_.joints);
   const std::size_t weights = output_.weights.size(), properties = output_.properties.size();
-  return {pose_over(poses_.subspan(above * floats, floats), joints), weights_.subspan(above * weights, weights),
-          properties_.subspan(above * properties, properties)};
+  return {pose_over({at<float>(layout_.poses) + index * floats, floats}, layout_.joints),
+          {at<float>(layout_.pose_weights) + index * layout_.weights, weights},
+          {at<float>(layout_.pose_properties) + index * layout_.properties, properties}};
 }
 
-std::span<const float> PoseSlots::weights_above(std::size_t index) const noexcept {
-  return weights_.subspan(index * output_.weights.size());
-}
-
-std::span<const float> PoseSlots::properties_above(std::size_t index) const noexcept {
-  return properties_.subspan(index * output_.properties.size());
+PoseSlot PoseSlots::unmirrored() const noexcept {
+  const std::size_t floats = PoseSpan::floats_for(layout_.joints);
+  return {pose_over({at<float>(layout_.unmirrored), floats}, layout_.joints),
+          {at<float>(layout_.unmirrored_weights), output_.weights.size()},
+          {}};
 }
 
 }  // namespace sinew

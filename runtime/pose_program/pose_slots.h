@@ -14,44 +14,62 @@ struct PoseSlot {
   std::span<float> weights, properties;
 };
 
-/// The memory of a run: the poses on the stack, and scratch for one operation at a time. The lowest slot is the output.
-/// Internal to pose_program/.
+/// The share of a pose on the stack in the operation that takes it.
+struct PoseShare {
+  float weight;
+  std::uint8_t mask;
+};
+
+/// Where poses on the stack, and scratch for one operation at a time, lie in the memory of a run. Found once for all
+/// runs of a plan. Internal to the runtime.
+struct PoseSlotLayout {
+  PoseSlotLayout() = default;
+  PoseSlotLayout(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept;
+
+  std::size_t joints = 0, weights = 0, properties = 0;  ///< of each pose
+  /// Offsets in bytes. The lowest pose of the stack is the output, which lies elsewhere.
+  std::size_t shares = 0, blend_layers = 0, poses = 0, pose_weights = 0, pose_properties = 0, unmirrored = 0,
+              unmirrored_weights = 0, model_rotations = 0;
+  std::size_t front_bytes = 0;  ///< which every run touches; one clip that plays alone touches no others
+  std::size_t bytes = 0;        ///< all of it, a multiple of 64
+};
+
+/// The memory of a run.
 class PoseSlots {
  public:
-  /// in   memory  null only counts the bytes
-  PoseSlots(const PoseProgramAssets& assets, const PoseProgramRoom& room, std::byte* memory,
-            const PoseSlot& output) noexcept;
+  /// Keeps the reference.
+  PoseSlots(const PoseSlotLayout& layout, std::byte* memory, const PoseSlot& output) noexcept
+      : layout_(layout), memory_(memory), output_(output) {}
 
-  std::size_t bytes() const noexcept { return bytes_; }
+  PoseSlot slot(std::size_t index) const noexcept { return index == 0 ? output_ : slot_above(index - 1); }
+  PoseShare& share(std::size_t index) const noexcept { return at<PoseShare>(layout_.shares)[index]; }
 
-  PoseSlot slot(std::size_t index) const noexcept;
-  PoseSlot unmirrored() const noexcept { return unmirrored_; }  ///< scratch, without properties
+  /// Scratch, without properties.
+  PoseSlot unmirrored() const noexcept;
 
-  /// The numbers of all slots above `index`, one slot behind the other, as blend_weights reads them.
-  std::span<const float> weights_above(std::size_t index) const noexcept;
-  std::span<const float> properties_above(std::size_t index) const noexcept;
+  /// The numbers of all slots above the one with this index, one slot behind the other, as blend_weights reads them.
+  const float* weights_above(std::size_t index) const noexcept {
+    return at<float>(layout_.pose_weights) + index * layout_.weights;
+  }
+  const float* properties_above(std::size_t index) const noexcept {
+    return at<float>(layout_.pose_properties) + index * layout_.properties;
+  }
 
-  /// The share of a pose on the stack in the operation that takes it.
-  struct Share {
-    float weight;
-    std::uint8_t mask;
-  };
-  Share& share(std::size_t index) const noexcept { return shares_[index]; }
-
-  std::span<BlendLayer> blend_layers() const noexcept { return blend_layers_; }
-  std::span<glm::quat> model_rotations() const noexcept { return model_rotations_; }  ///< [3 J]
+  BlendLayer* blend_layers() const noexcept { return at<BlendLayer>(layout_.blend_layers); }
+  std::span<glm::quat> model_rotations() const noexcept {  ///< [3 J]
+    return {at<glm::quat>(layout_.model_rotations), 3 * layout_.joints};
+  }
 
  private:
   template <class T>
-  std::span<T> take(std::size_t count) noexcept;
+  T* at(std::size_t offset) const noexcept {
+    return reinterpret_cast<T*>(memory_ + offset);
+  }
+  PoseSlot slot_above(std::size_t index) const noexcept;
 
+  const PoseSlotLayout& layout_;
   std::byte* memory_;
-  std::size_t bytes_ = 0;
-  PoseSlot output_, unmirrored_;
-  std::span<float> poses_, weights_, properties_;  // of the slots above the output
-  std::span<Share> shares_;
-  std::span<BlendLayer> blend_layers_;
-  std::span<glm::quat> model_rotations_;
+  PoseSlot output_;
 };
 
 }  // namespace sinew

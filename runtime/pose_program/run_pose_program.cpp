@@ -9,13 +9,15 @@
 namespace sinew {
 
 std::size_t pose_program_bytes(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept {
-  return PoseSlots(assets, room, nullptr, {}).bytes();
+  return PoseSlotLayout(assets, room).bytes;
 }
 
 void run_unchecked(const PoseProgramJob& job) noexcept {
   PoseProgramWork uncounted;
-  const PoseSlots slots(*job.assets, room_of(job.program), job.memory.data(), {job.pose, job.weights, job.properties});
-  PoseMachine machine(*job.assets, job.inputs, slots, job.work != nullptr ? *job.work : uncounted, job.clock);
+  const PoseSlotLayout layout(*job.assets, room_of(job.program));
+  const PoseSlots slots(layout, job.memory.data(), {job.pose, job.weights, job.properties});
+  PoseMachine machine(*job.assets, job.assets->rest, job.inputs, slots, job.work != nullptr ? *job.work : uncounted,
+                      job.clock);
   const ReadProperties properties(job.program, !job.properties.empty());
   const std::span<const Clip* const> pages = job.inputs.pages;
   const std::size_t end = std::min(job.end, job.program.size());

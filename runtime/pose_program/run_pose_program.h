@@ -12,6 +12,7 @@
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/pose.h"
 #include "runtime/pose_program/pose_program.h"
+#include "runtime/pose_program/pose_work.h"
 #include "runtime/pose_program/program_inputs.h"
 
 namespace sinew {
@@ -27,16 +28,6 @@ struct PoseProgramAssets {
   const MirrorTables* mirror = nullptr;                        ///< null: nothing is mirrored
   std::span<const std::uint32_t> mirrored_weight_source = {};  ///< [W] MirrorMap::weight_source; empty = weights stay
   std::span<const ClipTracks> clip_tracks = {};                ///< [clips] or empty; only to count work
-};
-
-/// Work of one run. An operation that the program does not contain counts zero.
-struct PoseProgramWork {
-  std::uint64_t clips_sampled = 0, tracks_sampled = 0, properties_sampled = 0;  ///< tracks where assets count them
-  std::uint64_t poses_copied = 0;                                               ///< of the caller
-  std::uint64_t poses_mirrored = 0, poses_blended = 0, poses_overlaid = 0, poses_added = 0, joints_overridden = 0,
-                procedures_run = 0;
-
-  friend bool operator==(const PoseProgramWork&, const PoseProgramWork&) = default;
 };
 
 /// A kind of work whose time is told.

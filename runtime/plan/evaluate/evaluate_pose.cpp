@@ -22,46 +22,23 @@ Stage stage_of(PosePhase phase) noexcept {
 
 void charge_time(void* work, PosePhase phase) noexcept { static_cast<FrameWork*>(work)->spent_on(stage_of(phase)); }
 
-/// Runs pose operations on the memory of a frame. The lowest pose of the stack is the frame's own.
-class FrameMachine {
- public:
-  FrameMachine(const CompiledPlan& plan, const PoseProgramInputs& inputs, const PoseStep& step,
-               FrameWork& work) noexcept
-      : assets_(pose_assets(plan, step.memory)),
-        own_(step.memory.of(plan.layout.pose)),
-        work_(work),
-        machine_(
-            assets_, inputs,
-            PoseSlots(assets_, pose_room(plan), step.memory.of(plan.layout.pose_program).data(),
-                      {own_.pose, step.given_weights.empty() ? own_.weights : std::span<float>{}, own_.properties}),
-            done_, {&charge_time, &work}) {
-    std::copy(step.given_weights.begin(), step.given_weights.end(), own_.weights.begin());
-  }
+/// The lowest pose of the stack: the frame's own.
+PoseSlot own_slot(const CompiledPlan& plan, const PoseStep& step) noexcept {
+  const PoseNumbers own = step.memory.of(plan.layout.pose);
+  return {own.pose, step.given_weights.empty() ? own.weights : std::span<float>{}, own.properties};
+}
 
-  void run(const PoseOp& op, const PoseMachine::Step& step) noexcept { machine_.run(op, step); }
-  void skip(const PoseOp& op) noexcept { machine_.skip(op); }
-
-  /// Counts the work.     out  the topmost pose
-  PoseSpan finish() noexcept {
-    work_.tracks_sampled += done_.tracks_sampled;
-    work_.properties_sampled += done_.properties_sampled;
-    work_.poses_mirrored += done_.poses_mirrored;
-    work_.poses_blended += done_.poses_blended;
-    work_.poses_added += done_.poses_added;
-    work_.poses_copied += done_.poses_copied;
-    work_.poses_overlaid += done_.poses_overlaid;
-    work_.joints_overridden += done_.joints_overridden;
-    work_.procedures_run += done_.procedures_run;
-    return machine_.top().pose;
-  }
-
- private:
-  PoseProgramAssets assets_;
-  PoseNumbers own_;
-  FrameWork& work_;
-  PoseProgramWork done_;
-  PoseMachine machine_;
-};
+/// A machine for pose operations on the memory of a frame.
+PoseMachine machine_for(const CompiledPlan& plan, const PoseProgramInputs& inputs, const PoseStep& step,
+                        FrameWork& work) noexcept {
+  std::copy(step.given_weights.begin(), step.given_weights.end(), step.memory.of(plan.layout.pose.weights).begin());
+  return {plan.pose_assets,
+          step.memory.of(plan.layout.rest_pose),
+          inputs,
+          PoseSlots(plan.layout.pose_slots, step.memory.of(plan.layout.pose_program).data(), own_slot(plan, step)),
+          work,
+          {work.measures() ? &charge_time : nullptr, &work}};
+}
 
 /// The pose of a plan whose frames all show the rest pose.
 PoseSpan show_rest(const CompiledPlan& plan, const PoseStep& step) noexcept {
@@ -84,7 +61,7 @@ bool takes_part(const ClipLayer& layer, bool adds) noexcept {
 }
 
 /// Adds the difference of a layer from its reference. Properties are not added.
-void add(FrameMachine& machine, const ClipLayer& layer) noexcept {
+void add(PoseMachine& machine, const ClipLayer& layer) noexcept {
   constexpr PoseMachine::Step kWithoutProperties{.with_properties = false};
   machine.run(sample_of(layer), {.page = layer.page, .with_properties = false});
   if (layer.kind == LayerKind::add_to_rest && !layer.mirrored)
@@ -101,24 +78,25 @@ void add(FrameMachine& machine, const ClipLayer& layer) noexcept {
 PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const PoseStep& step,
                          FrameWork& work) noexcept {
   if (!plan.poses) return show_rest(plan, step);
-  constexpr PoseProgramInputs kNothing{};
-  FrameMachine machine(plan, kNothing, step, work);
+  static constexpr PoseProgramInputs kNothing{};
+  PoseMachine machine = machine_for(plan, kNothing, step, work);
   std::uint16_t blended = 0;
+  bool plays_alone = false;  // the mean of one pose of full weight is that pose, to the bit
   for (const ClipLayer& layer : layers) {
     if (!takes_part(layer, false)) continue;
     machine.run(sample_of(layer), {.page = layer.page, .holds_clip = step.has_base});
-    ++blended;
+    plays_alone = ++blended == 1 && layer.weight >= 1.0f && layer.mask == kNone;
   }
-  machine.run({.time_s = 1.0, .index = blended, .kind = PoseOpKind::mean}, {});
+  if (blended != 1 || !plays_alone) machine.run({.time_s = 1.0, .index = blended, .kind = PoseOpKind::mean}, {});
   for (const ClipLayer& layer : layers)
     if (takes_part(layer, true)) add(machine, layer);
-  return machine.finish();
+  return machine.top().pose;
 }
 
 PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step,
                           FrameWork& work) noexcept {
   if (!plan.poses) return show_rest(plan, step);
-  FrameMachine machine(plan, input.program_inputs, step, work);
+  PoseMachine machine = machine_for(plan, input.program_inputs, step, work);
   const ReadProperties properties(input.program, plan.properties);
   const std::span<const Clip* const> pages = input.program_inputs.pages;
   const std::size_t end = std::min(step.end, input.program.size());
@@ -128,7 +106,7 @@ PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, con
     else
       machine.run(input.program[i], {.page = pages.empty() ? nullptr : pages[i], .with_properties = properties.of(i)});
   }
-  return machine.finish();
+  return machine.top().pose;
 }
 
 }  // namespace sinew

@@ -23,6 +23,8 @@ struct FrameWork : WorkCounters {
     if (!stage_ns_.empty()) add_time(stage);
   }
 
+  bool measures() const noexcept { return !stage_ns_.empty(); }
+
   const WorkCounters& counters() const noexcept { return *this; }
 
  private:
