@@ -19,15 +19,20 @@ static_assert(static_cast<int>(UpdateLevel::every_second) == SINEW_UPDATE_EVERY_
 /// Room for the input of a C caller on its way in, and for the answer on its way out.
 struct BothRooms {
   explicit BothRooms(const sinew_plan& plan)
-      : own(plan), layers(plan.input_room()), pages(plan.input_room()), geometry(plan.geometry_room()) {}
+      : own(plan),
+        layers(plan.input_room()),
+        pages(plan.input_room()),
+        geometry(plan.geometry_room()),
+        program(plan.plan.needs().in.program) {}
   c::InputRoom in() noexcept { return own.room(); }
-  c::InputRoomOfC out() noexcept { return {layers, pages, geometry}; }
+  c::InputRoomOfC out() noexcept { return {layers, pages, geometry, program.room()}; }
 
  private:
   c::OwnInputRoom own;
   std::vector<sinew_layer> layers;
   std::vector<const sinew_page*> pages;
   std::vector<sinew_geometry_input> geometry;
+  c::OwnProgramRoomOfC program;
 };
 
 bool has_pages(std::span<const ClipLayer> layers) noexcept {
@@ -128,6 +133,7 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
     std::span<const ClipLayer> next;
     sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own).error;
     if (error == SINEW_OK && has_pages(own.layers)) error = SINEW_UNSUPPORTED;  // those of `ahead` are not given
+    if (error == SINEW_OK && !own.program.empty()) error = SINEW_UNSUPPORTED;   // nor is a program
     if (error == SINEW_OK)
       error = c::read_layers(ahead, nullptr, ahead_count, "ahead", interpolated->ahead, next).error;
     if (error != SINEW_OK) return error;
