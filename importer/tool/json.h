@@ -84,7 +84,7 @@ class Json {
 
   Kind kind_ = Kind::leaf;
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string> leaf_;
-  std::vector<std::string> keys_;  ///< Of an object, one for each value.
+  std::vector<std::string> keys_;  ///< the members' names, one for each of values_; empty if this is no object
   std::vector<Json> values_;
 };
 

@@ -109,8 +109,8 @@ SINEW_API sinew_indices sinew_geometry_player_instances(const sinew_geometry_pla
 /// For sinew_geometry_input.source; all zero without a player.
 SINEW_API sinew_vertex_source sinew_geometry_player_source(sinew_geometry_player* player);
 
-/// Holds the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so it serves for
-/// culling.
+/// A box that contains the vertices of an instance at one time, in the space of the cache. Nothing is decoded, so it
+/// serves for culling.
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_geometry_player_bounds(const sinew_geometry_player* player, uint32_t instance,
                                                    double time_s, sinew_box* out);

@@ -191,7 +191,7 @@ class CarefulList {
  private:
   struct Tile {
     const FlatStream* stream;  ///< null = a triangle outside of streams
-    std::size_t first;         ///< triangle
+    std::size_t first;         ///< index of the tile's first triangle
     std::uint16_t lanes;
   };
   static constexpr std::size_t kRoom = 64;

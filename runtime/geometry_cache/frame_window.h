@@ -36,7 +36,7 @@ enum class ReadOutcome : std::uint8_t {
 /// How the engine reads a file. Several caches may share one reader if `context` or the FrameRead tells their reads
 /// apart.
 struct SINEW_API FrameReader {
-  /// Reads `into.size()` bytes from `offset` of the file, now or later.
+  /// Reads `into.size()` bytes of the file from `offset` on. May return before they are there (ReadOutcome::pending).
   ReadOutcome (*read)(void* context, std::uint64_t offset, std::span<std::byte> into,
                       FrameRead& read) noexcept = nullptr;
   void* context = nullptr;

@@ -20,8 +20,9 @@ InterpolatedInput::InterpolatedInput(const Plan& plan) {
 
 FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level,
                                    std::uint64_t frame, std::uint32_t phase) {
-  if (now.asleep || frame < start_ || frame > end_) moves_ = false;
-  if (now.asleep) return now;
+  const bool as_it_is = now.asleep || !now.program.empty();
+  if (as_it_is || frame < start_ || frame > end_) moves_ = false;
+  if (as_it_is) return now;
   if (!moves_ || frame == end_) {
     if (level == UpdateLevel::every) {
       moves_ = false;

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
   const auto compare = [&](std::size_t at, float number) {
     if (!same_bits(number, rest.planes[at])) moved[at % rest.stride] = true;
   };
-  const RestNumbers* compared = nullptr;  // most clips share one
+  const RestNumbers* compared = nullptr;  // of the clip before; most clips share one, which is compared once
   for (const Clip& clip : assets.clips) {
     const ClipLayout& layout = clip.layout();
     const RestNumbers& shared = layout.base_pose.rest();

@@ -62,7 +62,6 @@ class JointBake {
  private:
   Transformd local_at(std::uint32_t j, double time_s) const {
     Transformd local = rest_transform(source_, j);
-    if (source_.fixed_matrix_of[j] != kNone) return local;
     const JointTracks& of_joint = tracks_[j];
     if (of_joint.translation != nullptr) local.translation = sample_track<double>(*of_joint.translation, time_s);
     if (of_joint.rotation != nullptr) local.rotation = sample_track<double>(*of_joint.rotation, time_s);
@@ -182,20 +181,23 @@ void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleto
                    std::span<const Transformd> pose, std::span<Transformd> out) noexcept {
   for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = rest_transform(target, j);
   for (const MappedJoint& joint : map.joints) {
-    const RelativeTransform from = relative_transform(joint, source, [&](std::uint32_t j) {
+    const auto local = [&](std::uint32_t j) {
       return source.fixed_matrix_of[j] == kNone ? pose[j] : rest_transform(source, j);
-    });
+    };
+    const RelativeTransform from = relative_transform(joint, source, local);
     Transformd& to = out[joint.target];
     to.rotation = normalised(joint.before * from.rotation * joint.after);
     if (joint.moves) to.translation = mapped_place(joint, to.translation, from.place);
     if (map.by_names && source.parents[joint.source] == joint.above_source)
-      to.scale *= pose[joint.source].scale / rest_transform(source, joint.source).scale;
+      to.scale *= local(joint.source).scale / rest_transform(source, joint.source).scale;
   }
 }
 
 Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,
                              const Skeleton& target) {
-  const std::vector<JointTracks> tracks = tracks_by_joint(animation, source.joint_count());
+  std::vector<JointTracks> tracks = tracks_by_joint(animation, source.joint_count());
+  for (std::size_t j = 0; j < tracks.size(); ++j)
+    if (source.fixed_matrix_of[j] != kNone) tracks[j] = {};  // a fixed matrix replaces what they say
   Animation out{animation.name, animation.duration_s, {}, {}};
   for (const MappedJoint& joint : map.joints) {
     BoneAnimation bone = JointBake(joint, map, source, target, tracks).bake();

@@ -105,7 +105,8 @@ PoseSpan compose_chains(const RetargetPoseJob& job, const RetargetPass& pass) no
           is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * relative.translation);
       relative.rotation = is_first ? own.rotation : own.rotation * relative.rotation;
     }
-    relative.scale = job.pose.get(way.front().joint).scale;
+    const ChainJoint& own = way.front();
+    relative.scale = own.is_fixed ? own.local.scale : job.pose.get(own.joint).scale;
     job.scratch.set(way.front().joint, relative);
   }
   return job.scratch;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every skinning method on every skinned model of the corpus. Times of the rigid methods include splitting the joint
-// matrices, which they need in each frame. Linear blending is also measured with shared combinations of joints and
-// weights; the cases tell how much sharing saves.
+// matrices, which they need in each frame. Linear blending is measured twice: as usual, and with one matrix for all
+// vertices of the same joints and weights. The difference is what sharing saves.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>

@@ -6,6 +6,7 @@
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
+#include "runtime/deform/skin_tiles.h"
 #include "runtime/plan/needs.h"
 #include "runtime/pose/hemisphere_pairs.h"
 #include "runtime/pose/joint_palette.h"
@@ -167,6 +168,10 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   const auto small = std::make_shared<Bytes>(s->primitive.influences);
   add_with_error("skin_linear/bytes/" + tail, s, wanted, Skinning::linear, [s, wanted, small] {
     run_unchecked(SkinLinearJob{small->streams(), s->palette, s->in(wanted), s->output(), NormalRule::linear});
+  });
+  const auto tiles = std::make_shared<VertexTiles>(tile_vertices(s->primitive.influences, s->in(wanted)));
+  add_with_error("skin_linear/tiles/" + tail, s, wanted, Skinning::linear, [s, tiles] {
+    run_unchecked(SkinTilesJob{.tiles = tiles.get(), .palette = s->palette, .out = s->output()});
   });
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});

@@ -166,11 +166,13 @@ TEST(c_bad_calls, frames_take_as_many_adding_layers_as_were_asked_for) {
   ASSERT_EQ(sinew_plan_create(&scene, &needs, &plan), SINEW_OK);
   ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
   const sinew_layer adds{0.5, 0, SINEW_NONE, 1.0f, SINEW_LAYER_ADD_TO_REST};
-  const sinew_layer layers[] = {adds, adds, adds};
+  const sinew_layer layers[] = {{0.5, 0, SINEW_NONE, 1.0f, SINEW_LAYER_BLEND}, adds, adds};
   sinew_frame_input input = sinew_default_input();
   input.layers = layers;
-  input.layer_count = 1;
-  EXPECT_EQ(sinew_run(frame, &input), SINEW_OK);
+  for (const std::size_t count : {1u, 2u}) {
+    input.layer_count = count;
+    EXPECT_EQ(sinew_run(frame, &input), SINEW_OK) << count;
+  }
   sinew_instance_result placed{.struct_size = sizeof(placed)};
   EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 0, &placed), SINEW_OK);
   EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 1, &placed), SINEW_INDEX_OUT_OF_RANGE);

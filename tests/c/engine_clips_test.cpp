@@ -279,6 +279,29 @@ TEST(c_clips, the_pairs_that_an_engine_names_are_all_that_is_mapped) {
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_WRONG_STRUCT_SIZE);
 }
 
+TEST(c_clips, joints_of_pairs_and_rules_are_checked_against_their_own_skeleton) {
+  Scene larger = walker(0.7f);
+  larger.skeleton = chain_skeleton(9);
+  larger.animations.clear();
+  finish_scene(larger);
+  const sinew_scene seven{walker(1.0f)}, nine{larger};
+  const auto answer = [](const sinew_scene& source, const sinew_scene& target, sinew_joint_pair pair,
+                         std::uint32_t joint_of_rule) {
+    const sinew_chain_rule rule{joint_of_rule, SINEW_KEEP};
+    const sinew_skeleton_map_options options{sizeof(options), &pair, 1, SINEW_LIMBS_OF_REST, 0, &rule, 1};
+    sinew_skeleton_map* map = nullptr;
+    const sinew_error error = sinew_skeleton_map_create(&source, &target, &options, &map);
+    sinew_skeleton_map_destroy(map);
+    return error;
+  };
+  EXPECT_EQ(answer(seven, nine, {6, 8}, 8), SINEW_OK);
+  EXPECT_EQ(answer(seven, nine, {7, 8}, 8), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(answer(seven, nine, {6, 8}, 9), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(answer(nine, seven, {8, 6}, 6), SINEW_OK);
+  EXPECT_EQ(answer(nine, seven, {8, 7}, 6), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(answer(nine, seven, {8, 6}, 7), SINEW_INDEX_OUT_OF_RANGE);
+}
+
 TEST(c_clips, twist_joints_share_what_a_foot_is_twisted_in_poses_and_clips) {
   Scene turning = walker(1.0f), rolling = walker(0.7f);
   BoneAnimation foot;

@@ -228,6 +228,38 @@ TEST_F(CPages, held_inputs_keep_the_pages_of_their_layers_and_interpolated_ones_
   sinew_plan_destroy(plan);
 }
 
+TEST_F(CPages, held_inputs_keep_the_pages_of_next_layers) {
+  sinew_needs needs = sinew_default_needs();
+  needs.flags |= SINEW_NEED_BETWEEN_UPDATES;
+  sinew_plan* plan = nullptr;
+  ASSERT_EQ(sinew_plan_create(&heads, &needs, &plan), SINEW_OK);
+  ASSERT_EQ(sinew_paged_clip_at(paged, 0.1, 0, page), SINEW_OK);
+  const sinew_layer now[] = {{0.1, 0, SINEW_NONE, 1.0f, SINEW_LAYER_BLEND}},
+                    next[] = {{0.2, 1, SINEW_NONE, 0.5f, SINEW_LAYER_BLEND}, {0.3, 0, SINEW_NONE, 0.5f, 0}};
+  const sinew_page* const pages[] = {page, nullptr, page};
+  sinew_frame_input input = sinew_default_input(), out = sinew_default_input();
+  input.layers = now;
+  input.layer_count = 1;
+  input.next_layers = next;
+  input.next_layer_count = 2;
+  input.pages = pages;
+  input.next_pages = pages + 1;
+  input.interpolation_factor = 0.5f;
+  sinew_held_input* held = nullptr;
+  ASSERT_EQ(sinew_held_input_create(plan, &held), SINEW_OK);
+  for (const std::uint64_t frame : {0u, 1u}) {
+    ASSERT_EQ(sinew_held_input_next(held, &input, SINEW_UPDATE_EVERY_SECOND, frame, 0, &out), SINEW_OK);
+    ASSERT_TRUE(out.pages != nullptr && out.next_pages != nullptr);
+    EXPECT_EQ(out.pages[0], page) << "both lists are there at once";
+    EXPECT_EQ(out.next_pages[0], nullptr);
+    EXPECT_EQ(out.next_pages[1], page);
+    EXPECT_EQ(out.layers[0].time_s, 0.1);
+    EXPECT_EQ(out.next_layers[1].time_s, 0.3);
+  }
+  sinew_held_input_destroy(held);
+  sinew_plan_destroy(plan);
+}
+
 /// Two layers and two next layers play one clip at four times, so that each needs a page of its own.
 TEST_F(CPages, next_layers_play_their_own_pages) {
   std::array<sinew_page*, 4> at{};

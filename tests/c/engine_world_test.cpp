@@ -176,6 +176,24 @@ TEST(c_world, clips_that_are_saved_and_loaded_play_the_same_bits) {
   EXPECT_TRUE(same_bits<float>(before.all(), after.all()));
 }
 
+TEST(c_world, clips_are_saved_from_and_loaded_to_the_place_that_is_named) {
+  Scene before = random_scene(2);
+  for (const std::size_t c : {0u, 1u}) before.animations[c].name = c == 0 ? "walk" : "run";
+  before.clips.clear();
+  finish_scene(before);
+  for (const std::uint32_t from : {0u, 1u})
+    for (const std::uint32_t to : {0u, 1u}) {
+      sinew_scene scene{before};
+      sinew_clip_block* block = nullptr;
+      ASSERT_EQ(sinew_clips_save(&scene, from, 1, &block), SINEW_OK);
+      const sinew_flags bytes = sinew_clip_block_bytes(block);
+      ASSERT_EQ(sinew_clips_load(&scene, to, bytes.data, bytes.count, nullptr), SINEW_OK);
+      EXPECT_EQ(scene.scene.clips[to].name(), before.clips[from].name());
+      EXPECT_EQ(scene.scene.clips[1 - to].name(), before.clips[1 - to].name()) << "the other one stays";
+      sinew_clip_block_destroy(block);
+    }
+}
+
 TEST(c_world, clips_that_do_not_fit_are_refused_and_the_scene_stays) {
   sinew_scene scene{random_scene(2)}, arm{arm_scene()};
   sinew_clip_block* block = nullptr;

@@ -86,7 +86,7 @@ TEST(rebind_clip, joints_in_another_order_keep_the_bits_of_their_tracks) {
       std::swap(targets.joints[j], targets.joints[random.below(static_cast<std::uint32_t>(j + 1))]);
     for (std::uint32_t& joint : targets.joints) joint += 5;
     targets.joints[3] = kNone;
-    targets.weights = {2, 7, kNone, 0};  // no two stay consecutive
+    targets.weights = {2, 7, kNone, 0};  // neighbours of the clip are no neighbours here
     const ClipRest to = random_rest(30, 9, random);
     const Clip bound = rebind_clip(clip, from, targets, to);
     for (double t = -0.5; t < 5; t += 0.083) {

@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kStored = SINEW_SOURCE_DIR "/tests/golden/chosen_blocks.txt";
 constexpr double kReach = 0.8660254037844387;  // half the diagonal of a cube
 
-/// Points of a bent sheet of 8 by 8, some hundred steps apart, with their earlier motion.
+/// A bent grid of 8 by 8 points, in the integer steps that caches store, in the last two frames (x1 is the later one).
 struct Sheet {
   BlockState x1{}, x2{};
   std::vector<std::uint8_t> corners = std::vector<std::uint8_t>(kBlockNumbers, kNoCorner);

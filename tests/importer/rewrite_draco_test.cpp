@@ -12,7 +12,8 @@
 namespace sinew::test {
 namespace {
 
-/// Values just outside of [0, 1], off a sum of 1, or off a sign of 1, as quantisation leaves them.
+/// Values with the rounding that quantisation leaves: colours just outside of [0, 1], weights whose sum is not quite 1,
+/// tangents whose handedness is not quite 1 or -1.
 const TriangleValues kRounded{{"POSITION", {0, 0, 0, 1, 0, 0, 0, 1, 0}},
                               {"COLOR_0", {1.0009765f, 0, 0, -0.0009765f, 0.5f, 1, 0, 0, 1}},
                               {"NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1}},

@@ -324,6 +324,19 @@ TEST(rewrite_keys, a_matrix_that_is_animated_now_is_taken_apart_or_is_a_loss) {
   EXPECT_TRUE(split_glb(rewrite(gltf)->file).json["nodes"][0].contains("matrix")) << "without animation it stays";
 }
 
+TEST(rewrite_keys, a_matrix_that_two_animations_move_is_one_loss) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  gltf.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  RewriteOptions options;
+  const Animation added[] = {up_and_round(), up_and_round()};
+  options.added_animations = added;
+  options.drop = {"all"};
+  const auto out = rewrite(gltf, options);
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  EXPECT_EQ(out->drops.size(), 1u);
+}
+
 TEST(rewrite_keys, a_matrix_is_taken_apart_at_the_node_of_its_joint) {
   TinyGltf gltf;
   gltf.add_triangle();

@@ -49,6 +49,35 @@ TEST(rewrite_limits, numbers_beyond_one_stay_floats_and_others_become_small_inte
   }
 }
 
+TEST(rewrite_limits, joints_up_to_255_become_bytes) {
+  for (const std::uint16_t last : {std::uint16_t{255}, std::uint16_t{256}}) {
+    TinyGltf gltf;
+    Json& attributes = gltf.add_triangle()["attributes"];
+    attributes["JOINTS_0"] =
+        gltf.add(std::vector<std::uint16_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, last}, "VEC4", 5123, 4);
+    attributes["WEIGHTS_0"] = gltf.vec4({1, 0, 0, 0, 1, 0, 0, 0, .5f, 0, 0, .5f});
+    const Json json = rewritten(gltf, quantized()).json;
+    const std::size_t joints = json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"];
+    EXPECT_EQ(json["accessors"][joints]["componentType"], last == 255 ? 5121 : 5123) << last;
+  }
+}
+
+TEST(rewrite_limits, weights_that_primitives_share_stay_floats_if_one_has_two_sets) {
+  for (const bool has_two : {false, true}) {
+    TinyGltf gltf;
+    gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    Json& primitives = gltf.root["meshes"][0]["primitives"];
+    Json second = primitives[0];
+    if (has_two) second["attributes"]["JOINTS_1"] = second["attributes"]["JOINTS_0"];
+    if (has_two) second["attributes"]["WEIGHTS_1"] = gltf.vec4(std::vector<float>(12, 0.0f));
+    primitives.insert(primitives.begin(), second);
+    const Json json = rewritten(gltf, quantized()).json;
+    for (const Json& primitive : json["meshes"][0]["primitives"])
+      EXPECT_EQ(json["accessors"][primitive["attributes"]["WEIGHTS_0"].get<std::size_t>()]["componentType"],
+                has_two ? 5126 : 5121);
+  }
+}
+
 TEST(rewrite_limits, the_index_that_would_restart_a_strip_takes_32_bits) {
   for (const std::uint32_t last : {65534u, 65535u}) {
     TinyGltf gltf;

@@ -148,6 +148,15 @@ TEST(tool_outputs, a_device_is_written_and_stays_a_device) {
   }
 }
 
+TEST(tool_outputs, every_command_tells_of_an_output_that_takes_nothing) {
+  const ToolModelFile model;
+  for (const std::string& command : commands_of_one_output()) {
+    const CommandOutcome outcome = run_writing(command, model, "/dev/full");
+    EXPECT_EQ(outcome.status, 3) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("/dev/full")) << command;
+  }
+}
+
 TEST(tool_outputs, a_pipe_gets_the_bytes_of_a_file) {
   const ToolModelFile model;
   const std::string pipe = model.beside("pipe");

@@ -99,6 +99,15 @@ TEST(resample_clips, a_constant_track_keeps_one_key_or_two_where_the_clip_ends_w
   EXPECT_THAT(shorter.bones[0].translation.times_s, ElementsAre(0.0f, 1.0f)) << "the other track ends before the clip";
 }
 
+TEST(resample_clips, a_track_that_stands_still_for_a_while_is_not_constant) {
+  for (const float middle : {0.0f, 1.0f}) {
+    const Animation out = resampled(1.0, [&](Animation&, BoneAnimation& bone) {
+      bone.translation = {Interpolation::linear, {0.0f, 1.0f, 2.0f}, {{0, 0, 0}, {middle, 0, 0}, {1, 0, 0}}};
+    });
+    EXPECT_EQ(out.bones[0].translation.key_count(), 3u) << middle;
+  }
+}
+
 TEST(resample_clips, weights_that_last_let_constant_tracks_be_one_key) {
   const Vec3Track still{Interpolation::linear, {0.0f, 1.0f}, {{3, 0, 0}, {3, 0, 0}}};
   for (const float end_s : {1.0f, 0.5f}) {
@@ -122,6 +131,42 @@ TEST(resample_clips, weights_are_resampled_target_by_target) {
   EXPECT_THAT(track.times_s, ElementsAre(0.0f, 0.5f, 1.0f));
   EXPECT_THAT(track.values, ElementsAre(0.0f, 1.0f, 1.0f, 3.0f, 2.0f, 5.0f));
   EXPECT_EQ(track.target_count, 2u);
+}
+
+TEST(resample_clips, curves_of_weights_become_their_values_and_lines_between_them) {
+  const Animation out = resampled(
+      2.0,
+      [](Animation& animation, BoneAnimation&) {
+        animation.weights.emplace_back().weights = {
+            Interpolation::cubic_spline, {0.0f, 1.0f}, {0, 0, 0, 4, 8, 0, 0, 0, 1, 2, 0, 0}, 2};
+      },
+      1.0);
+  const WeightTrack& track = out.weights[0].weights;
+  EXPECT_EQ(track.interpolation, Interpolation::linear);
+  EXPECT_THAT(track.times_s, ElementsAre(0.0f, 0.5f, 1.0f));
+  EXPECT_THAT(track.values, ElementsAre(0.0f, 4.0f, 1.5f, 3.0f, 1.0f, 2.0f)) << "half of both ends and an eighth of 8";
+}
+
+/// In each clip one track of one joint moves, each time of another property. All other tracks rest.
+TEST(resample_clips, of_every_joint_and_clip_each_constant_track_keeps_one_key) {
+  const std::vector<float> ends{0.0f, 1.0f};
+  BoneAnimation still;
+  still.translation = {Interpolation::linear, ends, {{3, 0, 0}, {3, 0, 0}}};
+  still.rotation = {Interpolation::linear, ends, {glm::quat(0, 1, 0, 0), glm::quat(0, 1, 0, 0)}};
+  still.scale = {Interpolation::linear, ends, {{2, 2, 2}, {2, 2, 2}}};
+  std::vector<Animation> clips(3, {"", 1.0, {still, still}, {}});
+  clips[0].bones[0].translation.values[1].x = 5.0f;
+  clips[1].bones[1].rotation.values[1] = glm::quat(1, 0, 0, 0);
+  clips[2].bones[0].scale.values[1].y = 4.0f;
+  const std::vector<Animation> out = resample_clips(clips, 2.0);
+  ASSERT_EQ(out.size(), 3u);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t b = 0; b < 2; ++b) {
+      const BoneAnimation& bone = out[c].bones[b];
+      EXPECT_EQ(bone.translation.key_count(), c == 0 && b == 0 ? 3u : 1u) << c << b;
+      EXPECT_EQ(bone.rotation.key_count(), c == 1 && b == 1 ? 3u : 1u) << c << b;
+      EXPECT_EQ(bone.scale.key_count(), c == 2 && b == 0 ? 3u : 1u) << c << b;
+    }
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ bool same_layer(const ClipLayer& a, const ClipLayer& b) {
 
 /// Compares all fields. When FrameInput gains a field, this does not compile until the field is compared too.
 void expect_same_input(const FrameInput& a, const FrameInput& b) {
-  const auto& [layers, weights, root, next_layers, interpolation_factor, out_of_view, geometry, asleep] = a;
+  const auto& [layers, weights, root, next_layers, interpolation_factor, out_of_view, geometry, program, inputs,
+               asleep] = a;
   EXPECT_TRUE(std::ranges::equal(layers, b.layers, same_layer));
   EXPECT_TRUE(std::ranges::equal(weights, b.weights));
   EXPECT_EQ(root, b.root);
@@ -27,6 +28,13 @@ void expect_same_input(const FrameInput& a, const FrameInput& b) {
   EXPECT_EQ(interpolation_factor, b.interpolation_factor);
   EXPECT_TRUE(std::ranges::equal(out_of_view, b.out_of_view));
   EXPECT_TRUE(std::ranges::equal(geometry, b.geometry, same_geometry));
+  EXPECT_TRUE(std::ranges::equal(program, b.program));
+  const auto& [externals, overrides, procedures, masks, pages] = inputs;
+  EXPECT_EQ(externals.size(), b.program_inputs.externals.size());  // pose_programs_test.cpp has what is in them
+  EXPECT_EQ(overrides.size(), b.program_inputs.overrides.size());
+  EXPECT_EQ(procedures.size(), b.program_inputs.procedures.size());
+  EXPECT_EQ(masks.size(), b.program_inputs.masks.size());
+  EXPECT_TRUE(std::ranges::equal(pages, b.program_inputs.pages));
   EXPECT_EQ(asleep, b.asleep);
 }
 
@@ -52,6 +60,9 @@ struct FullInput {
     input.weights = weights;
     input.out_of_view = out_of_view;
     input.geometry = geometry;
+    program.rest(number);
+    input.program = program.ops();
+    input.program_inputs = {.overrides = {&overrides, 1}, .masks = {}, .pages = pages};
     input.root.row[0].w = number;
     input.interpolation_factor = number;
   }
@@ -62,6 +73,9 @@ struct FullInput {
   std::vector<float> weights;
   std::vector<std::uint8_t> out_of_view;
   std::vector<GeometryInput> geometry;
+  PoseProgram program;
+  JointOverrides overrides;
+  std::vector<const Clip*> pages = {nullptr};
   FrameInput input;
 };
 
@@ -70,6 +84,7 @@ struct HeldInputTest : testing::Test {
     Needs needs;
     needs.in.between_updates = true;
     needs.in.cached_instances = {0};
+    needs.in.program = {.ops = 1, .slots = 1, .overrides = 1};
     plan = compile_plan(lend(scene), needs);
   }
   Scene scene;

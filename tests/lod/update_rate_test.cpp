@@ -51,6 +51,20 @@ TEST(update_rate, a_character_that_trembles_at_a_border_keeps_its_level) {
   }
 }
 
+TEST(update_rate, a_size_at_a_border_belongs_to_the_finer_level) {
+  const UpdateRates rates;
+  const auto below = [](double size) { return std::nextafter(size, 0.0); };
+  for (const UpdateLevel coarse : {UpdateLevel::every_second, UpdateLevel::every_fourth}) {
+    const auto fine = static_cast<UpdateLevel>(static_cast<int>(coarse) - 1);
+    const double border = coarse == UpdateLevel::every_second ? rates.second_below : rates.fourth_below,
+                 back = border * (1.0 + rates.hysteresis);
+    EXPECT_EQ(update_level(border, fine), fine);
+    EXPECT_EQ(update_level(below(border), fine), coarse);
+    EXPECT_EQ(update_level(back, coarse), fine) << "on the way back";
+    EXPECT_EQ(update_level(below(back), coarse), coarse);
+  }
+}
+
 TEST(update_rate, where_frames_are_slow_fewer_are_left_out) {
   const auto limited = [](double frames_per_s) { return limited_level(UpdateLevel::every_fourth, 1.0 / frames_per_s); };
   EXPECT_EQ(limited(60.0), UpdateLevel::every_fourth);

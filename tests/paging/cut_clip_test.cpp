@@ -236,6 +236,12 @@ TEST(join_clips, clips_that_rest_otherwise_do_not_move_alike) {
   };
   EXPECT_TRUE(moves_alike(with_weight(0.5f), with_weight(0.5f)));
   EXPECT_FALSE(moves_alike(with_weight(0.5f), with_weight(0.25f)));
+  const auto with_property = [&](float rest) {
+    const PropertyTable table{{{{PropertyKind::roughness, 0}, 0, 1}}, {rest}};
+    return compile_clip({}, test::chain_skeleton(3), {}, {}, table);
+  };
+  EXPECT_TRUE(moves_alike(with_property(0.5f), with_property(0.5f)));
+  EXPECT_FALSE(moves_alike(with_property(0.5f), with_property(0.25f)));
 }
 
 }  // namespace

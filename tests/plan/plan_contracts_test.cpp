@@ -223,17 +223,19 @@ std::vector<BadNumber> bad_numbers() {
                    [=](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = x; },
                    ErrorCode::not_a_fraction});
   }
-  for (const float x : {1.1e9f, 1e38f}) {
+  for (const float x : {std::nextafter(1e9f, 2e9f), 1e38f}) {
     for (int i = 0; i < 12; ++i)
       bad.push_back({"large root", [=](FrameInput& input, auto&, auto&, auto&) { input.root.row[i / 4][i % 4] = -x; },
                      ErrorCode::too_large});
     bad.push_back({"large weight of a layer", [=](auto&, ClipLayer& layer, auto&, auto&) { layer.weight = x; },
                    ErrorCode::too_large});
+    bad.push_back({"large weight of a next layer", [=](auto&, auto&, ClipLayer& next, auto&) { next.weight = x; },
+                   ErrorCode::too_large});
     bad.push_back(
         {"large morph weight", [=](auto&, auto&, auto&, auto& weights) { weights.back() = -x; }, ErrorCode::too_large});
   }
   bad.push_back({"interpolation factor above 1",
-                 [](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = 1.5f; },
+                 [](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = std::nextafter(1.0f, 2.0f); },
                  ErrorCode::not_a_fraction});
   bad.push_back({"mask", [](auto&, ClipLayer& layer, auto&, auto&) { layer.mask = 0; }, ErrorCode::index_out_of_range});
   return bad;

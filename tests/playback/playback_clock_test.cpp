@@ -128,6 +128,22 @@ TEST(playback_clock, seek_clamps_to_the_clip_and_can_stand_on_its_end) {
   EXPECT_EQ(clock.time_s(), 0.0);
 }
 
+/// 0.7 and 0.1 leave a positive rest of rounding. Played back, it would keep the clock from reaching 0.
+TEST(playback_clock, seeks_and_ends_forget_what_rounding_left) {
+  PlaybackClock sought(1.0), stopped(1.0, PlayMode::once);
+  for (PlaybackClock* clock : {&sought, &stopped})
+    for (const double dt_s : {0.7, 0.1}) clock->advance(dt_s);
+  sought.seek(0.5);
+  sought.set_speed(-1.0);
+  sought.advance(0.5);
+  EXPECT_EQ(sought.time_s(), 0.0);
+  stopped.advance(5.0);
+  stopped.set_speed(-1.0);
+  stopped.advance(1.0);
+  EXPECT_EQ(stopped.time_s(), 0.0);
+  EXPECT_TRUE(stopped.finished());
+}
+
 TEST(playback_clock, a_clip_without_length_stands_still) {
   for (const PlayMode mode : {PlayMode::loop, PlayMode::clamp, PlayMode::ping_pong, PlayMode::once}) {
     PlaybackClock clock(0.0, mode);
@@ -188,6 +204,10 @@ TEST(playback_clock, make_answers_codes_where_the_constructor_breaks_a_contract)
     EXPECT_EQ(PlaybackClock::make(1.0, PlayMode::loop, bad).error(), ErrorCode::not_finite);
     EXPECT_DEATH(PlaybackClock{bad}, "contract broken");
   }
+  const double most = PlaybackClock::kMost, above = std::nextafter(most, 2.0 * most);
+  EXPECT_TRUE(PlaybackClock::make(most, PlayMode::loop, -most));
+  EXPECT_EQ(PlaybackClock::make(above).error(), ErrorCode::not_finite);
+  EXPECT_EQ(PlaybackClock::make(1.0, PlayMode::loop, -above).error(), ErrorCode::not_finite);
   EXPECT_EQ(PlaybackClock::make(-1.0).error(), ErrorCode::unsupported);
   EXPECT_EQ(PlaybackClock::make(2.0, PlayMode::once, 0.5)->duration_s(), 2.0);
 }

@@ -144,7 +144,8 @@ TEST(root_motion, a_root_that_rests_turned_has_no_heading_at_rest) {
   BoneAnimation root;
   root.rotation = {Interpolation::linear, {0, 1}, {rest.rotation, about({0, 1, 0}, 0.5) * rest.rotation}};
   EXPECT_LT(apart(root_place(root, rest, {}, 0.0), {}), 1e-7);
-  EXPECT_NEAR(test::angle_between(root_place(root, rest, {}, 1.0).real, quat_identity<double>()), 0.5, 1e-6);
+  const Quat<double> to_the_left = quat_from_axis_angle(Vec3d(0, 1, 0), 0.5);
+  EXPECT_LT(test::angle_between(root_place(root, rest, {}, 1.0).real, to_the_left), 1e-6);
 }
 
 TEST(root_motion, a_clip_without_length_and_a_root_without_tracks_move_nothing) {

@@ -29,7 +29,7 @@ BoneAnimation straight_walk(float speed, float duration_s) {
   return root;
 }
 
-/// Keys at uneven times, translation and rotation apart, in the given interpolation.
+/// A root joint that moves at random. Keys are at uneven times; translation and rotation have different ones.
 BoneAnimation wander(test::FixedRandom& random, Interpolation interpolation) {
   BoneAnimation root;
   root.translation.interpolation = root.rotation.interpolation = interpolation;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -83,6 +84,40 @@ TEST(pose_program, the_room_of_a_program_reaches_to_its_largest_indices) {
   EXPECT_EQ(check(program.ops(), limits), ErrorCode::ok);
   limits.overlays_in_model_space = false;
   EXPECT_EQ(check(program.ops(), limits), ErrorCode::not_in_needs);
+}
+
+TEST(pose_program, indices_and_shares_are_taken_up_to_their_limits_and_not_beyond) {
+  const auto code = [](const PoseProgram& program) { return check(program.ops(), kLimits); };
+  const auto beyond = ErrorCode::index_out_of_range;
+  EXPECT_EQ(code(PoseProgram().sample(1, 0.0, 1.0f, 0)), ErrorCode::ok) << "the last clip, the last mask";
+  EXPECT_EQ(code(PoseProgram().sample(2, 0.0)), beyond);
+  EXPECT_EQ(code(PoseProgram().sample(0, 0.0, 1.0f, 254)), beyond) << "the number before that of no mask";
+  EXPECT_EQ(code(PoseProgram().external(0)), ErrorCode::ok);
+  EXPECT_EQ(code(PoseProgram().external(1)), beyond);
+  EXPECT_EQ(code(PoseProgram().rest(0.0f)), ErrorCode::ok);
+  EXPECT_EQ(code(PoseProgram().rest(-1e-30f)), ErrorCode::negative_weight);
+  const double above_1 = std::nextafter(1.0, 2.0);
+  for (const double share : {0.0, 1.0}) EXPECT_EQ(code(PoseProgram().rest().override_joints(0, share)), ErrorCode::ok);
+  for (const double share : {-1e-300, above_1})
+    EXPECT_EQ(code(PoseProgram().rest().override_joints(0, share)), ErrorCode::not_a_fraction) << share;
+  for (const double threshold : {1e-300, 1.0})
+    EXPECT_EQ(code(PoseProgram().rest().mean(1, 1.0f, threshold)), ErrorCode::ok) << threshold;
+  for (const double threshold : {0.0, above_1})
+    EXPECT_EQ(code(PoseProgram().rest().mean(1, 1.0f, threshold)), ErrorCode::not_a_fraction) << threshold;
+  PoseProgramLimits limits = kLimits;
+  limits.slots = 2;
+  EXPECT_EQ(check(PoseProgram().rest().rest().overlay().ops(), limits), ErrorCode::ok);
+  EXPECT_EQ(check(PoseProgram().rest().rest().rest().mean(3).ops(), limits), ErrorCode::size_mismatch);
+}
+
+TEST(pose_program, both_operations_that_mirror_need_a_mirror) {
+  const PoseOp rest{.kind = PoseOpKind::rest_mirrored}, sample{.kind = PoseOpKind::sample_mirrored};
+  for (const PoseOp& op : {rest, sample})
+    for (const bool there : {false, true}) {
+      PoseProgramLimits limits = kLimits;
+      limits.mirror = there;
+      EXPECT_EQ(check({&op, 1}, limits), there ? ErrorCode::ok : ErrorCode::not_in_needs);
+    }
 }
 
 TEST(pose_program, more_than_255_operations_are_counted_and_refused) {

@@ -3,17 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <memory>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/math/axis_angle.h"
 #include "runtime/pose/local_to_model.h"
-#include "runtime/pose/pose_memory.h"
-#include "tests/reference/pose_program.h"
-#include "tests/scenes/random_scene.h"
+#include "tests/pose_program/program_stage.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
@@ -21,85 +16,7 @@
 namespace sinew::test {
 namespace {
 
-/// A scene with what programs read of it, and memory to run them in.
-struct Stage {
-  Scene scene;
-  std::vector<float> rest_weights;
-  PoseMemory rest, result, external_memory;
-  std::vector<std::vector<float>> mask_memory;
-  std::vector<std::span<const float>> masks;
-  PoseProgramAssets assets;
-  ExternalPose external;
-  std::vector<float> external_weights, weights, properties;
-  std::vector<std::vector<JointOverride>> override_memory;
-  std::vector<JointOverrides> overrides;
-  std::vector<PoseProcedure> procedures;
-  std::unique_ptr<std::byte[], decltype(&std::free)> block{nullptr, std::free};
-  std::size_t bytes = 0;
-  PoseProgramWork work;
-
-  explicit Stage(std::uint64_t seed)
-      : scene(random_scene(seed)),
-        rest_weights(rest_weights_of(scene)),
-        rest(joints()),
-        result(joints()),
-        external_memory(joints()) {
-    FixedRandom random(seed);
-    mask_memory.resize(2);
-    for (std::size_t j = 0; j < joints(); ++j) {
-      rest.span().set(j, scene.skeleton.rest[j]);
-      Transform moved = scene.skeleton.rest[j];
-      moved.translation += random.vec3(-0.2, 0.2);
-      moved.rotation = random.rotation_by(0.4) * moved.rotation;
-      external_memory.span().set(j, moved);
-      mask_memory[0].push_back(static_cast<float>(random.unit()));
-      mask_memory[1].push_back(random.below(2) == 0 ? 0.0f : 1.0f);
-    }
-    masks.assign(mask_memory.begin(), mask_memory.end());
-    for (std::size_t i = 0; i < rest_weights.size(); ++i) external_weights.push_back(static_cast<float>(random.unit()));
-    external = {external_memory.span(), external_weights, {}, 0};
-    override_memory.resize(2);
-    for (const OverrideSpace space : {OverrideSpace::local, OverrideSpace::model})
-      for (int i = 0; i < 2; ++i)
-        override_memory[space == OverrideSpace::model].push_back(
-            {random.below(static_cast<std::uint32_t>(joints())),
-             {random.vec3(-1, 1), random.rotation_by(0.3), {1, 1, 1}},
-             space});
-    for (const std::vector<JointOverride>& joints_of : override_memory) overrides.push_back({joints_of, 0});
-    assets = {.skeleton = &scene.skeleton,
-              .clips = scene.clips,
-              .rest = rest.span(),
-              .rest_weights = rest_weights,
-              .rest_properties = scene.properties.rest,
-              .masks = masks};
-    weights.resize(rest_weights.size());
-    properties.resize(scene.properties.rest.size());
-    bytes = pose_program_bytes(assets, {.slots = 8, .overlays_in_model_space = true});
-    block.reset(static_cast<std::byte*>(std::aligned_alloc(64, bytes)));
-  }
-
-  std::size_t joints() const { return scene.skeleton.joint_count(); }
-
-  PoseProgramJob job(PoseProgramSpan program) {
-    return {.program = program,
-            .assets = &assets,
-            .inputs = {.externals = {&external, 1}, .overrides = overrides, .procedures = procedures},
-            .memory = {block.get(), bytes},
-            .pose = result.span(),
-            .weights = weights,
-            .properties = properties,
-            .work = &work};
-  }
-  ErrorCode run_program(const PoseProgram& program) { return run(job(program.ops())); }
-
-  reference::SlowPose run_slowly(PoseProgramSpan program) const {
-    reference::SlowPose slow_external;
-    for (std::size_t j = 0; j < joints(); ++j) slow_external.joints.push_back(in_double(external.pose.get(j)));
-    slow_external.weights.assign(external_weights.begin(), external_weights.end());
-    slow_external.properties.assign(scene.properties.rest.begin(), scene.properties.rest.end());
-    return reference::SlowProgram(scene, rest_weights, masks, {&slow_external, 1}, overrides).run(program);
-  }
-};
+using Stage = ProgramStage;
 
 /// Random operations. Each number is drawn in a statement of its own, so that all compilers draw the same program.
 class RandomProgram {
@@ -363,39 +280,70 @@ TEST(run_pose_program, masks_of_the_caller_follow_those_of_the_tables) {
   EXPECT_EQ(run(job), ErrorCode::index_out_of_range);
 }
 
-TEST(run_pose_program, work_is_counted_by_kind_and_what_is_not_in_the_program_counts_zero) {
-  Stage stage(9);
-  ASSERT_EQ(stage.run_program(PoseProgram().sample(0, 0.1).sample(1, 0.2).mean(2)), ErrorCode::ok);
-  EXPECT_EQ(stage.work, (PoseProgramWork{.clips_sampled = 2, .poses_blended = 2}));
+TEST(run_pose_program, each_external_pose_has_its_own_joints_weights_and_properties) {
+  Stage stage(11);
+  ASSERT_FALSE(stage.weights.empty());
+  ASSERT_FALSE(stage.properties.empty());
+  PoseMemory second(stage.joints());
+  for (std::size_t j = 0; j < stage.joints(); ++j) second.span().set(j, {glm::vec3(static_cast<float>(j))});
+  const std::vector<float> weights(stage.weights.size(), 0.75f), properties(stage.properties.size(), 3.0f);
+  const ExternalPose both[] = {stage.external, {second.span(), weights, properties, 0}};
+  const PoseProgram program = PoseProgram().external(1);
+  PoseProgramJob job = stage.job(program.ops());
+  job.inputs.externals = both;
+  ASSERT_EQ(run(job), ErrorCode::ok);
+  EXPECT_EQ(stage.result.span().get(2).translation, glm::vec3(2.0f));
+  EXPECT_EQ(stage.weights, weights);
+  EXPECT_EQ(stage.properties, properties);
+  ExternalPose fewer = both[1];
+  fewer.properties = fewer.properties.first(fewer.properties.size() - 1);
+  const ExternalPose bad[] = {both[0], fewer};
+  job.inputs.externals = bad;
+  EXPECT_EQ(run(job), ErrorCode::size_mismatch) << "of the second pose too";
 }
 
-TEST(run_pose_program, buffers_of_other_sizes_and_numbers_that_are_not_finite_are_refused) {
-  Stage stage(10);
-  PoseProgram program;
-  program.sample(0, 0.1).external(0).overlay().override_joints(0);
-  const auto code = [&](auto change) {
+TEST(run_pose_program, an_override_of_a_share_mixes_both_transforms) {
+  Stage stage(12);
+  const Transform given{{1, 2, 3}, stage.scene.skeleton.rest[0].rotation, {2, 2, 2}};
+  const JointOverride joints[] = {{0, given}};
+  const JointOverrides lists[] = {{}, {joints, 0}};
+  const auto placed = [&](double share, float weight) {
+    const PoseProgram program = PoseProgram().rest().override_joints(1, share, weight);
     PoseProgramJob job = stage.job(program.ops());
-    change(job);
-    return run(job);
+    job.inputs.overrides = lists;
+    EXPECT_EQ(run(job), ErrorCode::ok);
+    return stage.result.span().get(0);
   };
-  EXPECT_EQ(code([](PoseProgramJob&) {}), ErrorCode::ok);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.assets = nullptr; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.memory = job.memory.first(64); }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.joint_count -= 1; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.pose.planes = nullptr; }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.weights = job.weights.first(1); }), ErrorCode::size_mismatch);
-  EXPECT_EQ(code([](PoseProgramJob& job) { job.inputs.externals = {}; }), ErrorCode::index_out_of_range);
-  const Clip* const one_page[] = {nullptr};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.pages = one_page; }), ErrorCode::size_mismatch);
-  ExternalPose smaller = stage.external;
-  smaller.weights = smaller.weights.first(1);
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.externals = {&smaller, 1}; }), ErrorCode::size_mismatch);
-  JointOverride bad{0, {}, OverrideSpace::local};
-  bad.transform.rotation.y = std::numeric_limits<float>::infinity();
-  const JointOverrides bad_joints{{&bad, 1}, 0};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.overrides = {&bad_joints, 1}; }), ErrorCode::not_finite);
-  bad = {static_cast<std::uint32_t>(stage.joints()), {}, OverrideSpace::local};
-  EXPECT_EQ(code([&](PoseProgramJob& job) { job.inputs.overrides = {&bad_joints, 1}; }), ErrorCode::index_out_of_range);
+  const Transform rest = stage.scene.skeleton.rest[0];
+  for (const double share : {0.0, 0.25, 1.0}) {
+    const auto w = static_cast<float>(share);
+    const Transform found = placed(share, 0.5f);
+    EXPECT_LT(test::distance(found.translation, rest.translation * (1.0f - w) + given.translation * w), 1e-6) << share;
+    EXPECT_LT(test::distance(found.scale, rest.scale * (1.0f - w) + given.scale * w), 1e-6) << share;
+  }
+}
+
+/// Base, layer and reference lie one above the other: 1 + w (3 - 2) along x, and the other way round for y.
+TEST(run_pose_program, an_addition_takes_base_layer_and_reference_in_this_order) {
+  Stage stage(15);
+  std::vector<PoseMemory> poses;
+  std::vector<std::vector<float>> weights;
+  std::vector<ExternalPose> externals;
+  for (const float number : {1.0f, 3.0f, 2.0f}) {
+    poses.emplace_back(stage.joints());
+    weights.emplace_back(stage.weights.size(), number);
+  }
+  const glm::vec3 places[] = {{1, 1, 0}, {3, 2, 0}, {2, 4, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < stage.joints(); ++j) poses[i].span().set(j, {places[i]});
+    externals.push_back({poses[i].span(), weights[i], {}, 0});
+  }
+  const PoseProgram program = PoseProgram().external(0).external(1, 0.5f).external(2).add();
+  PoseProgramJob job = stage.job(program.ops());
+  job.inputs.externals = externals;
+  ASSERT_EQ(run(job), ErrorCode::ok);
+  EXPECT_LT(test::distance(stage.result.span().get(1).translation, glm::vec3(1.5f, 0.0f, 0.0f)), 1e-6);
+  EXPECT_EQ(stage.weights, std::vector<float>(stage.weights.size(), 1.5f));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ Mat3<T> blend_stretches(std::span<const Mat3<T>> stretches, std::span<const T> w
 template <class T>
 struct SkinnedT {
   Vec3<T> position, normal;
-  Quat<T> rotation;  ///< of the blended motion
+  Quat<T> rotation;  ///< rotation of the blended dual quaternion
 };
 
 /// eq   p1 = S p;  p' = d p1 d*;  n' = rotate(d, normalise(sign(det S) cof(S) n))   with the blended S and d

@@ -151,6 +151,44 @@ TEST(retarget_animation, one_joint_that_moves_among_others_that_rest_keeps_its_k
   }
 }
 
+/// The forearm is mapped by itself, or lies between the hand and what the hand hangs from.
+TEST(retarget_animation, tracks_of_a_joint_with_a_fixed_matrix_move_nothing) {
+  for (const bool is_between : {false, true}) {
+    Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
+             to = scenes::two_sided(RightSide::another_posture, 2).skeleton;
+    from.fixed_matrix_of[9] = 0;
+    from.fixed_matrices = {affine_from_transform(from.rest[9])};
+    if (is_between) to.names[9] = "something";
+    const SkeletonMap map = make_skeleton_map(from, to, {.translations = TranslationRule::by_length});
+    BoneAnimation moves{.joint = 9}, turns{.joint = 9}, grows{.joint = 9};
+    moves.translation = {Interpolation::step, {0.0f}, {glm::vec3(3.0f)}};
+    turns.rotation = {Interpolation::step, {0.0f}, {test::FixedRandom(4).rotation_by(1.0)}};
+    grows.scale = {Interpolation::step, {0.0f}, {glm::vec3(2.0f)}};
+    for (const BoneAnimation& bone : {moves, turns, grows}) {
+      const Animation found = retarget_animation({"", 1.0, {bone}, {}}, map, from, to);
+      EXPECT_TRUE(found.bones.empty()) << is_between << " " << bone.translation.key_count() << bone.scale.key_count();
+    }
+  }
+}
+
+TEST(retarget_animation, a_place_has_the_keys_of_its_own_track_and_of_those_above_it) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+  Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
+  to.names[9] = "something";  // the hand hangs from the upper arm, over the forearm
+  const SkeletonMap map = make_skeleton_map(from, to, {.translations = TranslationRule::by_length});
+  const auto moved = [&](std::uint32_t joint, float middle_s) {
+    const glm::vec3 rest = from.rest[joint].translation;
+    return BoneAnimation{
+        .joint = joint,
+        .translation = {Interpolation::linear, {0.0f, middle_s, 1.0f}, {rest, rest + glm::vec3(0.5f), rest}}};
+  };
+  const Animation animation{"", 1.0, {moved(9, 0.25f), moved(11, 0.75f)}, {}};
+  const Animation found = retarget_animation(animation, map, from, to);
+  ASSERT_EQ(found.bones.size(), 1u);
+  EXPECT_EQ(found.bones[0].translation.times_s, (std::vector<float>{0, 0.125f, 0.25f, 0.5f, 0.75f, 0.875f, 1}));
+  EXPECT_LT(measure_retarget(found, animation, map, from, to).distance, 2e-6);
+}
+
 TEST(retarget_animation, scales_come_from_the_joint_itself_and_not_over_joints_between) {
   const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
   Skeleton to = from;

@@ -127,6 +127,22 @@ TEST(retarget_pose, joints_of_the_source_with_a_fixed_matrix_rest_whatever_the_p
   }
 }
 
+TEST(retarget_pose, scales_of_joints_with_a_fixed_matrix_rest_whatever_the_pose_has) {
+  Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton, to = from;
+  from.rest[9].scale = {2, 2, 2};
+  from.fixed_matrix_of[9] = 0;
+  from.fixed_matrices = {affine_from_transform(from.rest[9])};
+  to.rest[9].scale = {1, 3, 5};
+  Retargeted r(from, to, 3);
+  ASSERT_TRUE(r.map.by_names);
+  std::vector<Transformd> pose, truth(14);
+  for (const Transform& t : r.local) pose.push_back(in_double(t));
+  retarget_pose(r.map, r.from, r.to, pose, truth);
+  EXPECT_TRUE(test::is_near(truth[9].scale, Vec3<double>(1, 3, 5), 1e-6));
+  ASSERT_EQ(run(r.job()), ErrorCode::ok);
+  EXPECT_TRUE(test::is_near(r.out.span().get(9).scale, glm::vec3(1, 3, 5), 2e-6));
+}
+
 /// A second forearm of the target follows the same source forearm. A second hand follows the same source hand, but
 /// below a forearm that rests.
 TEST(retarget_pose, a_joint_of_the_source_is_seen_from_different_joints_above_at_once) {

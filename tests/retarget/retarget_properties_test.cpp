@@ -44,5 +44,22 @@ TEST(retarget_properties, follow_things_of_their_name_and_joints_that_follow_the
   EXPECT_EQ(made.properties[1].target, (PropertyTarget{PropertyKind::node_visible, 1}));
 }
 
+TEST(retarget_properties, cameras_and_lights_are_found_in_their_own_lists) {
+  Scene from = with_materials({"lamp"}), to = with_materials({"lamp"});
+  from.cameras = {{.name = "front"}, {.name = "lamp"}};
+  to.cameras = {{.name = "back"}, {.name = "lamp"}, {.name = "front"}};
+  from.lights = {{.name = "lamp"}};
+  to.lights = {{.name = "sun"}, {.name = "moon"}, {.name = "star"}, {.name = "lamp"}};
+  Animation animation{"", 1.0, {}, {}}, made;
+  animation.properties = {
+      track_of(PropertyKind::camera_fov_y, 0, 1.0f), track_of(PropertyKind::camera_far, 1, 1.0f),
+      track_of(PropertyKind::light_color, 0, 1.0f), track_of(PropertyKind::light_outer_cone, 0, 1.0f),
+      track_of(PropertyKind::base_color, 0, 1.0f)};
+  EXPECT_THAT(retarget_properties(animation, {}, from, to, made), ElementsAre());
+  std::vector<std::uint32_t> indices;
+  for (const PropertyTrack& track : made.properties) indices.push_back(track.target.index);
+  EXPECT_THAT(indices, ElementsAre(2, 1, 3, 3, 0));
+}
+
 }  // namespace
 }  // namespace sinew

@@ -23,7 +23,7 @@ Material glowing(const glm::vec3& color) {
   return material;
 }
 
-/// Seen in parallel, 2.4 m high; a point (x, y, z) is at the pixel (24 + 20 x, 24 - 20 y).
+/// A parallel projection, 2.4 m high. A point (x, y, z) is at the pixel (24 + 20 x, 24 - 20 y).
 View straight() {
   View view = look_at({0, 0, 3}, {0, 0, 0}, 0.8, 0.1);
   view.half_height_m = 1.2;

@@ -52,7 +52,8 @@ View from_above() { return look_at({2.0, 2.6, 3.6}, {0.0, 0.2, 0.0}, 0.9, 0.05);
 double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 double ambient_irradiance() {
-  const Gradient light;  // its mean over the half sphere above, weighted by the cosine, lies 5/6 up
+  // The cosine-weighted mean of the gradient over the upper half sphere is 5/6 sky and 1/6 ground.
+  const Gradient light;
   return std::numbers::pi * (luminance(light.ground) + 5.0 * luminance(light.sky)) / 6.0;
 }
 

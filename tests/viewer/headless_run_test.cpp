@@ -177,7 +177,7 @@ TEST_F(headless_run, what_the_clip_or_a_shadow_brings_into_view_is_drawn) {
   const LoadedScene loaded = gliding_box();
   Options options = small_picture();
   options.time_s = kDuration_s;
-  options.camera = PlacedCamera{{2, 0.5f, 1.6f}, {2, 0.5f, 0}};  // sees no more of the box than the clip's end
+  options.camera = PlacedCamera{{2, 0.5f, 1.6f}, {2, 0.5f, 0}};  // sees the box only at the clip's end
   const auto seen = [&] { return placed(loaded, *options.camera, loaded.fov_y_rad); };
   const std::string end = written(options, loaded);
   EXPECT_EQ(end, drawn(options, loaded, seen(), kDuration_s));

@@ -34,7 +34,7 @@ BuiltScene all_kinds() {
 struct Way {
   const char* what;
   RenderOptions options;
-  std::size_t lights = 3;  ///< that are not hidden
+  std::size_t lights = 3;  ///< lights of the scene that are not hidden
   bool sign = true;        ///< the unlit one is not hidden
 };
 

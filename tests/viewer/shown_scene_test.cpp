@@ -18,7 +18,8 @@
 namespace sinew::viewer {
 namespace {
 
-/// A box that glides 4 m along x in 2 s; with a camera on it, or without, and among other joints that do the same.
+/// A box that glides 4 m along x in 2 s. `camera` puts a camera on it. `others` is a number of joints without a mesh
+/// that move alike.
 LoadedScene gliding_box(bool camera, std::uint32_t others = 0) {
   showcase::SceneBuilder builder;
   const std::uint32_t joint = builder.add_joint("box", kNone, {});

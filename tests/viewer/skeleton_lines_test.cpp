@@ -76,7 +76,7 @@ TEST(skeleton_lines, the_outline_is_a_square_around_the_bone_near_the_parent_joi
     const float length = glm::length(along), radius = 0.06f * length;
     glm::vec3 sum(0);
     for (std::size_t side = 0; side < 4; ++side) {
-      // Lines to the ring, from it to the joint, and to its next corner.
+      // Each side has three lines: parent joint to ring corner, that corner to the joint, that corner to the next one.
       const glm::vec3 corner = bone[6 * side + 1].position, next = bone[6 * side + 5].position;
       EXPECT_EQ(bone[6 * side].position, from);
       EXPECT_EQ(bone[6 * side + 2].position, corner);

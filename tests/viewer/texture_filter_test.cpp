@@ -62,7 +62,8 @@ TEST(texture_filter, says_what_the_device_lacks) {
             "this device has no anisotropic filter; textures are filtered as by --filter trilinear");
 }
 
-/// Bytes of the texels of one image of 16 x 16, besides the white texel of the materials without images.
+/// Texture memory in bytes of a scene with one image of 16 x 16 texels, without the single white texel that every scene
+/// has.
 std::uint64_t bytes_with(const TextureFilter& filter) {
   BuiltScene built;
   Material material;

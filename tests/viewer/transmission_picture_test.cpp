@@ -22,8 +22,8 @@ Material glass(const glm::vec4& color = {0.9f, 0.5f, 0.2f, 1.0f}, float roughnes
   return material;
 }
 
-/// A pane before the right half of the picture's wall, so that it is seen before a surface and before nothing. The wall
-/// is on the right.
+/// A pane in the middle, and a wall that covers the right half of the picture. One part of the pane has the wall behind
+/// it, the other part has nothing.
 BuiltScene pane_before_wall(const Material& pane, const Material& behind = plain()) {
   BuiltScene built;
   built.add(wall(), built.add_material(pane), translation({-0.2f, 0.1f, 0.3f}));

@@ -27,7 +27,8 @@ RenderOptions weighted(RenderOptions options = every_light()) {
   return options;
 }
 
-/// A lit wall behind four panes at different distances, lit and unlit, each over another part of it.
+/// Four panes before a lit wall. Some panes are lit and some are not; each has its own distance and hides another part
+/// of the wall.
 BuiltScene panes_before_a_wall(bool reversed = false) {
   struct Pane {
     Material material;

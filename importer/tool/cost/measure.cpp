@@ -66,7 +66,7 @@ Middle middle_of(std::span<double> values) {
 void mark_pareto_front(Group& group) {
   const auto beats = [&](const Point& a, const Point& b) {
     const double cost_a = group.cost_of(a), cost_b = group.cost_of(b);
-    const double error_a = group.telling_error_of(a), error_b = group.telling_error_of(b);
+    const double error_a = group.error_or_rounding(a), error_b = group.error_or_rounding(b);
     return error_a <= error_b && cost_a <= cost_b && (error_a < error_b || cost_a < cost_b);
   };
   for (Point& point : group.points)

@@ -45,7 +45,7 @@ struct Group {
   std::string size_unit;  ///< not empty: the chart shows the size instead of the time
   std::vector<Point> points;
 
-  double telling_error_of(const Point& point) const { return std::max(point.error, rounding); }
+  double error_or_rounding(const Point& point) const { return std::max(point.error, rounding); }
   /// The cost that the chart and the Pareto front use: the size where the group has one, else the time.
   double cost_of(const Point& point) const { return size_unit.empty() ? point.time_ns : point.size.value_or(0.0); }
 };

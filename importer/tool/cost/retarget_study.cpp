@@ -164,7 +164,7 @@ Study study_retargeting(const Subject& subject) {
       "tenth longer. Truth are the paths of hands and feet in the file, from where they rest, scaled by the height of "
       "the hips.",
       sentence(subject.clip_name()));
-  std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
+  std::vector<double> moments = times_of_large_errors(*subject.animation(), subject.effort.key_intervals);
   moments.push_back(subject.animation()->duration_s);
   for (const Rule& rule : kRules)
     for (const bool held : {false, true}) add_rule(study, bodies, rule, held, moments);

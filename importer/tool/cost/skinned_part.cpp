@@ -30,7 +30,7 @@ std::optional<SkinnedPart> skinned_part(const Subject& subject) {
       }
   }
   if (part.primitive == nullptr) return std::nullopt;
-  for (const ModelPose& model : subject.telling_poses()) part.poses.emplace_back(*part.skin, model);
+  for (const ModelPose& model : subject.compared_poses()) part.poses.emplace_back(*part.skin, model);
   std::uint32_t most = 0;
   for (const InfluenceGroup& group : part.primitive->influences.groups) most = std::max(most, group.influence_count);
   part.description = fmt::format("{} vertices with up to {} influences, {}", part.vertex_count(), most,

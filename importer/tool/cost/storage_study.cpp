@@ -197,7 +197,7 @@ Study study_storage(const Subject& subject) {
   if (subject.animation() == nullptr) return left_out(std::move(study), "the file has no clips");
   if (subject.animation()->bones.empty())
     return left_out(std::move(study), fmt::format("{} moves no joints", subject.clip_name()));
-  const std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
+  const std::vector<double> moments = times_of_large_errors(*subject.animation(), subject.effort.key_intervals);
   group.about = fmt::format(
       "The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} "
       "move against "

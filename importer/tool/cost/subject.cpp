@@ -22,7 +22,7 @@ std::string Subject::clip_name() const {
   return playing->name.empty() ? fmt::format("clip {}", clip) : fmt::format("the clip \"{}\"", playing->name);
 }
 
-std::vector<ModelPose> Subject::telling_poses() const {
+std::vector<ModelPose> Subject::compared_poses() const {
   const Skeleton& skeleton = scene.skeleton;
   if (animation() == nullptr) return {model_pose(skeleton, crooked_pose(skeleton))};
   constexpr int kPoses = 8;

@@ -23,7 +23,7 @@ struct Subject {
   std::string clip_name() const;
   /// Model matrices of all joints in the poses for which vertices are compared: up to eight of the clip, else one made
   /// up.
-  std::vector<ModelPose> telling_poses() const;
+  std::vector<ModelPose> compared_poses() const;
   /// An error that a viewer hardly sees: a ten-thousandth of the model's size, in mm.
   double hardly_seen_mm() const { return 0.1 * size_m; }
 };

@@ -45,7 +45,7 @@ ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local
   return model;
 }
 
-std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals) {
+std::vector<double> times_of_large_errors(const Animation& animation, std::size_t most_intervals) {
   std::vector<float> keys;
   for (const BoneAnimation& bone : animation.bones)
     for (const auto* times : {&bone.translation.times_s, &bone.rotation.times_s, &bone.scale.times_s})

@@ -24,7 +24,7 @@ ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local
 /// Times at which errors between keys are largest, in at most `most_intervals` key intervals that are evenly picked.
 /// Each has four: its first key, its middle, and the two places where nlerp is farthest from slerp. Increasing; {0}
 /// without keys.
-std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals);
+std::vector<double> times_of_large_errors(const Animation& animation, std::size_t most_intervals);
 
 /// Times at which a clip is sampled while it is timed: one in each sixteenth of it, away from usual keys. Their order
 /// jumps forwards and backwards.

@@ -22,7 +22,8 @@ void split(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatr
   work.spent_on(Stage::split_palette);
 }
 
-/// The matrices that vertices share, behind those of the joints.
+/// Blends one matrix for each combination of joints and weights that several vertices have. These matrices lie in the
+/// palette behind those of the joints.
 void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
              FrameWork& work) noexcept {
   for (const CombinedInfluences& combined : plan.combined[skin]) {

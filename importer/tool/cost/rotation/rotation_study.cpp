@@ -195,7 +195,7 @@ Study study_rotation(const Subject& subject) {
   if (rotations_only(*subject.animation(), Interpolation::linear).bones.empty())
     return left_out(std::move(study), fmt::format("{} turns no joint from one key to another", subject.clip_name()));
   const Interpolation usual = usual_interpolation(*subject.animation());
-  const Truth truth(subject, telling_moments(*subject.animation(), subject.effort.key_intervals));
+  const Truth truth(subject, times_of_large_errors(*subject.animation(), subject.effort.key_intervals));
   for (const Variant& variant : variants()) {
     const Animation turned = rotations_only(*subject.animation(), variant.interpolation);
     if (variant.is_exact && variant.interpolation == Interpolation::linear) add_incremental(study, subject, turned);

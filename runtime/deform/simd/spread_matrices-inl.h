@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The matrices of a run of tiles, blended with one vertex per lane.
+#if defined(SINEW_SPREAD_MATRICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_SPREAD_MATRICES_INL_H_
+#undef SINEW_SPREAD_MATRICES_INL_H_
+#else
+#define SINEW_SPREAD_MATRICES_INL_H_
+#endif
+
+#include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/vertex_tiles.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// A base and differences from it. Products can read one operand from memory: on x86 below AVX-512 the numbers are
+/// broadcast to memory once a run, while AVX-512 broadcasts as it reads.
+/// eq   M = B + sum(w_i (M_i - B)), B the matrix of the last joint
+/// in   kCount  joints of the run; 0 = known at run time only, and blended slowly
+template <int kCount>
+class SpreadMatrices {
+ public:
+  HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t) {
+    const JointMatrix& base = palette[joints[kCount - 1]];
+    keep(0, base);
+    for (std::size_t i = 1; i < kCount; ++i) {
+      const JointMatrix& joint = palette[joints[i - 1]];
+      JointMatrix difference;
+      const hn::CappedTag<float, 4> d;
+      for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t r = 0; r < 4; r += hn::Lanes(d)) {
+          const auto from = [&](const JointMatrix& m) HWY_ATTR { return hn::LoadU(d, &m.column[c].x + r); };
+          hn::StoreU(hn::Sub(from(joint), from(base)), d, &difference.column[c].x + r);
+        }
+      keep(i, difference);
+    }
+  }
+
+  /// Column `c` of the blend of every vertex.
+  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
+    Lanes3 sum = column_of(0, c);
+    for (std::size_t i = 1; i < kCount; ++i)
+      sum = plus_product(sum, column_of(i, c), hn::Load(TileTag(), weights[i - 1].lane.data() + lane));
+    return sum;
+  }
+
+ private:
+  static constexpr bool kSpread = HWY_ARCH_X86 && kTileSize > 1 && kTileSize < 16;
+
+  HWY_INLINE void keep(std::size_t i, const JointMatrix& m) {
+    if constexpr (kSpread)
+      for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t r = 0; r < 3; ++r)
+          hn::Store(hn::Set(TileTag(), (&m.column[c].x)[r]), TileTag(), spread_[i][c][r]);
+    else
+      matrices_[i] = m;
+  }
+  HWY_INLINE Lanes3 column_of(std::size_t i, std::size_t c) const {
+    const TileTag d;
+    if constexpr (kSpread) {
+      const auto& of = spread_[i][c];
+      return {hn::Load(d, of[0]), hn::Load(d, of[1]), hn::Load(d, of[2])};
+    } else {
+      const glm::vec4& of = matrices_[i].column[c];
+      return {hn::Set(d, of.x), hn::Set(d, of.y), hn::Set(d, of.z)};
+    }
+  }
+
+  JointMatrix matrices_[kSpread ? 1 : kCount];
+  HWY_ALIGN float spread_[kSpread ? kCount : 1][4][3][kTileSize];
+};
+
+/// Any number of joints, with the same bits.
+template <>
+class SpreadMatrices<0> {
+ public:
+  HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t count)
+      : palette_(palette), joints_(joints), count_(count) {}
+
+  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
+    const TileTag d;
+    const auto spread = [&](const glm::vec4& of) HWY_ATTR {
+      return Lanes3{hn::Set(d, of.x), hn::Set(d, of.y), hn::Set(d, of.z)};
+    };
+    const Lanes3 base = spread(palette_[joints_[count_ - 1]].column[c]);
+    Lanes3 sum = base;
+    for (std::size_t i = 0; i + 1 < count_; ++i)
+      sum = plus_product(sum, minus(spread(palette_[joints_[i]].column[c]), base),
+                         hn::Load(d, weights[i].lane.data() + lane));
+    return sum;
+  }
+
+ private:
+  const JointMatrix* palette_;
+  const std::uint16_t* joints_;
+  std::size_t count_;
+};
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

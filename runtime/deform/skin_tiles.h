@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/base/api.h"
+#include "runtime/base/run_job.h"
+#include "runtime/deform/skin_linear.h"
+#include "runtime/deform/vertex_tiles.h"
+
+namespace sinew {
+
+/// Linear-blend skinning of vertices that were sorted into tiles: the same result as SkinLinearJob up to rounding, in
+/// about half of the time.
+/// eq   M = B + sum(w_i * (palette[joint_i] - B)), B the matrix of the run's last joint, whose weight is left out;
+///      p' = M p,  n and t as in SkinLinearJob
+/// in   tiles    of the primitive;   palette[N]  finite
+/// out  out      in the order of the primitive; must not overlap the input. A normal that collapses to zero keeps its
+///               input value
+/// err  size_mismatch, index_out_of_range
+/// cost O(V * influences), no allocation. Positions have an error of a few units in the last place of the largest
+///      |palette[joint_i] p| of their joints. `past_caches` and outputs of 8 MiB and more are as in SkinLinearJob.
+struct SkinTilesJob {
+  const VertexTiles* tiles = nullptr;
+  std::span<const JointMatrix> palette;
+  VertexOutput out;
+  NormalRule normal_rule = NormalRule::linear;
+  bool past_caches = false;
+
+  /// An attribute is written if the tiles have it and there is room for it.
+  bool writes_normals() const noexcept { return !out.normals.empty() && !tiles->normals.empty(); }
+  bool writes_tangents() const noexcept { return !out.tangents.empty() && !tiles->tangents.empty(); }
+};
+
+SINEW_API ErrorCode check(const SkinTilesJob& job) noexcept;
+SINEW_API void run_unchecked(const SkinTilesJob& job) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/deform/vertex_tiles.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace sinew {
+namespace {
+
+/// Lanes of a common vector. A run fills whole vectors of this size with vertices of its own.
+constexpr std::uint32_t kVector = 8;
+
+/// Stretches of vertices from this length on fill tiles from a multiple of 16 vertices on, as stores past the caches
+/// need it.
+constexpr std::uint32_t kLongStretch = 64;
+
+/// Larger sets that the vertices of a set are tried in. Meshes with many sets have few vertices for each.
+constexpr std::size_t kMostTried = 64;
+
+struct Influence {
+  std::uint16_t joint;
+  float weight;
+};
+
+/// The influences of all vertices, each vertex's by rising joint.
+class SortedInfluences {
+ public:
+  explicit SortedInfluences(const VertexInfluences& from) {
+    all_.reserve(from.joints.size());
+    first_.push_back(0);
+    for (const InfluenceGroup& group : from.groups)
+      for (std::uint32_t v = 0; v < group.vertex_count; ++v)
+        add(from, group.first_influence + std::size_t{v} * group.influence_count, group.influence_count);
+  }
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(first_.size() - 1); }
+  std::span<const Influence> of(std::uint32_t vertex) const noexcept {
+    return std::span(all_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+  }
+
+  /// Order by number of joints, then by joints: the vertices of a set are neighbours.
+  int compare(std::uint32_t a, std::uint32_t b) const noexcept {
+    const auto of_a = of(a), of_b = of(b);
+    if (of_a.size() != of_b.size()) return of_a.size() < of_b.size() ? -1 : 1;
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      if (of_a[i].joint != of_b[i].joint) return of_a[i].joint < of_b[i].joint ? -1 : 1;
+    return 0;
+  }
+
+ private:
+  void add(const VertexInfluences& from, std::size_t at, std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = at; i < at + count; ++i) sum += double{from.weights[i]};
+    for (std::size_t i = at; i < at + count; ++i)
+      all_.push_back({from.joints[i], static_cast<float>(double{from.weights[i]} / sum)});
+    std::sort(all_.end() - static_cast<std::ptrdiff_t>(count), all_.end(),
+              [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+    first_.push_back(all_.size());
+  }
+
+  std::vector<Influence> all_;
+  std::vector<std::size_t> first_;
+};
+
+/// The vertices that follow one set of joints.
+struct JointSet {
+  std::vector<std::uint16_t> joints;                           ///< rising
+  std::size_t base = 0;                                        ///< the joint whose weight is left out
+  std::vector<std::uint32_t> lanes;                            ///< vertices in the order of the run
+  std::uint32_t in_fours = 0, in_eights = 0, in_sixteens = 0;  ///< as in TileRun
+
+  std::uint32_t leftover() const noexcept { return static_cast<std::uint32_t>(lanes.size() % kVector); }
+  std::uint32_t free() const noexcept { return (kVector - leftover()) % kVector; }
+
+  /// Rounding grows with the matrix of `base`, so a vertex must follow it.
+  bool may_take(const JointSet& other) const noexcept {
+    return other.joints.size() < joints.size() &&
+           std::includes(joints.begin(), joints.end(), other.joints.begin(), other.joints.end()) &&
+           std::binary_search(other.joints.begin(), other.joints.end(), joints[base]);
+  }
+};
+
+/// A stretch [begin, end) of vertices in a row, by the largest power of two that it fills.
+struct Piece {
+  std::uint32_t first, count;
+};
+
+/// Cuts vertices, which rise, into pieces of 16, 8, 4 and 1 vertices in a row.
+std::vector<Piece> pieces_of(std::span<const std::uint32_t> vertices) {
+  std::vector<Piece> pieces;
+  for (std::size_t begin = 0, end = 0; begin < vertices.size(); begin = end) {
+    for (end = begin + 1; end < vertices.size() && vertices[end] == vertices[end - 1] + 1;) ++end;
+    std::uint32_t at = vertices[begin];
+    const std::uint32_t last = vertices[end - 1] + 1;
+    const bool is_long = last - at >= kLongStretch;
+    while (at < last) {
+      std::uint32_t most = last - at;
+      if (is_long && at % VertexTiles::kLanes != 0)
+        most = std::min(most, VertexTiles::kLanes - at % VertexTiles::kLanes);
+      const std::uint32_t count = most >= 16 ? 16 : most >= 8 ? 8 : most >= 4 ? 4 : 1;
+      pieces.push_back({at, count});
+      at += count;
+    }
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.count > b.count; });
+  return pieces;
+}
+
+/// The joint with the largest sum of weights: differences from it have the smallest factors.
+std::size_t heaviest_joint(const SortedInfluences& influences, std::span<const std::uint32_t> vertices) {
+  std::vector<double> sums(influences.of(vertices[0]).size());
+  for (const std::uint32_t v : vertices)
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += double{influences.of(v)[i].weight};
+  return static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+}
+
+std::vector<JointSet> find_sets(const SortedInfluences& influences) {
+  std::vector<std::uint32_t> order(influences.vertex_count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int compared = influences.compare(a, b);
+    return compared != 0 ? compared < 0 : a < b;
+  });
+  std::vector<JointSet> sets;
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    for (end = begin + 1; end < order.size() && influences.compare(order[begin], order[end]) == 0;) ++end;
+    const auto vertices = std::span(order).subspan(begin, end - begin);
+    JointSet& set = sets.emplace_back();
+    for (const Influence& influence : influences.of(vertices[0])) set.joints.push_back(influence.joint);
+    set.base = heaviest_joint(influences, vertices);
+    for (const Piece& piece : pieces_of(vertices)) {
+      set.in_sixteens += piece.count == 16 ? 16 : 0;
+      set.in_eights += piece.count >= 8 ? piece.count : 0;
+      set.in_fours += piece.count >= 4 ? piece.count : 0;
+      for (std::uint32_t v = piece.first; v < piece.first + piece.count; ++v) set.lanes.push_back(v);
+    }
+  }
+  return sets;
+}
+
+/// Moves the vertices of sets that fill no whole vector to free lanes of larger sets, where all of them find a place.
+void move_leftovers(std::vector<JointSet>& sets) {
+  std::vector<std::vector<std::size_t>> with_joint;
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (const std::uint16_t joint : sets[s].joints) {
+      if (joint >= with_joint.size()) with_joint.resize(joint + 1u);
+      with_joint[joint].push_back(s);
+    }
+  for (auto largest = sets.rbegin(); largest != sets.rend(); ++largest) {  // so that no vertex moves twice
+    JointSet& set = *largest;
+    if (set.leftover() == 0) continue;
+    std::vector<std::size_t> takers;
+    std::uint32_t room = 0;
+    std::size_t tried = 0;
+    for (const std::size_t s : with_joint[set.joints[set.base]]) {
+      if (room >= set.leftover() || ++tried > kMostTried) break;
+      if (sets[s].free() == 0 || !sets[s].may_take(set)) continue;
+      takers.push_back(s);
+      room += sets[s].free();
+    }
+    if (room < set.leftover()) continue;
+    for (const std::size_t s : takers)
+      for (std::uint32_t left = std::min(sets[s].free(), set.leftover()); left > 0; --left) {
+        sets[s].lanes.push_back(set.lanes.back());
+        set.lanes.pop_back();
+      }
+    set.in_fours = std::min(set.in_fours, static_cast<std::uint32_t>(set.lanes.size() / 4 * 4));
+  }
+}
+
+/// Writes runs.
+class TileWriter {
+ public:
+  TileWriter(const SortedInfluences& influences, const VertexInput& in, VertexTiles& out)
+      : influences_(influences), in_(in), out_(out) {}
+
+  void add(const JointSet& set) {
+    TileRun run{.first_tile = static_cast<std::uint32_t>(out_.tile_count()),
+                .lane_count = static_cast<std::uint32_t>(set.lanes.size()),
+                .first_plane = static_cast<std::uint32_t>(out_.positions.size()),
+                .first_joint = static_cast<std::uint32_t>(out_.joints.size()),
+                .joint_count = static_cast<std::uint32_t>(set.joints.size()),
+                .in_fours = set.in_fours,
+                .in_eights = set.in_eights,
+                .in_sixteens = set.in_sixteens};
+    for (std::size_t i = 0; i < set.joints.size(); ++i)
+      if (i != set.base) out_.joints.push_back(set.joints[i]);
+    out_.joints.push_back(set.joints[set.base]);
+    out_.joint_count = std::max(out_.joint_count, set.joints.back() + 1u);
+    for (std::size_t lane = 0; lane < set.lanes.size(); lane += VertexTiles::kLanes) {
+      const std::size_t own = std::min<std::size_t>(set.lanes.size() - lane, VertexTiles::kLanes);
+      add_tile(run, std::span(set.lanes).subspan(lane, own));
+    }
+    out_.runs.push_back(run);
+  }
+
+ private:
+  void add_tile(const TileRun& run, std::span<const std::uint32_t> own) {
+    std::array<std::uint32_t, VertexTiles::kLanes> vertices;
+    for (std::size_t lane = 0; lane < vertices.size(); ++lane) vertices[lane] = own[std::min(lane, own.size() - 1)];
+    out_.vertices.insert(out_.vertices.end(), vertices.begin(), vertices.end());
+    for (std::size_t lane = 0; lane < vertices.size(); lane += 4) {
+      bool in_a_row = lane + 4 <= own.size();
+      for (std::size_t i = 1; i < 4; ++i) in_a_row &= vertices[lane + i] == vertices[lane] + i;
+      out_.fours.push_back(in_a_row ? vertices[lane] : VertexTiles::kNotInARow);
+    }
+    add_planes(out_.positions, 3, [&](std::size_t lane, int c) { return in_.positions[vertices[lane]][c]; });
+    for (std::size_t i = 0; i + 1 < run.joint_count; ++i)
+      add_planes(out_.positions, 1,
+                 [&](std::size_t lane, int) { return weight(vertices[lane], out_.joints[run.first_joint + i]); });
+    if (!in_.normals.empty())
+      add_planes(out_.normals, 3, [&](std::size_t lane, int c) { return in_.normals[vertices[lane]][c]; });
+    if (!in_.tangents.empty())
+      add_planes(out_.tangents, 4, [&](std::size_t lane, int c) { return in_.tangents[vertices[lane]][c]; });
+  }
+
+  template <class Number>
+  static void add_planes(std::vector<TilePlane>& to, int count, const Number& number) {
+    for (int c = 0; c < count; ++c) {
+      TilePlane& plane = to.emplace_back();
+      for (std::size_t lane = 0; lane < plane.lane.size(); ++lane) plane.lane[lane] = number(lane, c);
+    }
+  }
+
+  float weight(std::uint32_t vertex, std::uint16_t joint) const noexcept {
+    for (const Influence& influence : influences_.of(vertex))
+      if (influence.joint == joint) return influence.weight;
+    return 0.0f;
+  }
+
+  const SortedInfluences& influences_;
+  const VertexInput& in_;
+  VertexTiles& out_;
+};
+
+}  // namespace
+
+double VertexTiles::lanes_per_vertex() const noexcept {
+  std::size_t lanes = 0;
+  for (const TileRun& run : runs) lanes += (run.lane_count + kVector - 1) / kVector * kVector;
+  return vertex_count == 0 ? 1.0 : static_cast<double>(lanes) / vertex_count;
+}
+
+VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices) {
+  const SortedInfluences sorted(influences);
+  std::vector<JointSet> sets = find_sets(sorted);
+  move_leftovers(sets);
+  VertexTiles tiles;
+  tiles.vertex_count = sorted.vertex_count();
+  TileWriter writer(sorted, vertices, tiles);
+  for (const JointSet& set : sets)
+    if (!set.lanes.empty()) writer.add(set);
+  return tiles;
+}
+
+}  // namespace sinew
