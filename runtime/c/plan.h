@@ -55,8 +55,8 @@ typedef struct sinew_needs {
   const sinew_program_room* program;  ///< of sinew_frame_input.program, the most of each; null = no programs; copied
 } sinew_needs;
 
-/// Everything but bounds, palettes, hidden meshes, adding layers, poses between updates and cuts; 4 layers of each
-/// kind; no programs; linear skinning; all joints; struct_size is set.
+/// Everything but bounds, palettes, hidden meshes, adding layers, poses between updates and cuts. There are 4 layers
+/// of each kind, no programs, linear skinning and all joints; struct_size is set.
 SINEW_API sinew_needs sinew_default_needs(void);
 
 /// The stages that a scene needs. Shared by all characters that show the scene.

@@ -64,8 +64,8 @@ SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
-// What the indices of a program name. Each entry has a version: equal versions promise the same content as in the frame
-// before, 0 promises nothing. Joints are those of poses, from 0 to sinew_pose.joint_count: the scene's own, or where
+// Indices of a program name entries of the lists below. Each entry has a version: equal versions promise the same
+// content as in the frame before, 0 promises nothing. Joints are those of poses: the scene's own, or where
 // sinew_needs.skeleton_lod leaves joints out, what sinew_pose_joint answers. The structs of entries never grow.
 
 /// A pose of the caller.

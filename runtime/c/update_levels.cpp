@@ -133,7 +133,6 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
     std::span<const ClipLayer> next;
     sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own).error;
     if (error == SINEW_OK && has_pages(own.layers)) error = SINEW_UNSUPPORTED;  // those of `ahead` are not given
-    if (error == SINEW_OK && !own.program.empty()) error = SINEW_UNSUPPORTED;   // nor is a program
     if (error == SINEW_OK)
       error = c::read_layers(ahead, nullptr, ahead_count, "ahead", interpolated->ahead, next).error;
     if (error != SINEW_OK) return error;

@@ -67,7 +67,7 @@ SINEW_API void sinew_interpolated_input_destroy(sinew_interpolated_input* interp
 
 /// The input to run in this frame.
 /// in   ahead[ahead_count]  layers of the frame that is sinew_frames_to_update from now
-/// out, err  as sinew_held_input_next, and SINEW_UNSUPPORTED where the input has pages or a program
+/// out, err  as sinew_held_input_next, and SINEW_UNSUPPORTED where the input has pages
 SINEW_API sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated,
                                                     const sinew_frame_input* now, const sinew_layer* ahead,
                                                     size_t ahead_count, uint32_t level, uint64_t frame, uint32_t phase,

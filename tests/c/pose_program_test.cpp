@@ -18,12 +18,12 @@ using c_pose_programs = ProgramActor;
 
 TEST_F(c_pose_programs, overlays_poses_joints_and_procedures_have_the_bits_of_cpp) {
   ASSERT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
-  const std::vector<float> rest = numbers_of(sinew_frame_result(frame_));
+  const std::vector<float> rest = all_numbers_of(sinew_frame_result(frame_));
   for (const std::uint8_t space : {SINEW_OVERRIDE_LOCAL, SINEW_OVERRIDE_MODEL}) {
     joint_.space = space;
     ++overrides_.version;
     ASSERT_EQ(sinew_run(frame_, &input_), SINEW_OK) << why();
-    const std::vector<float> numbers = numbers_of(sinew_frame_result(frame_));
+    const std::vector<float> numbers = all_numbers_of(sinew_frame_result(frame_));
     EXPECT_TRUE(same_bits<float>(numbers, numbers_by_cpp())) << int{space};
     EXPECT_FALSE(same_bits<float>(numbers, rest));
   }
@@ -75,7 +75,7 @@ TEST_F(c_pose_programs, jobs_run_what_was_submitted_whatever_the_caller_writes_l
   inputs_ = {.struct_size = sizeof(inputs_)};
   ASSERT_EQ(sinew_jobs_poll(jobs), 1);
   ASSERT_EQ(sinew_jobs_last_error(jobs), SINEW_OK);
-  EXPECT_TRUE(same_bits<float>(numbers_of(sinew_jobs_latest(jobs, 0)), expected));
+  EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_jobs_latest(jobs, 0)), expected));
   sinew_jobs_destroy(jobs);
 }
 
@@ -89,7 +89,7 @@ TEST_F(c_pose_programs, held_inputs_hold_programs) {
   for (float& weight : mask_weights_) weight = 0.0f;
   ASSERT_EQ(sinew_held_input_next(held, &input_, SINEW_UPDATE_EVERY_FOURTH, 1, 0, &next), SINEW_OK);
   ASSERT_EQ(sinew_run(frame_, &next), SINEW_OK);
-  EXPECT_TRUE(same_bits<float>(numbers_of(sinew_frame_result(frame_)), expected));
+  EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_frame_result(frame_)), expected));
   --external_.pose.joint_count;
   ASSERT_EQ(sinew_held_input_next(held, &input_, SINEW_UPDATE_EVERY_FOURTH, 4, 0, &next), SINEW_OK);
   EXPECT_EQ(sinew_run(frame_, &next), SINEW_SIZE_MISMATCH) << "it is not held but handed on";
@@ -100,23 +100,29 @@ TEST_F(c_pose_programs, held_inputs_hold_programs) {
   sinew_held_input_destroy(held);
 }
 
-TEST_F(c_pose_programs, programs_have_no_frames_between_updates) {
+TEST_F(c_pose_programs, programs_are_evaluated_in_every_frame_between_updates) {
   sinew_needs needs = needs_of_c();
   needs.flags |= SINEW_NEED_BETWEEN_UPDATES;
   sinew_plan* plan = nullptr;
+  sinew_frame* frame = nullptr;
   sinew_interpolated_input* interpolated = nullptr;
   ASSERT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_OK);
+  ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
   ASSERT_EQ(sinew_interpolated_input_create(plan, &interpolated), SINEW_OK);
   sinew_frame_input next = sinew_default_input();
-  EXPECT_EQ(sinew_interpolated_input_next(interpolated, &input_, nullptr, 0, 1, 0, 0, &next), SINEW_UNSUPPORTED);
+  ASSERT_EQ(sinew_interpolated_input_next(interpolated, &input_, nullptr, 0, SINEW_UPDATE_EVERY_FOURTH, 1, 0, &next),
+            SINEW_OK);
+  ASSERT_EQ(sinew_run(frame, &next), SINEW_OK);
+  EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_frame_result(frame)), numbers_by_cpp()));
   sinew_interpolated_input_destroy(interpolated);
+  sinew_frame_destroy(frame);
   sinew_plan_destroy(plan);
 }
 
 TEST_F(c_pose_programs, pages_stand_for_the_clips_of_operations) {
   ops_[0].time_s = 0.0;
   ASSERT_EQ(sinew_run(frame_, &input_), SINEW_OK);
-  const std::vector<float> expected = numbers_of(sinew_frame_result(frame_));
+  const std::vector<float> expected = all_numbers_of(sinew_frame_result(frame_));
   const auto page_of_scene = [&](const sinew_scene& scene, sinew_paged_clip*& paged, sinew_page*& page) {
     ASSERT_EQ(sinew_paged_clip_create(&scene, 0, 0.1, 9, nullptr, &paged), SINEW_OK);
     ASSERT_EQ(sinew_page_create(&page), SINEW_OK);
@@ -132,7 +138,7 @@ TEST_F(c_pose_programs, pages_stand_for_the_clips_of_operations) {
   sinew_frame* frame = nullptr;
   ASSERT_EQ(sinew_frame_create(plan_, nullptr, &frame), SINEW_OK);
   ASSERT_EQ(sinew_run(frame, &input_), SINEW_OK) << why();
-  EXPECT_TRUE(same_bits<float>(numbers_of(sinew_frame_result(frame)), expected));
+  EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_frame_result(frame)), expected));
   pages[0] = other_page;
   EXPECT_EQ(why(), std::string("pages[0]: ") + sinew_describe(SINEW_WRONG_PAGE));
   for (sinew_page* own : {page, other_page}) sinew_page_destroy(own);
@@ -155,8 +161,8 @@ TEST_F(c_pose_programs, cuts_go_on_from_what_the_caller_writes) {
   ASSERT_EQ(engine_place(&cut, {3.0f, 2.0f, 1.0f}), SINEW_OK);
   ASSERT_EQ(run_from_cut(cpp.plan, cpp.input, frame), ErrorCode::ok);
   ASSERT_EQ(sinew_run_from_cut(frame_, &input_), SINEW_OK);
-  const std::vector<float> numbers = numbers_of(sinew_frame_result(frame_));
-  EXPECT_TRUE(same_bits<float>(numbers, numbers_of(reinterpret_cast<const sinew_result*>(&frame.result()))));
+  const std::vector<float> numbers = all_numbers_of(sinew_frame_result(frame_));
+  EXPECT_TRUE(same_bits<float>(numbers, all_numbers_of(reinterpret_cast<const sinew_result*>(&frame.result()))));
   EXPECT_FALSE(same_bits<float>(numbers, numbers_by_cpp()));
 }
 

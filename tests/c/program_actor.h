@@ -27,7 +27,7 @@ inline void add_pose(std::vector<float>& to, const sinew_pose& pose) {
 }
 
 /// All numbers of a result, and its local pose.
-inline std::vector<float> numbers_of(const sinew_result* result) {
+inline std::vector<float> all_numbers_of(const sinew_result* result) {
   Numbers numbers;
   sinew_result_info info{.struct_size = sizeof(info)};
   EXPECT_EQ(engine_read(result, 2, &numbers), SINEW_OK);
@@ -126,7 +126,7 @@ class ProgramActor : public testing::Test {
     const OfCpp cpp(*this);
     FrameBuffer frame(cpp.plan);
     EXPECT_EQ(run_plan(cpp.plan, cpp.input, frame), ErrorCode::ok) << why_refused(cpp.plan, cpp.input, frame);
-    return numbers_of(reinterpret_cast<const sinew_result*>(&frame.result()));
+    return all_numbers_of(reinterpret_cast<const sinew_result*>(&frame.result()));
   }
 
   /// The line of sinew_why_refused; empty where there is none.
