@@ -9,7 +9,8 @@
 
 namespace sinew {
 
-/// - error: the file cannot be loaded.
+/// - error: data are lost. Either the import fails, or it succeeds without a part that nothing else needs, such as an
+///   animation channel; the error is then among ImportedFile::warnings.
 /// - warning: the file loads, with a repair.
 /// - info: the file is valid, but larger than necessary or unusual.
 enum class Severity { error, warning, info };

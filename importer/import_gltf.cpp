@@ -24,6 +24,7 @@
 #include "importer/file/check_unused_objects.h"
 #include "importer/file/data_uri.h"
 #include "importer/file/document_size.h"
+#include "importer/file/foreign_file.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/gltf_shape.h"
 #include "importer/file/load_buffers.h"
@@ -85,6 +86,10 @@ class Import {
 
  private:
   bool parse(Bytes file) {
+    if (const auto kind = describe_foreign_file(file)) {
+      log_.report(Rule::not_gltf, "", "the file is " + *kind);
+      return false;
+    }
     Container parts{file, std::nullopt};
     if (looks_like_glb(file)) {
       const auto glb = open_glb(file, log_);
@@ -93,15 +98,16 @@ class Import {
     }
     bin_ = parts.bin;
     const auto json = parse_json(parts.json, log_);
-    if (json == nullptr || !check_major_version(json->root, log_)) return false;
+    if (json == nullptr || !check_is_gltf(json->root, log_) || !check_major_version(json->root, log_)) return false;
     if (options_.carry_document) carried_->json = to_json(json->root);
     check_shape(json->root, gltf_shape(), "", log_);
-    if (!log_.ok() && !(options_.collect_all_errors && quarantine_.isolate(*json, log_))) return false;
+    if (!log_.ok() && !isolate(*json)) return false;
     check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
     if (options_.thorough) check_declarations(json->root, log_);
     if (!check_entry_bytes(json->root)) return false;
     document_ = read_document(json->root);
+    if (!go_on()) return false;
     ReferencedEntries referenced;
     check_references(document_, log_, options_.thorough ? &referenced : nullptr);
     if (options_.thorough && log_.error_count() == 0)
@@ -124,9 +130,29 @@ class Import {
     return taken <= allowed;
   }
 
-  /// Called after each step. True if there is no error, or if all errors are collected and the broken parts removed.
+  /// Replaces malformed entries of the JSON tree. False if the import ends with their errors.
+  bool isolate(JsonTree& json) {
+    return quarantine_.isolate(json, log_) &&
+           (options_.collect_all_errors || quarantine_.holds_only_animations_and_data());
+  }
+
+  /// Called after each step; removes the broken parts. True if there is no error, if the errors touch only animation
+  /// channels, or if all errors are collected. A document that is carried along must stay whole.
   bool go_on() {
-    return log_.error_count() == 0 || (options_.collect_all_errors && quarantine_.isolate(document_, log_));
+    if (log_.error_count() == 0 && quarantine_.empty()) return true;
+    if (!quarantine_.mark(log_)) return false;
+    if (!options_.carry_document && quarantine_.touches_only_animations(document_))
+      log_.survive([](std::string_view place) { return std::string(consequence(place)); });
+    else if (!options_.collect_all_errors)
+      return false;
+    quarantine_.empty_marked(document_, log_);
+    return true;
+  }
+
+  /// What is left out for an error that only touches animations.
+  static std::string_view consequence(std::string_view place) {
+    return place.find("/channels/") != place.npos ? "; the channel is left out"
+                                                  : "; it is left out, with the animation channels that use it";
   }
 
   bool load() {
@@ -152,6 +178,7 @@ class Import {
   void check_spare_parts() {
     check_bounds(document_, log_);
     check_unused_accessors(document_, log_);
+    check_unused_samplers(document_, log_);
   }
 
   bool build(Scene& scene) {

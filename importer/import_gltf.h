@@ -27,7 +27,8 @@ struct ImportOptions {
   /// Also check data that the scene does not need: min and max, declarations, unused parts. Only this reports issues of
   /// severity info.
   bool thorough = false;
-  /// Continue after a step with an error, to report errors of later steps too. The file is refused in any case.
+  /// Continue after a step with an error, to report errors of later steps too. A file that would be refused without
+  /// this option is refused all the same.
   bool collect_all_errors = false;
   /// A channel of mesh.weights animates all nodes that show the mesh and have no weights of their own; false: ignored.
   bool animate_default_weights = true;
@@ -52,6 +53,8 @@ struct VrmCharacter;
 /// back to the file's vertex and node indices.
 struct ImportedFile {
   Scene scene;
+  /// Everything that was found. Entries of severity error name animation channels that are left out or cut (rule and
+  /// place); the scene is sound without them.
   std::vector<ImportIssue> warnings;
   std::shared_ptr<const VrmCharacter> vrm;  ///< VRM data (vrm.h); null if the file has none
   struct Facts {
@@ -73,7 +76,8 @@ ExtensionSupport extension_support(std::string_view name) noexcept;
 
 /// Imports a .gltf or .glb file with its buffers and images; the format is detected from the first bytes. URIs are
 /// relative to the file's folder and cannot leave it. A broken rule that makes data unusable is an error; one with a
-/// safe and common repair is a warning that names the repair. Never throws.
+/// safe and common repair is a warning that names the repair. An error that only touches animation channels does not
+/// fail the import: these channels are left out (importer/RULES.md lists the consequence of every rule). Never throws.
 /// out   the scene, validated by check(Scene)
 /// err   rule identifiers (rules.inc of the importer)
 /// cost  O(file); memory: a small multiple of the file, bounded by the options

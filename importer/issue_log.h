@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,6 +32,14 @@ class IssueLog {
   /// Reports an error rule as a warning, because the scene does not need the broken part.
   void report_as_warning(Rule rule, std::string json_pointer, std::string detail);
 
+  /// Reports an error after which the import goes on, because the reporting step itself leaves out or repairs the
+  /// broken part. It is not counted as an error; import_gltf() returns it among the warnings, with severity error.
+  void report_survived(Rule rule, std::string json_pointer, std::string detail);
+
+  /// Turns all errors so far into survived ones: the import goes on without the broken parts, and the scene is sound.
+  /// in   consequence(json_pointer)   what is left out, as the end of the message
+  void survive(const std::function<std::string(std::string_view)>& consequence);
+
   /// True if there was no error since the last settle().
   bool ok() const noexcept { return error_count_ == settled_; }
 
@@ -38,7 +47,8 @@ class IssueLog {
   std::size_t error_count() const noexcept { return error_count_; }
 
   /// Returns the locations of all errors since the last call, for code that removes the broken parts.
-  /// out   empty if there were more than kMaxPlaces errors
+  /// out   empty if there were more than kMaxPlaces errors, or one of memory-budget: steps stop at it, so that what
+  ///       follows is not checked
   std::optional<std::vector<std::string>> settle();
 
   /// From now on, does not list issues at or below this location, because they follow from a known error. Errors there
@@ -58,17 +68,22 @@ class IssueLog {
     std::size_t listed = 0;
     std::size_t last = 0;  ///< index in issues_ of the last listed one
   };
+  /// An issue, and if it ends the import.
+  struct Entry {
+    ImportIssue issue;
+    bool fatal = false;
+  };
   void name_unlisted();
 
   std::size_t listed_;
-  std::vector<ImportIssue> issues_;
+  std::vector<Entry> issues_;
   std::vector<std::array<Tally, 3>> tallies_;  ///< [rules][severities]
-  void add(Severity severity, Rule rule, std::string json_pointer, std::string detail);
+  void add(Severity severity, bool fatal, Rule rule, std::string json_pointer, std::string detail);
   bool is_muted(std::string_view json_pointer) const;
 
   std::set<std::string, std::less<>> muted_;
   std::vector<std::string> fresh_places_;
-  bool unlisted_error_ = false;
+  bool has_no_place_ = false;
   std::size_t error_count_ = 0, settled_ = 0;
 };
 

@@ -8,17 +8,31 @@
 
 namespace sinew {
 
-/// All rules that the importer checks. rules.inc gives each a stable identifier, a severity, and a sentence that is
-/// true for correct files. For a warning, the sentence also names the repair.
+/// All rules that the importer checks. rules.inc gives each a stable identifier, a severity, a consequence, and a
+/// sentence that is true for correct files and names the repair of others.
 enum class Rule : std::uint8_t {
-#define SINEW_RULE(name, id, severity, sentence) name,
+#define SINEW_RULE(name, id, severity, consequence, sentence) name,
 #include "importer/rules.inc"
 #undef SINEW_RULE
 };
 
+/// What becomes of a file that breaks a rule.
+/// - refused: the import fails.
+/// - refused_or_left_out: where only animation channels need the broken part, these are left out; else the import
+/// fails.
+/// - left_out: the scene is made without the broken part.
+/// - repaired_or_left_out: the part is repaired where that takes no guess, else left out.
+/// - repaired: other values are used, as the sentence of the rule says.
+/// - named: the file is read as it is.
+enum class Consequence : std::uint8_t { refused, refused_or_left_out, left_out, repaired_or_left_out, repaired, named };
+
+/// "refused", "refused or left out", ...
+std::string_view name_of(Consequence consequence) noexcept;
+
 struct RuleText {
   std::string_view id;
   Severity severity = Severity::error;
+  Consequence consequence = Consequence::refused;
   std::string_view sentence;
 };
 

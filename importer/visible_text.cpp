@@ -63,6 +63,15 @@ std::string visible_text(std::string_view text) {
   return out;
 }
 
+bool is_utf8(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const std::size_t size = first_of(text).size;
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
 std::string visible_json(std::string_view json) {
   std::string out;
   out.reserve(json.size());

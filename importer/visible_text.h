@@ -14,4 +14,7 @@ std::string visible_text(std::string_view text);
 /// in   JSON in UTF-8
 std::string visible_json(std::string_view json);
 
+/// True if all bytes are UTF-8 (RFC 3629): shortest forms, no surrogates.
+bool is_utf8(std::string_view text) noexcept;
+
 }  // namespace sinew

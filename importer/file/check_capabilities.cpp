@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "importer/file/gltf_shape.h"
 #include "importer/file/json_pointer.h"
 #include "importer/import_gltf.h"
 
@@ -113,6 +114,17 @@ ExtensionSupport extension_support(std::string_view name) noexcept {
   return ExtensionSupport::unknown;
 }
 
+bool check_is_gltf(const JsonNode& json, IssueLog& log) {
+  if (!json.IsObject() || json.MemberCount() == 0) return true;
+  const auto known = gltf_shape().object->properties;
+  const auto has = [&](const JsonProperty& property) { return find_member(json, property.name) != nullptr; };
+  if (std::any_of(known.begin(), known.end(), has)) return true;
+  log.report(Rule::not_gltf, "",
+             "the file is JSON with nothing of glTF in it, neither \"asset\" nor \"nodes\"; its first member is " +
+                 in_quotes(text_of(json.MemberBegin()->name)));
+  return false;
+}
+
 bool check_major_version(const JsonNode& json, IssueLog& log) {
   const JsonNode* asset = json.IsObject() ? find_member(json, "asset") : nullptr;
   const JsonNode* said = asset != nullptr && asset->IsObject() ? find_member(*asset, "version") : nullptr;
@@ -120,7 +132,9 @@ bool check_major_version(const JsonNode& json, IssueLog& log) {
   const std::string text = said->IsString() ? std::string(text_of(*said)) : to_json(*said).dump();
   const auto version = parse_version(text);
   const bool second = said->IsString() ? version && version->major == 2 : std::floor(said->GetDouble()) == 2.0;
-  if (!second) log.report(Rule::asset_version, "/asset/version", in_quotes(text) + " is not 2.x");
+  if (!second)
+    log.report(Rule::asset_version, "/asset/version",
+               in_quotes(text) + " is not 2.x" + (text.starts_with('1') ? "; convert the file to glTF 2.0" : ""));
   return second;
 }
 

@@ -7,6 +7,11 @@
 
 namespace sinew {
 
+/// Returns false for JSON that has nothing of glTF: neither `asset` nor any list. Servers send such JSON as an error.
+/// in    json   unchecked JSON; anything but an object with members is left to check_shape()
+/// err   not-gltf
+bool check_is_gltf(const JsonNode& json, IssueLog& log);
+
 /// Returns false for another major version of glTF, to which no other rule applies.
 /// in    json   unchecked JSON; a missing or mistyped version is left to check_shape()
 /// err   asset-version

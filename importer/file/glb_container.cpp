@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/file/glb_container.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -19,6 +20,14 @@ std::uint32_t read_u32(Bytes bytes, std::size_t at) {
   return value;
 }
 
+/// True if the head holds the UTF-8 sign for bytes that are no text (U+FFFD). A length of that value means more than
+/// 180 MB.
+bool was_converted(Bytes file) noexcept {
+  for (std::size_t at = 8; at + 3 <= std::min<std::size_t>(file.size(), 20); ++at)
+    if ((read_u32(file, at - 1) >> 8) == 0xBDBFEF) return true;
+  return false;
+}
+
 /// Checks the header and returns the bytes within its declared length.
 std::optional<Bytes> check_header(Bytes file, IssueLog& log) {
   const auto fail = [&](std::string detail) {
@@ -28,10 +37,14 @@ std::optional<Bytes> check_header(Bytes file, IssueLog& log) {
   if (file.size() < 12) return fail("the file has " + std::to_string(file.size()) + " bytes, a header needs 12");
   if (read_u32(file, 0) != kMagic) return fail("the file does not start with \"glTF\"");
   if (const auto version = read_u32(file, 4); version != 2)
-    return fail("container version " + std::to_string(version) + " is not 2");
+    return fail("container version " + std::to_string(version) + " is not 2" +
+                (version == 1 ? "; convert the file to glTF 2.0" : ""));
   const std::uint64_t length = read_u32(file, 8);
   if (length < 12 || length > file.size())
-    return fail("the header says " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
+    return fail("the header says " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()) +
+                (was_converted(file) ? "; a program converted its bytes as if they were text: copy or download it again"
+                 : length < 12       ? ""
+                                     : "; it is cut off: copy or download it again"));
   if (length < file.size())
     log.report(Rule::glb_extra_data, "", std::to_string(file.size() - length) + " bytes after the end are ignored");
   return file.first(static_cast<std::size_t>(length));
@@ -42,6 +55,20 @@ struct Chunk {
   Bytes data;
 };
 
+/// True if the bytes there can be a chunk: BIN, inside the file.
+bool looks_like_bin(Bytes file, std::size_t at) noexcept {
+  return at < file.size() && file.size() - at >= 8 && read_u32(file, at + 4) == kBin &&
+         read_u32(file, at) <= file.size() - at - 8;
+}
+
+/// Finds where the chunk begins that follows an unaligned one: at its end, or after padding that its length leaves out.
+/// in   end   of the unaligned chunk
+std::size_t find_next_chunk(Bytes file, std::size_t end) noexcept {
+  const std::size_t aligned = (end + 3) / 4 * 4;
+  if (aligned >= file.size()) return file.size();
+  return !looks_like_bin(file, end) && looks_like_bin(file, aligned) ? aligned : end;
+}
+
 std::optional<Chunk> next_chunk(Bytes file, std::size_t& at, IssueLog& log) {
   const auto place = "the chunk at byte " + std::to_string(at);
   if (file.size() - at < 8) {
@@ -50,17 +77,18 @@ std::optional<Chunk> next_chunk(Bytes file, std::size_t& at, IssueLog& log) {
   }
   const std::size_t length = read_u32(file, at);
   if (length > file.size() - at - 8) {
-    log.report(
-        Rule::glb_chunk, "",
-        place + " says " + std::to_string(length) + " bytes, " + std::to_string(file.size() - at - 8) + " are left");
-    return std::nullopt;
-  }
-  if (length % 4 != 0) {
-    log.report(Rule::glb_chunk, "", place + " has " + std::to_string(length) + " bytes, not a multiple of 4");
+    log.report(Rule::glb_chunk, "",
+               place + " says " + std::to_string(length) + " bytes, " + std::to_string(file.size() - at - 8) +
+                   " are left: the file is cut off, or a program changed its bytes");
     return std::nullopt;
   }
   const Chunk chunk{read_u32(file, at + 4), file.subspan(at + 8, length)};
   at += 8 + length;
+  if (length % 4 != 0) {
+    log.report(Rule::glb_alignment, "",
+               place + " has " + std::to_string(length) + " bytes, not a multiple of 4; read all the same");
+    at = find_next_chunk(file, at);
+  }
   return chunk;
 }
 

@@ -21,7 +21,7 @@ bool looks_like_glb(std::span<const std::byte> file) noexcept;
 /// eq       12 bytes header (magic, version, length), then chunks of 8 bytes header (length, type) and data: JSON
 ///          first, then at most one BIN   (glTF 2.0, "Binary glTF Layout")
 /// err      glb-header, glb-chunk
-/// warning  glb-extra-data
+/// warning  glb-alignment (a chunk whose length is no multiple of 4), glb-extra-data
 std::optional<Container> open_glb(std::span<const std::byte> file, IssueLog& log);
 
 }  // namespace sinew

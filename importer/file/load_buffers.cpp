@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "importer/file/data_uri.h"
+#include "importer/file/foreign_file.h"
 #include "importer/file/json_pointer.h"
 #include "importer/file/meshopt_extension.h"
 
@@ -82,6 +83,8 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
       const bool large = read.error().kind == FileFault::Kind::too_large;
       return log.report(large ? Rule::file_too_large : Rule::uri_forbidden, pointer(place, "uri"), read.error().detail);
     }
+    if (const auto kind = describe_stand_in(*read))
+      return report_missing(buffer, use, pointer(place, "uri"), "the file is " + *kind, log);
     bytes = *read;
     std::string().swap(buffer.uri);  // frees the text of a data URI, which is as long as the data
   } else if (in_chunk) {
@@ -92,9 +95,11 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
   } else {
     return report_missing(buffer, use, place, "has no uri and the file has no BIN chunk for it", log);
   }
-  if (bytes.size() < buffer.byte_length)
+  if (bytes.size() < buffer.byte_length) {
+    buffer.bytes = bytes;  // views inside them are sound
     return log.report(Rule::buffer_short, place,
                       std::to_string(buffer.byte_length) + " bytes, there are " + std::to_string(bytes.size()));
+  }
   if (in_chunk && bytes.size() - buffer.byte_length > 3)
     log.report(Rule::buffer_longer, pointer(place, "byteLength"),
                std::to_string(buffer.byte_length) + " bytes, the BIN chunk has " + std::to_string(bytes.size()) +
@@ -142,6 +147,7 @@ void load_images(Document& document, SandboxedFiles& files, IssueLog& log) {
       image.missing_reason = "the image has neither uri nor bufferView";
     } else if (const auto read = fetch(document, image.uri, files, &image.mime_type)) {
       image.encoded = *read;
+      if (const auto kind = describe_stand_in(*read)) image.missing_reason = "the file is " + *kind;
     } else {
       image.missing_reason = read.error().detail;
       if (read.error().kind == FileFault::Kind::forbidden) {

@@ -129,7 +129,10 @@ std::unique_ptr<JsonTree> parse_json(std::span<const std::byte> bytes, IssueLog&
   }
   if (result.IsError()) {
     const char* reason = events.reason() != nullptr ? events.reason() : rapidjson::GetParseError_En(result.Code());
-    log.report(Rule::json_syntax, "", describe_place(text, result.Offset()) + reason);
+    const bool encoding = result.Code() == rapidjson::kParseErrorStringInvalidEncoding;
+    log.report(
+        Rule::json_syntax, "",
+        describe_place(text, result.Offset()) + reason + (encoding ? " The text is not UTF-8; save it as UTF-8." : ""));
     return nullptr;
   }
   out->root.Swap(tree);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "importer/file/animation_faults.h"
 #include "importer/file/json_pointer.h"
 
 namespace sinew {
@@ -35,11 +36,12 @@ constexpr ListTraits kTraits[Quarantine::kLists] = {
     {"textures", "{}"},
 };
 
-/// A parsed location such as "/meshes/3/primitives/1/indices": list, entry, and the primitive if there is one.
+/// A parsed location such as "/meshes/3/primitives/1/indices": list, entry, and the part if there is one.
 struct BrokenPlace {
   std::size_t list = 0;
   std::uint32_t index = 0;
-  std::optional<std::uint32_t> primitive;
+  std::string_view parts;  ///< "primitives", "channels", "samplers", or empty
+  std::uint32_t part = 0;
 };
 
 std::string_view next_token(std::string_view& place) {
@@ -63,20 +65,24 @@ std::optional<BrokenPlace> parse_place(std::string_view place) {
       std::find_if(std::begin(kTraits), std::end(kTraits), [&](const ListTraits& t) { return t.name == name; });
   const auto index = as_index(next_token(place));
   if (list == std::end(kTraits) || !index) return std::nullopt;
-  BrokenPlace out{static_cast<std::size_t>(list - kTraits), *index, std::nullopt};
-  if (out.list == Quarantine::meshes && next_token(place) == "primitives") out.primitive = as_index(next_token(place));
+  BrokenPlace out{static_cast<std::size_t>(list - kTraits), *index, {}, 0};
+  const std::string_view parts = next_token(place);
+  const bool of_mesh = out.list == Quarantine::meshes && parts == "primitives";
+  const bool of_animation = out.list == Quarantine::animations && (parts == "channels" || parts == "samplers");
+  const auto part = of_mesh || of_animation ? as_index(next_token(place)) : std::nullopt;
+  if (part) out.parts = parts, out.part = *part;
   return out;
 }
 
 /// Marks all entries that use a broken entry, then empties all marked entries. Visits each list once.
 class Emptying {
  public:
-  Emptying(Document& document, std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken,
-           std::set<std::pair<std::uint32_t, std::uint32_t>>& primitives, IssueLog& log)
-      : d_(document), broken_(broken), primitives_(primitives), log_(log) {}
+  Emptying(Document& document, Quarantine::Broken& broken, IssueLog& log)
+      : d_(document), broken_(broken.entries), parts_(broken), primitives_(broken.primitives), log_(log) {}
 
   void run() {
     for (auto& buffer : marked(d_.buffers, Quarantine::buffers)) {
+      if (!buffer->bytes.empty()) continue;  // too short: views inside its bytes are sound
       buffer->placeholder = true;
       buffer->byte_length = 0;
       buffer->bytes = {};
@@ -112,7 +118,8 @@ class Emptying {
 
   void empty_views() {
     for (std::uint32_t v = 0; v < d_.buffer_views.size(); ++v)
-      if (is(Quarantine::buffers, d_.buffer_views[v].buffer)) broken_[Quarantine::buffer_views].insert(v);
+      if (is(Quarantine::buffers, d_.buffer_views[v].buffer) && !has_its_bytes(d_, d_.buffer_views[v]))
+        broken_[Quarantine::buffer_views].insert(v);
     for (auto& view : marked(d_.buffer_views, Quarantine::buffer_views)) *view = {};
   }
 
@@ -229,58 +236,139 @@ class Emptying {
           log_.mute(pointer("animations", a, "samplers", s));
       for (std::uint32_t c = 0; c < animation.channels.size(); ++c)
         if (has_broken_target(animation.channels[c])) log_.mute(pointer("animations", a, "channels", c, "target"));
+      empty_channels(a);
     }
     for (auto& animation : marked(d_.animations, Quarantine::animations)) *animation = {};
   }
 
+  /// Empties the broken samplers of an animation, and the channels that are broken or use such a sampler. An empty
+  /// channel has no target and no sampler.
+  void empty_channels(std::uint32_t a) {
+    auto& [name, samplers, channels] = d_.animations[a];
+    for (std::uint32_t c = 0; c < channels.size(); ++c) {
+      if (!parts_.channels.contains({a, c}) && !parts_.samplers.contains({a, channels[c].sampler})) continue;
+      log_.mute(pointer("animations", a, "channels", c));
+      channels[c] = {};
+    }
+    for (auto s = parts_.samplers.lower_bound({a, 0}); s != parts_.samplers.end() && s->first == a; ++s) {
+      log_.mute(pointer("animations", a, "samplers", s->second));
+      if (s->second < samplers.size()) samplers[s->second] = {};
+    }
+  }
+
   Document& d_;
   std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>>& primitives_;
+  const Quarantine::Broken& parts_;
+  Quarantine::Parts& primitives_;
   IssueLog& log_;
 };
 
 }  // namespace
 
-bool Quarantine::mark_errors(IssueLog& log, std::string_view harmless) {
+bool Quarantine::empty() const noexcept {
+  const auto& lists = broken_.entries;
+  return std::all_of(lists.begin(), lists.end(), [](const auto& list) { return list.empty(); }) &&
+         broken_.primitives.empty() && broken_.channels.empty() && broken_.samplers.empty() && !broken_.scene &&
+         !broken_.asset && !broken_.too_deep;
+}
+
+bool Quarantine::holds_only_animations_and_data() const noexcept {
+  for (std::size_t list = 0; list < kLists; ++list)
+    if (list != accessors && list != animations && list != buffers && list != buffer_views &&
+        !broken_.entries[list].empty())
+      return false;
+  return broken_.primitives.empty() && !broken_.scene && !broken_.asset && !broken_.too_deep;
+}
+
+bool Quarantine::touches_only_animations(const Document& document) {
+  const auto& lists = broken_.entries;
+  const bool emptied = others_emptied_ || !lists[animations].empty() || !broken_.samplers.empty();
+  const bool only = holds_only_animations_and_data() &&
+                    only_animations_read(document, {lists[buffers], lists[buffer_views], lists[accessors]}, emptied);
+  others_emptied_ = others_emptied_ || (only && !empty());
+  return only;
+}
+
+bool Quarantine::mark(IssueLog& log) { return mark(log, false); }
+
+bool Quarantine::mark(IssueLog& log, bool replaces_asset) {
   const auto places = log.settle();
   if (!places) return false;
   for (const std::string& text : *places) {
-    if (!harmless.empty() && text == harmless) continue;
+    if (replaces_asset && (text.empty() || text == "/asset" || text.starts_with("/asset/"))) {
+      broken_.asset = true;
+      log.mute("/asset");
+      continue;
+    }
+    if (text == "/nodes") {
+      broken_.too_deep = true;
+      continue;
+    }
     if (text == "/scene") {
-      broken_scene_ = true;
+      broken_.scene = true;
       log.mute(text);
       continue;
     }
     const auto place = parse_place(text);
     if (!place) return false;
-    if (place->primitive)
-      broken_primitives_.emplace(place->index, *place->primitive);
+    if (place->parts.empty())
+      broken_.entries[place->list].insert(place->index);
     else
-      broken_[place->list].insert(place->index);
+      (place->parts == "primitives" ? broken_.primitives
+       : place->parts == "channels" ? broken_.channels
+                                    : broken_.samplers)
+          .emplace(place->index, place->part);
   }
   return true;
 }
 
+void Quarantine::empty_marked(Document& document, IssueLog& log) {
+  if (broken_.scene) document.scene = kNone;
+  Emptying(document, broken_, log).run();
+}
+
 bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
-  if (!mark_errors(log)) return false;
-  while (broken_scene_ && document.root.RemoveMember("scene")) {
+  if (!document.root.IsObject() || !mark(log, true) || broken_.too_deep) return false;  // here "/nodes" is no array
+  if (broken_.asset) replace_asset(document);
+  while (broken_.scene && document.root.RemoveMember("scene")) {
   }
-  for (const auto& [mesh, primitive] : broken_primitives_) broken_[meshes].insert(mesh);
-  broken_primitives_.clear();
+  replace_parts(document, log);
+  replace_entries(document, log);
+  return true;
+}
+
+/// Takes a document without a valid `asset` for glTF 2.0.
+void Quarantine::replace_asset(JsonTree& document) const {
+  while (document.root.RemoveMember("asset")) {
+  }
+  document.root.AddMember(JsonNode("asset"), from_json(Json{{"version", "2.0"}}, document.pool), document.pool);
+}
+
+void Quarantine::replace_entries(JsonTree& document, IssueLog& log) const {
   for (std::size_t list = 0; list < kLists; ++list)
-    for (const std::uint32_t index : broken_[list]) {
+    for (const std::uint32_t index : broken_.entries[list]) {
       log.mute(pointer(kTraits[list].name, index));
       (*find_member(document.root, kTraits[list].name))[index] =
           from_json(Json::parse(kTraits[list].smallest), document.pool);
     }
-  return true;
 }
 
-bool Quarantine::isolate(Document& document, IssueLog& log) {
-  if (!mark_errors(log, "/nodes")) return false;  // a tree too deep to show can still be read
-  if (broken_scene_) document.scene = kNone;
-  Emptying(document, broken_, broken_primitives_, log).run();
-  return true;
+/// An emptied primitive keeps its target count, because all primitives of a mesh must agree on it.
+void Quarantine::replace_parts(JsonTree& document, IssueLog& log) const {
+  const auto replace = [&](const char* list, const char* parts, const Parts& broken, const char* smallest) {
+    for (const auto& [index, part] : broken) {
+      log.mute(pointer(list, index, parts, part));
+      JsonNode& entry = (*find_member((*find_member(document.root, list))[index], parts))[part];
+      Json empty = Json::parse(smallest);
+      const JsonNode* targets = entry.IsObject() ? find_member(entry, "targets") : nullptr;
+      if (targets != nullptr && targets->IsArray() && !targets->Empty())
+        empty["targets"] = Json::array_t(targets->Size(), Json::object());
+      entry = from_json(empty, document.pool);
+    }
+  };
+  replace("meshes", "primitives", broken_.primitives, R"({"attributes":{}})");
+  replace("animations", "channels", broken_.channels, R"({"sampler":0,"target":{"path":""}})");
+  replace("animations", "samplers", broken_.samplers, R"({"input":0,"output":0})");
 }
 
 }  // namespace sinew

@@ -7,6 +7,9 @@
 #include <cstring>
 #include <system_error>
 
+#include "importer/issue_log.h"
+#include "importer/visible_text.h"
+
 namespace sinew {
 namespace fs = std::filesystem;
 namespace {
@@ -29,6 +32,29 @@ bool has_scheme(std::string_view uri) {
   return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
   });
+}
+
+tl::unexpected<FileFault> absolute_fault() {
+  return fault(FileFault::Kind::forbidden,
+               "the URI is not relative; name the file by its path from the folder of this file");
+}
+
+/// Names the scheme. A single letter is no scheme but a drive of Windows.
+tl::unexpected<FileFault> scheme_fault(std::string_view uri) {
+  const std::string scheme(uri.substr(0, uri.find(':') + 1));
+  if (scheme.size() == 2)
+    return fault(FileFault::Kind::forbidden,
+                 "the URI names the drive " + scheme +
+                     "; name the file by its path from the folder of this file, with / between folders");
+  return fault(FileFault::Kind::forbidden, "the URI has the scheme " + in_quotes(scheme) +
+                                               "; only data: and paths from the folder of this file are read");
+}
+
+/// A usual reason why a name leads to no file, as the end of a sentence; may be empty.
+std::string missing_hint(std::string_view name) {
+  if (!is_utf8(name)) return "; its bytes are not UTF-8, as those of a URI are";
+  if (name.find('\\') != name.npos) return "; a URI has / between folders, not \\";
+  return {};
 }
 
 bool lies_below(const fs::path& path, const fs::path& folder) {
@@ -57,16 +83,16 @@ std::optional<std::string> percent_decode(std::string_view text) {
 
 tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) const {
   using Kind = FileFault::Kind;
-  if (has_scheme(uri)) return fault(Kind::forbidden, "the URI has a scheme");
+  if (has_scheme(uri)) return scheme_fault(uri);
   if (!folder_) return fault(Kind::forbidden, "a document in memory has no folder to read from");
   const auto decoded = percent_decode(uri);
   if (!decoded) return fault(Kind::forbidden, "the URI has a broken percent escape");
   if (decoded->empty()) return fault(Kind::forbidden, "the URI is empty");
   if (decoded->find('\0') != decoded->npos) return fault(Kind::forbidden, "the URI holds a zero byte");
-  if (decoded->front() == '/' || decoded->front() == '\\' || has_scheme(*decoded))
-    return fault(Kind::forbidden, "the URI is not relative");
+  if (has_scheme(*decoded)) return scheme_fault(*decoded);
+  if (decoded->front() == '/' || decoded->front() == '\\') return absolute_fault();
   const fs::path relative(std::u8string(decoded->begin(), decoded->end()));
-  if (relative.is_absolute()) return fault(Kind::forbidden, "the URI is not relative");
+  if (relative.is_absolute()) return absolute_fault();
   std::error_code error;
   const fs::path root = fs::canonical(folder_->empty() ? fs::path(".") : *folder_, error);
   if (error) return fault(Kind::missing, "the folder of the file cannot be opened: " + error.message());
@@ -74,7 +100,9 @@ tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) 
   const fs::path textual = (root / relative).lexically_normal();
   if (!lies_below(textual, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder");
   const fs::path target = fs::canonical(root / relative, error);
-  if (error) return fault(Kind::missing, std::string("\"") + *decoded + "\" cannot be opened: " + error.message());
+  if (error)
+    return fault(Kind::missing,
+                 std::string("\"") + *decoded + "\" cannot be opened: " + error.message() + missing_hint(*decoded));
   if (!lies_below(target, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder by a link");
   return target;
 }

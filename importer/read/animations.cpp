@@ -5,6 +5,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "importer/read/cut_times.h"
 #include "importer/read/property_pointer.h"
 #include "runtime/base/all_finite.h"
 
@@ -29,8 +30,11 @@ std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const 
   const auto pointed = read_property_pointer(document, channel.pointer, fault);
   if (!pointed) {
     const Rule rule = fault.past_end ? Rule::reference : Rule::animation_pointer;
-    log.report(rule, place,
-               in_quotes(channel.pointer) + " " + fault.text + (fault.past_end ? "" : "; the channel is ignored"));
+    const std::string detail = in_quotes(channel.pointer) + " " + fault.text;
+    if (fault.past_end)
+      log.report_survived(rule, place, detail + "; the channel is left out");
+    else
+      log.report(rule, place, detail + "; the channel is ignored");
     return std::nullopt;
   }
   if (pointed->list == PointedProperty::List::meshes)
@@ -93,11 +97,9 @@ class SamplerReader {
     data.times_s = read_floats(document_, sampler_.input);
     if (!check_times(data.times_s)) return std::nullopt;
     data.values = read_floats(document_, sampler_.output);
-    if (!all_finite(data.values)) {
-      log_.report(Rule::animation_values, pointer(place_, "output"),
-                  "holds NaN or infinity; channels that use it are left out");
-      return std::nullopt;
-    }
+    if (all_finite(data.values)) cut_times(data, target.property == AnimatedProperty::rotation);
+    if (!all_finite(data.values))
+      return leave_out(Rule::animation_values, "output", "holds NaN or infinity"), std::nullopt;
     if (data.interpolation == Interpolation::cubic_spline && data.times_s.size() == 1) hold_single_key(data);
     if (flag)
       for (float& value : data.values) value = value != 0.0f ? 1.0f : 0.0f;
@@ -105,6 +107,20 @@ class SamplerReader {
   }
 
  private:
+  /// Reports a fault that concerns only the channels with this sampler.
+  bool leave_out(Rule rule, const char* part, const std::string& detail) {
+    log_.report_survived(rule, pointer(place_, part), detail + "; channels that use it are left out");
+    return false;
+  }
+
+  void cut_times(SamplerData& data, bool rotation) {
+    if (const std::size_t keys = cut_before_zero(data, rotation); keys > 0)
+      log_.report_survived(Rule::animation_times, pointer(place_, "input"),
+                           std::to_string(keys) + (keys == 1 ? " key lies" : " keys lie") +
+                               " before time 0, where no clip is played; channels that use it are cut there and played "
+                               "from time 0 on");
+  }
+
   /// Flags cannot be interpolated, so LINEAR becomes STEP. CUBICSPLINE keys cannot be read as flags.
   bool step_instead(Interpolation& interpolation) {
     const bool usable = interpolation == Interpolation::linear;
@@ -126,15 +142,10 @@ class SamplerReader {
 
   bool check_shape(const ChannelTarget& target, std::uint32_t components, Interpolation interpolation) {
     const gltf::Accessor &input = document_.accessors[sampler_.input], &output = document_.accessors[sampler_.output];
-    if (input.type != ElementType::scalar || input.component_type != ComponentType::f32) {
-      log_.report(Rule::animation_input, pointer(place_, "input"), "key times are not scalar floats");
-      return false;
-    }
-    if (!output_format_fits(output, target)) {
-      log_.report(Rule::animation_output, pointer(place_, "output"),
-                  "does not have the type that the animated property needs");
-      return false;
-    }
+    if (input.type != ElementType::scalar || input.component_type != ComponentType::f32)
+      return leave_out(Rule::animation_input, "input", "key times are not scalar floats");
+    if (!output_format_fits(output, target))
+      return leave_out(Rule::animation_output, "output", "does not have the type that the animated property needs");
     if (input.count == 0) {
       log_.report(Rule::animation_no_keys, pointer(place_, "input"), "no keys; channels that use it are left out");
       return false;
@@ -142,10 +153,9 @@ class SamplerReader {
     const bool cubic = interpolation == Interpolation::cubic_spline;
     const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (target.moves_weights() ? components : 1u);
     if (output.count == input.count * per_key) return true;
-    log_.report(Rule::animation_output, pointer(place_, "output"),
-                std::to_string(output.count) + " values for " + std::to_string(input.count) + " keys that need " +
-                    std::to_string(per_key) + " each");
-    return false;
+    return leave_out(Rule::animation_output, "output",
+                     std::to_string(output.count) + " values for " + std::to_string(input.count) + " keys that need " +
+                         std::to_string(per_key) + " each");
   }
 
   void warn_stride(std::uint32_t accessor, const char* name) {
@@ -160,13 +170,10 @@ class SamplerReader {
   bool check_times(const std::vector<float>& times) {
     bool repeated = false;
     for (std::size_t k = 0; k < times.size(); ++k) {
-      const bool good = std::isfinite(times[k]) && times[k] >= 0.0f && (k == 0 || times[k] >= times[k - 1]);
-      if (!good) {
-        log_.report(Rule::animation_times, pointer(place_, "input"),
-                    "time of key " + std::to_string(k) +
-                        " is negative, decreasing or not finite; channels that use it are left out");
-        return false;
-      }
+      const bool good = std::isfinite(times[k]) && (k == 0 || times[k] >= times[k - 1]);
+      if (!good)
+        return leave_out(Rule::animation_times, "input",
+                         "time of key " + std::to_string(k) + " is before that of the key before it, or not finite");
       repeated = repeated || (k > 0 && times[k] == times[k - 1]);
     }
     if (repeated)

@@ -35,7 +35,7 @@ struct ChannelTarget {
 /// Finds the target of a channel.
 /// out      empty for ignored channels: no node, an unknown path, or a pointer to something that the runtime does not
 ///          animate or the file does not define
-/// err      reference (a pointer with an index out of range)
+/// err      reference (a pointer with an index out of range; survived)
 /// warning  animation-no-target, animation-path, animation-pointer
 std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation,
                                                  std::uint32_t channel, IssueLog& log);
@@ -51,9 +51,10 @@ struct SamplerData {
 /// in       components   3, 4, the number of morph targets, or that of a pointed property
 /// out      empty if the channel must be dropped; the rest of the animation stays. A single key of a cubic spline
 ///          becomes a step key
-/// err      animation-input, animation-output
-/// warning  animation-interpolation, animation-no-keys, animation-cubic-keys, animation-times, animation-time-repeated,
-///          animation-values, animation-flag, animation-stride, animation-bounds
+/// err      survived: animation-input, animation-output, animation-times (also where keys before 0 are cut),
+///          animation-values
+/// warning  animation-interpolation, animation-no-keys, animation-cubic-keys, animation-time-repeated, animation-flag,
+///          animation-stride, animation-bounds
 std::optional<SamplerData> read_sampler(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler,
                                         const ChannelTarget& target, std::uint32_t components, IssueLog& log);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/file/json_pointer.h"
@@ -72,6 +73,61 @@ void check_unused_accessors(const gltf::Document& document, IssueLog& log) {
     const auto element = static_cast<std::uint64_t>(bad - values.begin()) / components;
     log.report_as_warning(Rule::not_finite, pointer("accessors", i),
                           "element " + std::to_string(element) + " holds NaN or infinity; nothing uses the accessor");
+  }
+}
+
+namespace {
+
+/// One sampler that no channel uses.
+class SamplerCheck {
+ public:
+  SamplerCheck(const gltf::Document& document, std::string place, IssueLog& log)
+      : document_(document), place_(std::move(place)), log_(log) {}
+
+  void run(const gltf::AnimationSampler& sampler) {
+    const gltf::Accessor &input = document_.accessors[sampler.input], &output = document_.accessors[sampler.output];
+    if (input.type != gltf::ElementType::scalar || input.component_type != gltf::ComponentType::f32)
+      return warn(Rule::animation_input, "input", "key times are not scalar floats");
+    if (input.count == 0) return warn(Rule::animation_no_keys, "input", "no keys");
+    const std::vector<float> times = read_floats(document_, sampler.input);
+    if (!std::all_of(times.begin(), times.end(), [](float t) { return std::isfinite(t) && t >= 0.0f; }) ||
+        !std::is_sorted(times.begin(), times.end()))
+      return warn(Rule::animation_times, "input", "key times are negative, decreasing or not finite");
+    const std::uint64_t per_key = sampler.interpolation == "CUBICSPLINE" ? 3 : 1;
+    if (output.count == 0 || output.count % (input.count * per_key) != 0)
+      return warn(Rule::animation_output, "output",
+                  std::to_string(output.count) + " values for " + std::to_string(input.count) + " keys");
+    const std::vector<float> values = read_floats(document_, sampler.output);
+    if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+      warn(Rule::animation_values, "output", "holds NaN or infinity");
+  }
+
+ private:
+  void warn(Rule rule, const char* part, const std::string& detail) {
+    log_.report_as_warning(rule, pointer(place_, part), detail + "; no channel uses the sampler");
+  }
+
+  const gltf::Document& document_;
+  std::string place_;
+  IssueLog& log_;
+};
+
+}  // namespace
+
+void check_unused_samplers(const gltf::Document& document, IssueLog& log) {
+  std::uint64_t total = 0;
+  for (std::size_t a = 0; a < document.animations.size(); ++a) {
+    const auto& [name, samplers, channels] = document.animations[a];
+    std::vector<bool> used(samplers.size(), false);
+    for (const auto& channel : channels)
+      if (channel.sampler < used.size()) used[channel.sampler] = true;
+    for (std::size_t s = 0; s < samplers.size(); ++s) {
+      const gltf::AnimationSampler& sampler = samplers[s];
+      if (used[s] || sampler.input == kNone || sampler.output == kNone) continue;
+      total += document.accessors[sampler.input].count + 16 * document.accessors[sampler.output].count;
+      if (total > kMaxTotal) return;
+      SamplerCheck(document, pointer("animations", a, "samplers", s), log).run(sampler);
+    }
   }
 }
 

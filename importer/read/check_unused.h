@@ -11,6 +11,13 @@ namespace sinew {
 /// cost     O(elements), bounded
 void check_unused_accessors(const gltf::Document& document, IssueLog& log);
 
+/// Checks samplers of animations that no channel uses, as far as no target is needed: key times, and the number and
+/// values of the keys.
+/// in       accessors fit their views
+/// warning  animation-input, animation-output, animation-times, animation-values, animation-no-keys
+/// cost     O(elements), bounded
+void check_unused_samplers(const gltf::Document& document, IssueLog& log);
+
 /// Checks that positions have min and max, which programs use as bounds of a mesh.
 /// warning  mesh-position-bounds
 void check_position_bounds(const gltf::Document& document, IssueLog& log);

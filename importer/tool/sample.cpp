@@ -126,7 +126,8 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
     return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
   writer->end();
   if (out.finish()) return ExitCode::done;
-  return fail_with(ExitCode::machine_lacks, name + ": cannot be written to the end");
+  return fail_with(ExitCode::machine_lacks,
+                   fmt::format("{}: cannot be written to the end: {}", name, std::strerror(errno)));
 }
 
 /// The parts of a pose that are sampled. A format without vertices needs no skinning.
@@ -189,7 +190,8 @@ Command sample_command() {
       "key, and some keys and middles between them.");
   add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
       .required();
-  command.option("--clip", "INDEX|NAME|none", &options->clip, "One clip only; none = the rest pose");
+  command.option("--clip", "INDEX|NAME|none", &options->clip,
+                 "One clip only; NAME#2 = the second of that name, none = the rest pose");
   command.option("--times", "T,T,...", &options->times, "Seconds in the clip, for example 0,0.5,1.25");
   command.option("--fps", "N", &options->fps, "Frames per second, from 0 to the clip's end")
       .within(1e-3, 1e6)

@@ -66,9 +66,9 @@ std::optional<std::string> replace_files(std::span<const FileContent> files) {
     std::string fault;
     targets.push_back(target_of(content.file, fault));
     if (!fault.empty()) return fault;
-    if (const TemporaryFile& temporary = written.emplace_back(targets.back());
-        !temporary.opened() || !temporary.write(content.bytes))
-      return std::strerror(errno);
+    const TemporaryFile& temporary = written.emplace_back(targets.back());
+    if (!temporary.opened()) return "no file can be made in its folder: " + std::string(std::strerror(errno));
+    if (!temporary.write(content.bytes)) return std::strerror(errno);
   }
   for (std::size_t i = 0; i < written.size(); ++i)
     if (!written[i].rename_to(targets[i])) return std::strerror(errno);

@@ -89,18 +89,20 @@ std::vector<CaseInCode> cases_in_code() {
   };
   add("file-unreadable", "No such file or directory", issues_of(import_gltf(fs::path("/nonexistent/x.gltf"))));
   add("file-too-large", "28 bytes are more than allowed", text(kEmpty, ten_bytes));
+  add("not-gltf", "the file is gzip data; unpack it (gunzip) and import what is inside", text("\x1f\x8b\x08"));
   add("glb-header", "the file has 5 bytes, a header needs 12", text("glTF\x03"));
-  add("glb-header", "the header says 48 bytes, the file has 30", text(container({{"JSON", kEmpty}}).substr(0, 30)));
+  add("glb-header", "the header says 48 bytes, the file has 30; it is cut off: copy or download it again",
+      text(container({{"JSON", kEmpty}}).substr(0, 30)));
   add("glb-chunk", "the first chunk is not JSON", text(container({{kBin, "1234"}})));
   add("glb-chunk", "there is a second JSON chunk", text(container({{"JSON", kEmpty}, {"JSON", kEmpty}})));
   add("glb-chunk", "there is a second BIN chunk", text(container({{"JSON", kEmpty}, {kBin, "1234"}, {kBin, "1234"}})));
-  add("glb-chunk", "the chunk at byte 12 has 31 bytes, not a multiple of 4",
+  add("glb-alignment", "the chunk at byte 12 has 31 bytes, not a multiple of 4; read all the same",
       text(container({{"JSON", kEmpty + "123"}})));
   add("glb-extra-data", "4 bytes after the end are ignored", text(container({{"JSON", kEmpty}}, "more")));
   add("glb-extra-data", "chunk 1 has an unknown type and is ignored",
       text(container({{"JSON", kEmpty}, {"XYZW", "1234"}})));
   add("json-syntax", "line 1, column 10: Invalid value.", text(R"({"asset":)"));
-  add("json-syntax", "line 1, column 40: Invalid encoding in string.",
+  add("json-syntax", "line 1, column 40: Invalid encoding in string. The text is not UTF-8; save it as UTF-8.",
       text("{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xff\"}}"));
   add("json-bom", "the text starts with a byte order mark, which is skipped", text("\xEF\xBB\xBF" + kEmpty));
   add("json-duplicate", "has \"nodes\" more than once",
@@ -161,11 +163,23 @@ TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
   }
 }
 
-TEST(broken_rules, severity_decides_whether_the_file_loads) {
+TEST(broken_rules, the_page_of_rules_is_the_table_of_rules) {
+  std::ifstream page(fs::path(SINEW_SOURCE_DIR) / "importer" / "RULES.md");
+  std::vector<std::string> rows, expected;
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("| `")) rows.push_back(line);
+  for (const RuleText& rule : all_rules())
+    expected.push_back("| `" + std::string(rule.id) + "` | " + name_of(rule.severity) + " | " +
+                       std::string(name_of(rule.consequence)) + " | " + std::string(rule.sentence) + " |");
+  EXPECT_EQ(rows, expected);
+}
+
+TEST(broken_rules, the_consequence_of_a_rule_says_whether_the_file_loads) {
   for (const auto& entry : fs::directory_iterator(broken_folder())) {
     const RuleText* rule = find_rule(entry.path().stem().string());
     ASSERT_NE(rule, nullptr) << entry.path();
-    EXPECT_EQ(import_gltf(entry.path()).has_value(), rule->severity != Severity::error) << entry.path();
+    if (rule->consequence == Consequence::refused_or_left_out) continue;  // depends on what needs the broken part
+    EXPECT_EQ(import_gltf(entry.path()).has_value(), rule->consequence != Consequence::refused) << entry.path();
   }
 }
 
@@ -186,6 +200,32 @@ TEST(broken_rules, one_run_finds_errors_of_every_step) {
                                    "accessor-fit at /accessors/2", "mesh-index at /meshes/0/primitives/0/indices",
                                    "animation-output at /animations/0/samplers/0/output"}))
       << list(issues);
+}
+
+/// "rule at /pointer" of the errors, in any order.
+std::set<std::string> errors_of(const TinyGltf& file) {
+  std::set<std::string> found;
+  for (const auto& issue : issues_of(file.import(kCollectAll)))
+    if (issue.severity == Severity::error) found.insert(issue.rule + " at " + issue.json_pointer);
+  return found;
+}
+
+TEST(broken_rules, data_of_sound_entries_are_checked_after_structural_errors) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["indices"] = file.add<std::uint16_t>({0, 1, 7}, "SCALAR", 5123, 1);
+  const std::string bad_index = "mesh-index at /meshes/0/primitives/0/indices";
+  TinyGltf no_asset = file, odd_asset = file, odd_primitive = file, cut = file;
+  no_asset.root.erase("asset");
+  EXPECT_EQ(errors_of(no_asset), (std::set<std::string>{"json-missing at ", bad_index}));
+  odd_asset.root["asset"] = {{"version", true}};
+  EXPECT_EQ(errors_of(odd_asset), (std::set<std::string>{"json-type at /asset/version", bad_index}));
+  odd_primitive.root["meshes"][0]["primitives"].push_back({{"attributes", 7}});
+  EXPECT_EQ(errors_of(odd_primitive),
+            (std::set<std::string>{"json-type at /meshes/0/primitives/1/attributes", bad_index}));
+  cut.root = Json::parse(cut.text());
+  cut.root["buffers"][0]["byteLength"] = 500;
+  EXPECT_EQ(errors_of(cut), (std::set<std::string>{"buffer-short at /buffers/0", bad_index}));
 }
 
 TEST(broken_rules, consequences_of_an_error_are_not_reported) {

@@ -162,16 +162,16 @@ TEST(build_clips, G13_two_keys_at_one_time_are_a_jump) {
 
 TEST(build_clips, G14_bad_times_and_values_leave_the_channel_out) {
   for (const auto& times :
-       {std::vector<float>{0, 2, 1}, {-1, 0, 1}, {0, kNan, 1}, {0, 1, std::numeric_limits<float>::infinity()}}) {
+       {std::vector<float>{0, 2, 1}, {-1, -2, 1}, {0, kNan, 1}, {0, 1, std::numeric_limits<float>::infinity()}}) {
     TinyGltf file = moving({0, 1, 2});
     file.root["animations"][0]["samplers"][0]["input"] = file.scalars(times);
     const auto result = file.import();
-    EXPECT_TRUE(warns(result, "animation-times", std::string(kSampler) + "input"));
+    ASSERT_EQ(survived(result), "animation-times at " + std::string(kSampler) + "input");
     EXPECT_THAT(result->scene.animations[0].bones, IsEmpty());
   }
   TinyGltf file = moving({0, 1});
   file.root["animations"][0]["samplers"][0]["output"] = file.vec3({0, 0, 0, 0, kNan, 0});
-  EXPECT_TRUE(warns(file.import(), "animation-values", std::string(kSampler) + "output"));
+  EXPECT_EQ(survived(file.import()), "animation-values at " + std::string(kSampler) + "output");
 }
 
 TEST(build_clips, G15_duration_is_from_the_data_not_from_min_and_max) {
@@ -188,7 +188,7 @@ TEST(build_clips, G16_the_shape_of_the_output_is_checked) {
     file.root["nodes"] = Json::array({Json::object()});
     const std::size_t input = file.times({0, 1});
     file.animate(path, input, add_output(file));
-    return outcome(file.import());
+    return survived(file.import());
   };
   const std::string expected = "animation-output at /animations/0/samplers/0/output";
   EXPECT_EQ(rule("translation", [](TinyGltf& f) { return f.scalars({1, 2}); }), expected);
@@ -205,7 +205,7 @@ TEST(build_clips, G16_the_shape_of_the_output_is_checked) {
       << "integers";
   TinyGltf input = moving({0, 1});
   input.root["animations"][0]["samplers"][0]["input"] = input.vec3({0, 0, 0, 1, 1, 1});
-  EXPECT_EQ(outcome(input.import()), "animation-input at /animations/0/samplers/0/input");
+  EXPECT_EQ(survived(input.import()), "animation-input at /animations/0/samplers/0/input");
 }
 
 TEST(build_clips, G17_G18_normalised_integer_rotations_become_unit_floats) {
@@ -286,7 +286,7 @@ TEST(build_clips, G19_weights_are_frame_major_for_all_targets) {
   EXPECT_EQ(result->scene.animations[0].weights[0].weights.target_count, 2u);
   EXPECT_THAT(result->scene.animations[0].weights[0].weights.values, ElementsAre(0, 1, 2, 3));
   file.animate("weights", input, file.scalars({0, 1}));
-  EXPECT_EQ(outcome(file.import()), "animation-output at /animations/0/samplers/0/output");
+  EXPECT_EQ(survived(file.import()), "animation-output at /animations/0/samplers/0/output");
   primitive.erase("targets");
   EXPECT_TRUE(warns(file.import(), "animation-no-morphs", "/animations/0/channels/0/target"));
 }
@@ -300,7 +300,7 @@ TEST(build_clips, G58_pointers_to_node_properties_are_plain_channels) {
   };
   ASSERT_EQ(outcome(with_pointer("/nodes/0/scale")), "ok");
   EXPECT_EQ(with_pointer("/nodes/0/scale")->scene.animations[0].bones[0].scale.key_count(), 2u);
-  EXPECT_EQ(outcome(with_pointer("/nodes/7/scale")), "reference at /animations/0/channels/0/target");
+  EXPECT_EQ(survived(with_pointer("/nodes/7/scale")), "reference at /animations/0/channels/0/target");
   for (const char* other : {"/materials/0/doubleSided", "/nodes/0/matrix", "/nodes/x/scale", "/nodes/0",
                             "nodes/0/scale", "", "/nodes/-1/scale"})
     EXPECT_TRUE(warns(with_pointer(other), "animation-pointer", "/animations/0/channels/0/target")) << other;

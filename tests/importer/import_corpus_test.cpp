@@ -154,7 +154,8 @@ bool answers_for_the_document(const ImportIssue& issue, const std::string& code)
   if (issue.rule.starts_with("glb-")) return code.starts_with("GLB_") || code == "INVALID_JSON";
   if (issue.rule == "json-syntax" && code == "VALUE_NOT_IN_RANGE")
     return issue.detail.find("too big") != issue.detail.npos;
-  if (issue.rule == "json-syntax") return code == "INVALID_JSON" || code == "GLB_INVALID_MAGIC";
+  if (issue.rule == "json-syntax" || issue.rule == "not-gltf")
+    return code == "INVALID_JSON" || code == "GLB_INVALID_MAGIC";
   if (issue.rule == "json-depth" || issue.rule == "json-bom") return code == "INVALID_JSON";
   if (issue.rule == "json-missing") return code == "UNDEFINED_PROPERTY";
   return issue.rule == "json-type" && code == "TYPE_MISMATCH";

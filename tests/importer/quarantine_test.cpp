@@ -181,6 +181,43 @@ TEST(quarantine, materials_animations_and_the_scene_are_emptied_by_their_number)
   EXPECT_EQ(Isolated("/scenes/0/nodes").d.scene, 0u);
 }
 
+TEST(quarantine, a_channel_is_put_aside_alone_and_a_sampler_with_its_channels) {
+  gltf::Document d = document();
+  d.animations[0].channels[3].sampler = 1;
+  Isolated channel("/animations/0/channels/2/target/node");
+  ASSERT_TRUE(channel.goes_on);
+  EXPECT_TRUE(channel.d.animations[0].channels[2].pointer.empty());
+  EXPECT_EQ(channel.d.animations[0].channels[2].sampler, kNone);
+  EXPECT_EQ(channel.d.animations[0].channels[3].pointer, "/nodes/1/rotation");
+  EXPECT_EQ(channel.d.animations[0].samplers[2].input, 1u);
+  EXPECT_TRUE(channel.mutes("/animations/0/channels/2/target/path"));
+  EXPECT_FALSE(channel.mutes("/animations/0/channels/3/target/path"));
+  IssueLog log;
+  log.report(Rule::reference, "/animations/0/samplers/1/input", "broken");
+  ASSERT_TRUE(Quarantine().isolate(d, log));
+  EXPECT_EQ(d.animations[0].samplers[1].input, kNone);
+  EXPECT_EQ(d.animations[0].samplers[2].input, 1u);
+  EXPECT_EQ(d.animations[0].channels[3].sampler, kNone);
+  EXPECT_EQ(d.animations[0].channels[4].sampler, 2u);
+}
+
+TEST(quarantine, views_inside_the_bytes_of_a_buffer_that_is_too_short_are_kept) {
+  gltf::Document d = document();
+  const std::vector<std::byte> bytes(60);
+  d.buffers[1].bytes = bytes;
+  d.buffer_views.push_back(d.buffer_views[1]);
+  d.buffer_views[1].byte_length = 60;
+  d.buffer_views[2].byte_offset = 40;
+  d.buffer_views[2].byte_length = 21;
+  IssueLog log;
+  log.report(Rule::buffer_short, "/buffers/1", "broken");
+  ASSERT_TRUE(Quarantine().isolate(d, log));
+  EXPECT_FALSE(d.buffers[1].placeholder);
+  EXPECT_EQ(d.buffer_views[1].buffer, 1u);
+  EXPECT_EQ(d.buffer_views[2].buffer, kNone);
+  EXPECT_EQ(d.accessors[1].count, 3u);
+}
+
 TEST(quarantine, errors_of_the_whole_document_end_the_import) {
   for (const char* place : {"", "/asset", "/asset/version", "/buffers", "/buffers/x", "/buffers/-1", "/other/0"})
     EXPECT_FALSE(Isolated(place).goes_on) << place;

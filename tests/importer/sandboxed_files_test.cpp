@@ -89,6 +89,23 @@ TEST_F(sandboxed_files, G64_T9_nothing_leaves_the_folder) {
     EXPECT_EQ(read(uri), "<forbidden>") << uri;
 }
 
+TEST_F(sandboxed_files, a_refusal_says_what_is_wrong_with_the_uri) {
+  const auto detail_of = [&](const char* uri) {
+    const auto bytes = SandboxedFiles(root_ / "asset", 1 << 20).read(uri, storage_);
+    return bytes ? "read" : bytes.error().detail;
+  };
+  EXPECT_EQ(detail_of("sub\\b.bin"),
+            "\"sub\\b.bin\" cannot be opened: No such file or directory; a URI has / between folders, not \\");
+  EXPECT_EQ(detail_of("sub%5Cb.bin"), detail_of("sub\\b.bin"));
+  EXPECT_EQ(detail_of("%E4.bin"),
+            "\"\xE4.bin\" cannot be opened: No such file or directory; its bytes are not UTF-8, as those of a URI are");
+  EXPECT_EQ(detail_of("c.bin"), "\"c.bin\" cannot be opened: No such file or directory");
+  EXPECT_EQ(detail_of("C:\\a.bin").substr(0, 22), "the URI names the driv");
+  EXPECT_EQ(detail_of("file:///a.bin"),
+            "the URI has the scheme \"file:\"; only data: and paths from the folder of this file are read");
+  EXPECT_EQ(detail_of("/a.bin"), "the URI is not relative; name the file by its path from the folder of this file");
+}
+
 TEST_F(sandboxed_files, G64_links_that_lead_out_are_refused) {
   fs::create_symlink(root_ / "secret.bin", root_ / "asset" / "link.bin");
   fs::create_directory_symlink(root_, root_ / "asset" / "up");

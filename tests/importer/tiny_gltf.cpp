@@ -78,6 +78,15 @@ std::string outcome(const ImportResult<ImportedFile>& result) {
   return result ? "ok" : result.error().issue.rule + " at " + result.error().issue.json_pointer;
 }
 
+std::string survived(const ImportResult<ImportedFile>& result) {
+  if (!result) return outcome(result);
+  std::string text;
+  for (const ImportIssue& issue : result->warnings)
+    if (issue.severity == Severity::error)
+      text += (text.empty() ? "" : ", ") + issue.rule + " at " + issue.json_pointer;
+  return text;
+}
+
 bool warns(const ImportResult<ImportedFile>& result, const std::string& rule, const std::string& json_pointer) {
   if (!result) return false;
   return std::any_of(result->warnings.begin(), result->warnings.end(), [&](const ImportIssue& issue) {

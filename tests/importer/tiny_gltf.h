@@ -62,6 +62,10 @@ class TinyGltf {
 /// "rule at /pointer" of an error, or "ok".
 std::string outcome(const ImportResult<ImportedFile>& result);
 
+/// The errors among the warnings of an import that succeeded without the broken parts: "rule at /pointer", joined by
+/// ", ". Of a failed import its outcome().
+std::string survived(const ImportResult<ImportedFile>& result);
+
 /// True if the import succeeded with this warning at this place.
 bool warns(const ImportResult<ImportedFile>& result, const std::string& rule, const std::string& json_pointer);
 

@@ -174,7 +174,7 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   says({"--pose", "fold"}, 2, "--pose: \"fold\" is not CLIP@SECONDS");
   says({"--pose", "fold@-1"}, 2, "is not CLIP@SECONDS");
   says({"--pose", "fold@nan"}, 2, "is not CLIP@SECONDS");
-  says({"--pose", "bend@1"}, 2, "--pose bend@1: no such clip; the file has 1 clips: 0 \"fold\"");
+  says({"--pose", "bend@1"}, 2, "--pose bend@1: no such clip; the file has 1 clip: 0 \"fold\"");
   says({"--distance", "0"}, 2, "--distance: \"0\" is not above 0");
   says({"--distance", "far"}, 2, "--distance: ");
   says({"--rays", "0"}, 2, "--rays");
@@ -185,7 +185,7 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   says({"--key-poses", "4", "--pose", "fold@0"}, 2, "--pose excludes --key-poses");
   says({"--clip", "fold"}, 2, "--clip requires --key-poses");
   says({"--key-poses", "4", "--clip", "bend"}, 2,
-       "--key-poses: there is no clip \"bend\"; the file has 1 clips: 0 \"fold\"");
+       "--key-poses: there is no clip \"bend\"; the file has 1 clip: 0 \"fold\"");
   says({"--key-poses", "4", "--clip", "none"}, 2, "--key-poses: there is no clip \"none\"");
   std::ofstream(folder.beside("empty.gltf")) << R"({"asset": {"version": "2.0"}, "nodes": [{}]})";
   const CommandOutcome empty = run_tool({"bake-ao", folder.beside("empty.gltf"), "-o", out});

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/rules.h"
+#include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
@@ -100,6 +101,31 @@ TEST(check_command, errors_come_first_then_warnings_then_infos) {
   EXPECT_LT(text.find("unused-object: error"), text.find("rotation-length: warning"));
   const std::string plain = run_tool({"check", file}).out;
   EXPECT_LT(plain.find("rotation-length: warning"), plain.find("unused-object: info"));
+}
+
+TEST(check_command, a_faulty_channel_is_an_error_here_and_costs_no_other_command_the_file) {
+  const ToolModelFile place;
+  TinyGltf gltf;
+  gltf.add_triangle();
+  gltf.animate("translation", gltf.times({0, 1}), gltf.vec3({0, 0, 0, 1, 2, 3}));
+  const std::string counts = place.beside("counts.gltf"), data = place.beside("data.gltf");
+  gltf.root["animations"][0]["samplers"][0]["interpolation"] = "CUBICSPLINE";
+  std::ofstream(counts) << gltf.text();
+  gltf.root["accessors"][2]["count"] = 50;
+  std::ofstream(data) << gltf.text();
+  for (const std::string& file : {counts, data}) {
+    const CommandOutcome check = run_tool({"check", file});
+    EXPECT_EQ(check.status, 1);
+    EXPECT_THAT(check.out, HasSubstr("left out"));
+    EXPECT_THAT(check.out, HasSubstr(": error: "));
+    for (const char* command : {"info", "plan", "sample"}) {
+      const CommandOutcome outcome = run_tool({command, file});
+      EXPECT_EQ(outcome.status, 0) << command << ": " << outcome.err;
+      EXPECT_THAT(outcome.out + outcome.err, HasSubstr("left out")) << command;
+    }
+  }
+  EXPECT_THAT(run_tool({"info", data, "--json"}).out, HasSubstr("\"rule\": \"accessor-fit\""))
+      << "what keeps it from being converted";
 }
 
 TEST(check_command, the_table_of_rules_names_every_rule_within_100_columns) {

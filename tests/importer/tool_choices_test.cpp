@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/poses/vertex_choice.h"
@@ -32,6 +34,16 @@ TEST(clip_choice, a_number_is_an_index_first_and_a_name_second) {
   EXPECT_THAT(*choose_clips(scene, "77"), ElementsAre(3u));
   EXPECT_THAT(*choose_clips(scene, "walk"), ElementsAre(1u));
   EXPECT_THAT(*choose_clips(scene, "none"), ElementsAre(kNone));
+}
+
+TEST(clip_choice, a_name_and_a_number_find_clips_of_equal_empty_and_numeric_names) {
+  const Scene scene = scene_with_clips({"walk", "", "walk", "0", "", "none", "run#2", "run", "run", "walk"});
+  const std::pair<const char*, std::uint32_t> choices[] = {{"walk#1", 0}, {"walk#2", 2}, {"walk#3", 9}, {"", 1},
+                                                           {"#1", 1},     {"#2", 4},     {"0", 0},      {"0#1", 3},
+                                                           {"none#1", 5}, {"run#2", 6},  {"run#1", 7}};
+  for (const auto& [text, clip] : choices) EXPECT_THAT(*choose_clips(scene, text), ElementsAre(clip)) << text;
+  for (const char* wrong : {"walk#4", "walk#0", "walk#", "walk#02", "walk#+1", "walk#1x", "#3", "jump#1"})
+    EXPECT_FALSE(choose_clips(scene, wrong)) << wrong;
 }
 
 TEST(clip_choice, what_is_not_there_is_answered_with_what_is) {

@@ -164,6 +164,26 @@ TEST(many_files, outcomes_come_in_order_and_few_wait) {
   }
 }
 
+TEST(many_files, outcomes_that_wait_hold_no_more_text_than_allowed) {
+  constexpr std::size_t kBytes = 1000, kMost = 20'000, kJobs = 3;
+  std::atomic<std::size_t> finished = 0, shown = 0;
+  std::size_t most_waiting = 0;
+  tool::run_in_order(
+      200, kJobs,
+      [&](std::size_t i) {
+        for (int tries = 0; i == 0 && finished * kBytes <= kMost && tries < 60'000; ++tries)  // all others wait for it
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        ++finished;
+        return tool::JobOutcome{tool::ExitCode::done, std::string(kBytes, 'a'), {}};
+      },
+      [&](std::size_t, tool::JobOutcome&&) { most_waiting = std::max<std::size_t>(most_waiting, finished - shown++); },
+      kMost);
+  EXPECT_EQ(shown, 200u);
+  EXPECT_GT(most_waiting, 4 * kJobs) << "small files are worked on beside a large one";
+  EXPECT_LE(most_waiting, kMost / kBytes + 2 * kJobs);
+}
+
 TEST(many_files, each_has_one_line_and_a_summary_follows) {
   const ToolModelFile model;
   const std::string broken = model.beside("broken.gltf"), warned = model.beside("warned.gltf");

@@ -65,7 +65,7 @@ TEST(tool_safety, an_output_that_does_not_fit_on_the_disk_leaves_nothing) {
     outcome = run_tool({"sample", model.path(), "-o", out});
   }
   EXPECT_EQ(outcome.status, 3);
-  EXPECT_EQ(outcome.err, "sinew: " + out + ": cannot be written to the end\n");
+  EXPECT_EQ(outcome.err, "sinew: " + out + ": cannot be written to the end: File too large\n");
   EXPECT_EQ(text_of_file(out), "old");
   EXPECT_THAT(names_beside(model), testing::ElementsAre("model.gltf", "poses.json"));
 }
@@ -99,7 +99,7 @@ TEST(tool_safety, a_standard_output_that_takes_nothing_is_told) {
   }
   const CommandOutcome sampled = run_with_full_stdout({"sample", model.path()});
   EXPECT_EQ(sampled.status, 3);
-  EXPECT_EQ(sampled.err, "sinew: stdout: cannot be written to the end\n");
+  EXPECT_EQ(sampled.err, "sinew: stdout: cannot be written to the end: No space left on device\n");
 }
 
 TEST(tool_safety, pipes_and_devices_are_not_read) {

@@ -20,6 +20,9 @@ TEST(scene_choice, of_a_clip_takes_an_index_a_name_or_none) {
   EXPECT_EQ(choose_clip(scene, "0"), 0u);
   EXPECT_EQ(choose_clip(scene, "3"), 3u);
   EXPECT_EQ(choose_clip(scene, "Run"), 2u);  // the first of that name
+  EXPECT_EQ(choose_clip(scene, "Run#2"), 3u);
+  EXPECT_EQ(choose_clip(scene, "#1"), 1u);
+  EXPECT_EQ(choose_clip(scene, "Run#3"), std::nullopt);
   EXPECT_EQ(choose_clip(scene, "none"), kNone);
 }
 

@@ -105,6 +105,10 @@ tl::expected<LoadedScene, LoadError> from_file(const Options& options, const Log
   import_options.carry_document = reads_visibility;
   if (progress) import_options.progress = [&](const char*, double done) { progress(done); };
   auto imported = import_gltf(std::filesystem::path(file), import_options);
+  if (!imported && reads_visibility) {  // a file with faulty animations can be shown; only its document is not whole
+    import_options.carry_document = false;
+    if (auto shown = import_gltf(std::filesystem::path(file), import_options)) imported = std::move(shown);
+  }
   const auto& warnings = imported ? imported->warnings : imported.error().warnings;
   for (const auto& warning : warnings) log_line(describe(file, warning));
   if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
@@ -113,7 +117,7 @@ tl::expected<LoadedScene, LoadError> from_file(const Options& options, const Log
   if (auto chosen = choose_scene(file, options.scene, imported->scene, log_line); !chosen)
     return tl::unexpected(std::move(chosen.error()));
   LoadedScene loaded;
-  if (reads_visibility) loaded.visibility = file_visibility(*imported, log_line);
+  if (imported->carried) loaded.visibility = file_visibility(*imported, log_line);
   loaded.name = std::filesystem::path(file).filename().string();
   loaded.scene = std::move(imported->scene);
   loaded.files = std::move(imported->facts.files);

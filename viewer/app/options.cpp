@@ -289,7 +289,7 @@ void add_time_options(CLI::App& app, Options& options, CLI::Option* file) {
     if (!value || *value < least) throw CLI::ValidationError(option, "'" + text + "' is not a time in seconds");
     return *value;
   };
-  text_option(app, "--clip", "CLIP", "index, name or none (the first clip)",
+  text_option(app, "--clip", "CLIP", "index, name, name#2 (the second of that name) or none (the first clip)",
               [&](const std::string& text) { options.clip = text; });
   auto* time = text_option(app, "--time", "T", "seconds into the clip (0)",
                            [&, seconds](const std::string& text) { options.time_s = seconds("--time", text, -1e9); });

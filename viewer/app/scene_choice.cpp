@@ -5,6 +5,8 @@
 #include <charconv>
 #include <vector>
 
+#include "runtime/model/numbered_name.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -38,9 +40,14 @@ std::optional<std::uint32_t> choose(const std::vector<Choice>& choices, std::str
   const bool number = error == std::errc() && end == text.data() + text.size();
   for (const Choice& choice : choices)
     if (number && choice.index == index) return index;
-  for (const Choice& choice : choices)
-    if (choice.name == text) return choice.index;
-  return std::nullopt;
+  const auto named = [&](std::string_view name, std::uint32_t place) -> std::optional<std::uint32_t> {
+    for (const Choice& choice : choices)
+      if (choice.name == name && --place == 0) return choice.index;
+    return std::nullopt;
+  };
+  if (const auto found = named(text, 1)) return found;
+  const auto numbered = parse_numbered_name(text);
+  return numbered ? named(numbered->name, numbered->number) : std::nullopt;
 }
 
 std::optional<std::uint32_t> same(const std::vector<Choice>& before, std::uint32_t index,

@@ -11,7 +11,8 @@
 namespace sinew::viewer {
 
 /// The clip that `text` names: "none" is the rest pose (kNone), digits are an index, everything else is a name. If no
-/// index fits, digits are tried as a name. A clip named "none" is found by its index only.
+/// index fits, digits are tried as a name. "Walk#2" is the second clip called "Walk". A clip named "none" is found by
+/// its index or as "none#1".
 /// err  empty if the scene has no such clip
 std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view text);
 

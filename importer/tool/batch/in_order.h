@@ -14,15 +14,21 @@ struct JobOutcome {
   std::string results, messages;
 };
 
-/// Most outcomes that wait for the one before them, for each job.
-inline constexpr std::size_t kWaitingPerJob = 4;
+/// Most outcomes that wait for the one before them, for each job: so many small files are worked on beside a large one.
+inline constexpr std::size_t kWaitingPerJob = 1024;
+
+/// No further work begins while outcomes that wait hold more text than this.
+inline constexpr std::size_t kMostWaitingBytes = std::size_t{16} << 20;
 
 /// Calls work(0), work(1), ... on up to `jobs` threads, and show() with each outcome in that order, as early as
 /// possible.
 /// in    work   is called on any thread, several at a time; show is called by one thread at a time
 ///       jobs   1 or more
-/// cost  at most `jobs` calls of `work` run, and at most kWaitingPerJob * jobs outcomes exist, whatever `count` is
+///       most_waiting_bytes   of texts
+/// cost  at most `jobs` calls of `work` run, and at most kWaitingPerJob * jobs outcomes exist, whatever `count` is. They
+///       hold at most `most_waiting_bytes`, and the outcomes of one more call for each job
 void run_in_order(std::size_t count, std::size_t jobs, const std::function<JobOutcome(std::size_t)>& work,
-                  const std::function<void(std::size_t, JobOutcome&&)>& show);
+                  const std::function<void(std::size_t, JobOutcome&&)>& show,
+                  std::size_t most_waiting_bytes = kMostWaitingBytes);
 
 }  // namespace sinew::tool

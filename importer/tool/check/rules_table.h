@@ -4,10 +4,10 @@
 
 namespace sinew::tool {
 
-/// All rules with their severities and sentences, in lines of at most 100 columns where words allow it.
+/// All rules with their severities, consequences and sentences, in lines of at most 100 columns where words allow it.
 std::string rules_text();
 
-/// The same as JSON: [{rule, severity, sentence}], indented.
+/// The same as JSON: [{rule, severity, consequence, sentence}], indented.
 std::string rules_json();
 
 }  // namespace sinew::tool

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -46,7 +47,7 @@ void StreamedFile::write(std::string_view bytes) {
   constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;  // zlib counts in int
   while (!failed_ && !bytes.empty()) {
     const std::size_t count = std::min(bytes.size(), kMostAtOnce);
-    failed_ = gzwrite(static_cast<gzFile>(file_), bytes.data(), static_cast<unsigned>(count)) <= 0;
+    note(gzwrite(static_cast<gzFile>(file_), bytes.data(), static_cast<unsigned>(count)) <= 0);
     bytes.remove_prefix(count);
   }
 }
@@ -54,12 +55,12 @@ void StreamedFile::write(std::string_view bytes) {
 void StreamedFile::write_at(std::uint64_t place, std::string_view bytes) {
   if (placed_ < 0) {
     waiting_ = std::tmpfile();
-    failed_ = failed_ || waiting_ == nullptr;
+    note(waiting_ == nullptr);
     placed_ = failed_ ? -1 : fileno(waiting_);
   }
   while (!failed_ && !bytes.empty()) {
     const ssize_t count = pwrite(placed_, bytes.data(), bytes.size(), static_cast<off_t>(place));
-    failed_ = count <= 0;
+    note(count <= 0);
     if (failed_) return;
     place += static_cast<std::uint64_t>(count);
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -75,17 +76,22 @@ void StreamedFile::copy_placed() {
     if (count == 0) break;
     write({block.data(), count});
   }
-  failed_ = failed_ || std::ferror(waiting_) != 0;
+  note(std::ferror(waiting_) != 0);
+}
+
+void StreamedFile::note(bool failed) {
+  if (failed && !std::exchange(failed_, true)) reason_ = errno;
 }
 
 bool StreamedFile::finish() {
   if (waiting_ != nullptr) copy_placed();
-  const int closed = gzclose(static_cast<gzFile>(std::exchange(file_, nullptr)));
-  const bool written = closed == Z_OK && !failed_;
-  if (unfinished_.empty()) return written;
-  if (written && rename(unfinished_.c_str(), target_.c_str()) == 0) return true;
-  unlink(unfinished_.c_str());
-  return false;
+  note(gzclose(static_cast<gzFile>(std::exchange(file_, nullptr))) != Z_OK);
+  if (!unfinished_.empty()) {
+    note(!failed_ && rename(unfinished_.c_str(), target_.c_str()) != 0);
+    if (failed_) unlink(unfinished_.c_str());
+  }
+  errno = reason_;
+  return !failed_;
 }
 
 }  // namespace sinew::tool

@@ -28,17 +28,19 @@ class StreamedFile {
   /// .gz file the bytes wait in a temporary file for finish().
   void write_at(std::uint64_t place, std::string_view bytes);
 
-  /// False: something could not be written; errno has the reason of the last step.
+  /// False: something could not be written; errno has the first reason.
   bool finish();
 
  private:
   void copy_placed();
+  void note(bool failed);
 
   std::filesystem::path target_, unfinished_;  // Empty for a stream.
   void* file_ = nullptr;                       // gzFile
   int placed_ = -1;                            // where write_at() writes: the file itself, or the one of waiting_
   std::FILE* waiting_ = nullptr;
   bool failed_ = false;
+  int reason_ = 0;  ///< errno of the first failure
 };
 
 }  // namespace sinew::tool

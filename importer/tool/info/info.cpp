@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -63,12 +65,20 @@ ExitCode print_info(const InfoOptions& options, const std::string& path, bool ma
   import.decode_images = false;
   import.probe_images = true;
   import.carry_document = true;
-  const auto file = import_with_progress(path, import);
+  auto file = import_with_progress(path, import);
+  std::vector<ImportIssue> not_carried;
+  if (!file) {  // a file with faulty animations can be read, but not written
+    import.carry_document = false;
+    if (auto read = import_with_progress(path, import)) {
+      not_carried.push_back(std::move(file.error().issue));
+      file = std::move(read);
+    }
+  }
   if (!file) {
     print_import_error(path, file.error());
     return ExitCode::input_at_fault;
   }
-  Json info = info_json(path, *file);
+  Json info = info_json(path, *file, not_carried);
   if (options.tree) info["node_list"] = node_list_json(file->scene);
   if (options.files.json)
     print_json(info, many);

@@ -286,7 +286,7 @@ Json memory_with_images(const Scene& scene) {
 
 }  // namespace
 
-Json info_json(const std::string& name, const ImportedFile& file) {
+Json info_json(const std::string& name, const ImportedFile& file, const std::vector<ImportIssue>& not_carried) {
   const Scene& scene = file.scene;
   Json out = {{"file", name},
               {"bytes", file.facts.file_bytes},
@@ -314,7 +314,8 @@ Json info_json(const std::string& name, const ImportedFile& file) {
   out["lights"] = array_of(scene.lights, [&](const Light& l) { return light_json(scene, l); });
   if (file.vrm) out["vrm"] = vrm_json(*file.vrm, scene);
   out["warnings"] = array_of(file.warnings, issue_json);
-  out["lost_by_convert"] = array_of(lost_by_convert(file), issue_json);
+  out["lost_by_convert"] =
+      file.carried ? array_of(lost_by_convert(file), issue_json) : array_of(not_carried, issue_json);
   return out;
 }
 
