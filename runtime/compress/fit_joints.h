@@ -11,7 +11,7 @@ namespace sinew {
 
 /// Leaves keys out of the tracks of joints, from the roots to the tips. Each track holds the error that has come
 /// together so far, of its joint and all below it, within a share of the budget. The shares rise along each path of
-/// joints, up to the whole budget at its end. What an earlier track did not use is left to the later ones.
+/// joints, up to the whole budget at its end. Later tracks may use the part that earlier ones left.
 class JointFit {
  public:
   /// The arguments must outlive it.

@@ -67,8 +67,8 @@ double apart_m(const WeightTrack& track, std::size_t a, std::size_t b, std::span
   return sum;
 }
 
-/// The key from which the first and the last key and the one in the middle are least far, and which no key is farther
-/// from than the tolerance; kNone if there is none.
+/// The key that is nearest to the first key, the last key and the one in the middle. kNone if another key is farther
+/// from it than the tolerance.
 std::uint32_t resting_key(const WeightTrack& track, const LooseTrack& loose) {
   const std::size_t count = track.key_count();
   std::uint32_t best = 0;
@@ -123,8 +123,9 @@ Form search(const Scene& scene, const Animation& truth, const Animation& stored,
     form.tracks.insert(form.tracks.end(), weights.begin(), weights.end());
     share_key_times(truth, form.tracks);
     form.bytes = bytes_in_file(with_keys(truth, form.tracks));
+    const bool hardly_smaller = form.bytes >= best.bytes - best.bytes / 100;
     if (form.bytes < best.bytes) best = std::move(form);
-    if (joints.empty()) break;
+    if (joints.empty() || hardly_smaller) break;
     joints.share_by_need();
   }
   return best;

@@ -39,8 +39,8 @@ inline Quat<double> value_of(const QuatTrack& track, std::size_t key) {
 }
 inline double between(double a, double b, double at) noexcept { return (at - a) / (b - a); }
 
-/// Chooses the keys of one track in one part of an animation, so that `error_squared(t, value)` stays within the square
-/// of a limit at all times of the part.
+/// Chooses the keys of one track in one part of an animation. At all times of the part `error_squared(t, value)` stays
+/// within the square of a limit.
 template <class V, class ErrorSquared>
 class TrackFit {
  public:

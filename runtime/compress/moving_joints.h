@@ -15,7 +15,8 @@ struct MovingJoint {
   std::uint32_t parent = kNone;  ///< index of the nearest moving joint above; kNone = none
   Affined from_parent;  ///< constant: from the joint's parent space to the space of `parent`, or to model space
   Aabb own;             ///< virtual vertices of the joint, and of the joints that belong to it, in its space
-  Aabb below;           ///< `own`, and all virtual vertices below as they pass over the animation
+  Aabb below;           ///< `own`, and all virtual vertices below as they pass over the animation.
+
   /// Indices into Animation::bones of the tracks that count, in the order translation, scale, rotation; kNone = none
   std::array<std::uint32_t, 3> bone_of{kNone, kNone, kNone};
 };
