@@ -18,6 +18,7 @@
 #include "importer/rewrite/replace_keys.h"
 #include "importer/rewrite/streams.h"
 #include "importer/rewrite/take_decoded.h"
+#include "importer/rewrite/weight_bits.h"
 #include "importer/write/glb_bytes.h"
 #include "runtime/base/contract.h"
 
@@ -65,14 +66,28 @@ ImportError failure(const char* rule, const char* place, std::string detail) {
   return {"", {Severity::error, rule, place, std::move(detail)}, {}, {}};
 }
 
+rewrite::QuantizeBits bits_of(KeyRounding rounding, std::set<std::uint32_t> fine_weights) {
+  rewrite::QuantizeBits bits;
+  bits.fine_weights = std::move(fine_weights);
+  bits.keys = rounding != KeyRounding::none;
+  if (rounding == KeyRounding::fine) {
+    bits.rotations = 16;
+    bits.key_vectors = 20;
+  }
+  return bits;
+}
+
 /// Quantizes and compresses vertices, indices and keys.
-void recode(const gltf::Document& document, const RewriteOptions& options, Draft& draft) {
-  if (!options.quantize && !options.meshopt) return;
+void recode(const gltf::Document& document, const Scene& scene, const RewriteOptions& options, Draft& draft) {
+  if (!options.quantize && !options.meshopt && !options.merge_vertices) return;
+  std::set<std::uint32_t> fine_weights;
+  if (options.quantize) fine_weights = rewrite::weights_of_16_bits(document, scene, draft);
   rewrite::Streams streams = rewrite::take_streams(document, draft, options.meshopt);
   if (options.meshopt) rewrite::reorder_vertices(streams, draft);
   rewrite::narrow_indices(streams, draft);
-  if (options.quantize) rewrite::quantize_streams({}, options.meshopt, streams, draft);
-  if (!options.meshopt) rewrite::join_vertices(streams, draft);  // also merges vertices that became equal by rounding
+  if (options.quantize)
+    rewrite::quantize_streams(bits_of(options.key_rounding, std::move(fine_weights)), options.meshopt, streams, draft);
+  if (options.merge_vertices && !options.meshopt) rewrite::join_vertices(streams, draft);
   rewrite::put_streams(streams, options.meshopt, draft);
 }
 
@@ -87,7 +102,7 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   rewrite::add_animations(file.scene, options.added_animations, draft);
   rewrite::leave_out_attributes(options.left_out_attributes, draft);
   rewrite::add_attributes(options.added_attributes, draft);
-  recode(document, options, draft);
+  recode(document, file.scene, options, draft);
   rewrite::embed_images(document, draft);
   rewrite::remove_unused(draft);
   rewrite::mend(draft);

@@ -19,6 +19,9 @@ struct AddedAttribute {
   std::vector<float> values;              ///< one value for each vertex of the file's primitive, in file order
 };
 
+/// How far RewriteOptions::quantize rounds keys: to `coarse` bits, to some more, or not at all.
+enum class KeyRounding : std::uint8_t { coarse, fine, none };
+
 /// How to rewrite a file. By default all data stay unchanged, except that compressed data are decoded.
 struct RewriteOptions {
   /// Replacement keys, parallel to Scene::animations; empty = keep the file's. Ignored channels keep their keys, as do
@@ -37,11 +40,16 @@ struct RewriteOptions {
   std::span<const AddedAttribute> added_attributes = {};
   /// Quantize data; importer/rewrite/quantize_streams.h bounds the error. Normals and tangents get 8 bits
   /// (KHR_mesh_quantization), texture coordinates 12, colours and weights 8, rotation keys 16 (12 with `meshopt`).
-  /// Positions stay floats; with `meshopt` they keep 15 bits, and translation and scale keys 16. Vertices that become
-  /// equal are merged, which renumbers vertices.
+  /// Positions stay floats; with `meshopt` they keep 15 bits, and translation and scale keys 16. Weights get 16 bits
+  /// where 8 would move a vertex by more than 0.1 % of the model's size. Vertices keep their order and number.
   bool quantize = false;
+  /// `fine` keeps 16 bits of rotations and 20 of translation and scale keys, `none` every bit of all keys.
+  KeyRounding key_rounding = KeyRounding::coarse;
+  /// Merge vertices that are equal (with `quantize`: that become equal) in everything, and remove unused ones. This
+  /// renumbers vertices.
+  bool merge_vertices = false;
   /// Compress with EXT_meshopt_compression, which the new file then requires. Triangles and vertices are reordered for
-  /// the codec, which renumbers vertices. Without `quantize`, values stay bit-identical.
+  /// the codec and equal ones merged, which renumbers vertices. Without `quantize`, values stay bit-identical.
   bool meshopt = false;
   /// Names of permitted losses: an extension, or a rule such as "image-missing"; "all" permits everything.
   std::set<std::string> drop = {};

@@ -49,7 +49,7 @@ std::optional<Keys> keys_of(const PropertyTrack& track) {
   return keys;
 }
 
-void KeyWriter::write(const Keys& keys, Json& sampler) {
+void KeyWriter::write(const Keys& keys, Json& sampler, const StoredValues* stored) {
   static const char* const kNames[] = {"STEP", "LINEAR", "CUBICSPLINE"};
   auto [times, is_new] = times_.try_emplace(keys.times_s, 0);
   if (is_new) {
@@ -58,18 +58,43 @@ void KeyWriter::write(const Keys& keys, Json& sampler) {
     set_bounds(accessor, std::vector<double>(keys.times_s.begin(), keys.times_s.end()), 1);
   }
   sampler["input"] = times->second;
-  sampler["output"] = keys.flags ? add_flags(keys.values) : add(keys.values, keys.components);
+  if (stored != nullptr)
+    sampler["output"] = add_integers(*stored, keys.values.size() / keys.components, keys.components);
+  else
+    sampler["output"] = keys.flags ? add_flags(keys.values) : add_shared(keys.values, keys.components);
   sampler.erase("interpolation");  // LINEAR is the default
   if (keys.interpolation != Interpolation::linear)
     sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
 }
 
 void KeyWriter::finish() {
+  if (!integer_accessors_.empty()) {
+    const std::uint32_t view = draft_.add_view(std::move(integers_));
+    for (const std::uint32_t accessor : integer_accessors_) draft_.json["accessors"][accessor]["bufferView"] = view;
+  }
   if (accessors_.empty()) return;
   std::vector<std::byte> bytes(floats_.size() * sizeof(float));
   std::memcpy(bytes.data(), floats_.data(), bytes.size());
   const std::uint32_t view = draft_.add_view(std::move(bytes));
   for (const std::uint32_t accessor : accessors_) draft_.json["accessors"][accessor]["bufferView"] = view;
+}
+
+std::uint32_t KeyWriter::add_shared(const std::vector<float>& values, std::size_t components) {
+  if (values.size() > kFewNumbers) return add(values, components);
+  const auto [known, is_new] = values_.try_emplace({components, values}, 0);
+  if (is_new) known->second = add(values, components);
+  return known->second;
+}
+
+std::uint32_t KeyWriter::add_integers(const StoredValues& stored, std::size_t count, std::size_t components) {
+  static const char* const kTypes[] = {"SCALAR", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  Json accessor{
+      {"componentType", stored.component_type}, {"normalized", true}, {"count", count}, {"type", kTypes[components]}};
+  if (!integers_.empty()) accessor["byteOffset"] = integers_.size();
+  integers_.insert(integers_.end(), stored.bytes.begin(), stored.bytes.end());
+  integers_.resize((integers_.size() + 3) / 4 * 4);
+  integer_accessors_.push_back(add_accessor(std::move(accessor)));
+  return integer_accessors_.back();
 }
 
 std::uint32_t KeyWriter::add(const std::vector<float>& values, std::size_t components) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "importer/rewrite/draft.h"
@@ -28,25 +29,38 @@ std::optional<Keys> keys_of(const QuatTrack& track);
 std::optional<Keys> keys_of(const WeightTrack& track);
 std::optional<Keys> keys_of(const PropertyTrack& track);
 
-/// Writes keys of one animation. Key times shared by several channels are written once.
+/// Values of keys as an accessor of integers stores them, one after another.
+struct StoredValues {
+  int component_type = 0;
+  std::vector<std::byte> bytes;
+};
+
+/// Writes keys of animations. Equal key times, and equal values of a few numbers, are written once.
 class KeyWriter {
  public:
   explicit KeyWriter(Draft& draft) : draft_(draft) {}
 
   /// Sets input, output and interpolation of a sampler.
-  void write(const Keys& keys, Json& sampler);
+  /// in   stored   the values of the keys as normalised integers; without it floats are written
+  void write(const Keys& keys, Json& sampler, const StoredValues* stored = nullptr);
   /// Stores the collected data in a buffer view.
   void finish();
 
  private:
+  static constexpr std::size_t kFewNumbers = 16;
+
   std::uint32_t add(const std::vector<float>& values, std::size_t components);
+  std::uint32_t add_shared(const std::vector<float>& values, std::size_t components);
+  std::uint32_t add_integers(const StoredValues& stored, std::size_t count, std::size_t components);
   std::uint32_t add_flags(const std::vector<float>& values);
   std::uint32_t add_accessor(Json accessor);
 
   Draft& draft_;
   std::vector<float> floats_;
-  std::vector<std::uint32_t> accessors_;
+  std::vector<std::byte> integers_;
+  std::vector<std::uint32_t> accessors_, integer_accessors_;
   std::map<std::vector<float>, std::uint32_t> times_;
+  std::map<std::pair<std::size_t, std::vector<float>>, std::uint32_t> values_;  ///< by components and values
 };
 
 }  // namespace sinew::rewrite

@@ -4,14 +4,18 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "importer/rewrite/take_decoded.h"
+#include "importer/rewrite/weight_bits.h"
 
 namespace sinew::rewrite {
 namespace {
 
+constexpr int kBitsOfAims = 16;  // 12 bits turn a camera by 0.03 degrees for each joint above it
 constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kFloat = 5126;
 
 std::vector<float> floats_of(const Stream& stream, std::size_t components) {
@@ -62,22 +66,29 @@ class Quantizer {
     if (what == "POSITION" || what.starts_with("target ")) round_floats(stream, accessor, n, bits_.positions);
   }
 
-  void weights(Stream& stream, Json& accessor) {
+  void weights(std::uint32_t index, Stream& stream, Json& accessor) {
     if (accessor["componentType"] != kFloat || component_count(accessor) != 4) return;
     const std::vector<float> values = floats_of(stream, 4);
     if (!within_unit(values)) return;
-    std::vector<double> bytes = scaled(values, 255.0);
+    const bool fine = bits_.fine_weights.contains(index);
+    std::vector<double> rounded;
     for (std::size_t v = 0; v < stream.count; ++v) {
-      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(4 * v), last = first + 4;
-      const double sum = first[0] + first[1] + first[2] + first[3];
-      if (sum > 0.0) *std::max_element(first, last) += 255.0 - sum;
+      const std::array<float, 4> before{values[4 * v], values[4 * v + 1], values[4 * v + 2], values[4 * v + 3]};
+      const std::array<double, 4> after = rounded_weights(before, fine ? 65535.0 : 255.0);
+      rounded.insert(rounded.end(), after.begin(), after.end());
+      for (std::size_t i = 0; i < 4; ++i)
+        if (before[i] > 0.0f && after[i] == 0.0) zeroed_[index].push_back(4 * v + i);
     }
-    store<std::uint8_t>(bytes, 4, 4, stream);
-    set_normalized(accessor, kUnsignedByte);
+    fine ? store<std::uint16_t>(rounded, 4, 8, stream) : store<std::uint8_t>(rounded, 4, 4, stream);
+    set_normalized(accessor, fine ? kUnsignedShort : kUnsignedByte);
   }
 
+  /// Components of each accessor of weights that became 0: four for each vertex.
+  const std::map<std::uint32_t, std::vector<std::size_t>>& zeroed() const { return zeroed_; }
+
   /// in   interpolated   false for CUBICSPLINE, whose tangents are not unit vectors
-  void keys(Stream& stream, Json& accessor, bool rotation, bool interpolated) {
+  ///      aims           of a node with a camera or a light, or above one
+  void keys(Stream& stream, Json& accessor, bool rotation, bool interpolated, bool aims) {
     if (accessor["componentType"] != kFloat) return;
     const std::size_t n = component_count(accessor);
     if (n == 3 && interpolated) return round_floats(stream, accessor, 3, bits_.key_vectors);
@@ -86,8 +97,9 @@ class Quantizer {
     const bool unit = std::all_of(values.begin(), values.end(), [](float v) { return std::abs(v) <= 1.0f; });
     if (!unit) return;
     if (filters_) {
+      const int bits = aims ? kBitsOfAims : bits_.rotations;
       filter(Filter::quaternion, 8, stream,
-             [&] { meshopt_encodeFilterQuat(stream.bytes.data(), stream.count, 8, bits_.rotations, values.data()); });
+             [&] { meshopt_encodeFilterQuat(stream.bytes.data(), stream.count, 8, bits, values.data()); });
     } else {
       store<std::int16_t>(scaled(values, 32767.0), 4, 8, stream);
     }
@@ -175,6 +187,7 @@ class Quantizer {
   const QuantizeBits& bits_;
   bool filters_;
   Draft& draft_;
+  std::map<std::uint32_t, std::vector<std::size_t>> zeroed_;
 };
 
 std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
@@ -196,10 +209,28 @@ std::set<std::uint32_t> single_weights(Draft& draft) {
 /// Kinds of key values in the outputs of all animation samplers.
 struct KeyKinds {
   std::set<std::uint32_t> rotations, others, cubic;
+  std::set<std::uint32_t> aims;  ///< of nodes with a camera or a light, or above one
 };
+
+/// The nodes with a camera or a light, and all nodes above them.
+std::set<std::uint32_t> aiming_nodes(Draft& draft) {
+  const Json& nodes = list_of(draft, "nodes");
+  std::vector<std::uint32_t> parents(nodes.size(), kNone);
+  for (std::uint32_t n = 0; n < nodes.size(); ++n)
+    for (const Json& child : nodes[n].value("children", Json::array())) parents[index_of(child)] = n;
+  std::set<std::uint32_t> out;
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    const bool aims =
+        nodes[n].contains("camera") || nodes[n].value("extensions", Json::object()).contains("KHR_lights_punctual");
+    for (std::uint32_t at = n; aims && at != kNone && out.insert(at).second; at = parents[at]) {
+    }
+  }
+  return out;
+}
 
 KeyKinds find_keys(Draft& draft) {
   KeyKinds kinds;
+  const std::set<std::uint32_t> aiming = aiming_nodes(draft);
   for (const Json& animation : list_of(draft, "animations")) {
     for (const Json& sampler : animation["samplers"])
       if (sampler.value("interpolation", "") == "CUBICSPLINE") kinds.cubic.insert(index_of(sampler["output"]));
@@ -207,6 +238,9 @@ KeyKinds find_keys(Draft& draft) {
       const Json& sampler = animation["samplers"][index_of(channel["sampler"])];
       const bool rotation = channel["target"].value("path", "") == "rotation";
       (rotation ? kinds.rotations : kinds.others).insert(index_of(sampler["output"]));
+      if (const auto node = channel["target"].find("node");
+          node != channel["target"].end() && aiming.contains(index_of(*node)))
+        kinds.aims.insert(index_of(sampler["output"]));
     }
   }
   return kinds;
@@ -222,6 +256,31 @@ void renew_bounds(const Stream& stream, Json& accessor) {
   }
 }
 
+/// Lets weights that became 0 name joint 0, as glTF asks. Joints that primitives share with different weights stay.
+void clear_joints(const std::map<std::uint32_t, std::vector<std::size_t>>& zeroed, Streams& streams, Draft& draft) {
+  std::map<std::uint32_t, std::set<std::uint32_t>> weights_of;  // of each accessor of joints
+  for (const Json& mesh : list_of(draft, "meshes"))
+    for (const Json& primitive : mesh["primitives"]) {
+      const Json& attributes = primitive["attributes"];
+      for (const auto& [semantic, accessor] : attributes.items())
+        if (semantic.starts_with("JOINTS_"))
+          weights_of[index_of(accessor)].insert(
+              index_of(attributes.value("WEIGHTS_" + semantic.substr(7), Json(kNone))));
+    }
+  for (const auto& [joints, weights] : weights_of) {
+    const auto components = zeroed.find(*weights.begin());
+    const auto stream = streams.find(joints);
+    if (weights.size() != 1 || components == zeroed.end() || stream == streams.end()) continue;
+    const std::size_t bytes = draft.json["accessors"][joints]["componentType"] == kUnsignedByte ? 1 : 2;
+    for (const std::size_t component : components->second) {
+      const std::size_t at = component / 4 * stream->second.stride + component % 4 * bytes;
+      if (at + bytes > stream->second.bytes.size()) continue;
+      std::fill_n(stream->second.bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes, std::byte{0});
+    }
+    renew_bounds(stream->second, draft.json["accessors"][joints]);
+  }
+}
+
 }  // namespace
 
 void quantize_streams(const QuantizeBits& bits, bool filters, Streams& streams, Draft& draft) {
@@ -231,14 +290,15 @@ void quantize_streams(const QuantizeBits& bits, bool filters, Streams& streams, 
   for (auto& [index, stream] : streams) {
     Json& accessor = draft.json["accessors"][index];
     if (weights.contains(index) && stream.semantic == "WEIGHTS_0")
-      quantizer.weights(stream, accessor);
+      quantizer.weights(index, stream, accessor);
     else if (stream.use == StreamUse::vertex)
       quantizer.vertex(stream, accessor);
-    else if (stream.use == StreamUse::key_values)
+    else if (stream.use == StreamUse::key_values && bits.keys)
       quantizer.keys(stream, accessor, keys.rotations.contains(index) && !keys.others.contains(index),
-                     !keys.cubic.contains(index));
+                     !keys.cubic.contains(index), keys.aims.contains(index));
     renew_bounds(stream, accessor);
   }
+  clear_joints(quantizer.zeroed(), streams, draft);
 }
 
 }  // namespace sinew::rewrite

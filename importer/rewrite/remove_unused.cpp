@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "importer/rewrite/compact_views.h"
 #include "importer/rewrite/references.h"
 
 namespace sinew::rewrite {
@@ -52,16 +53,18 @@ void renumber(Draft& draft, Referenced kind, const std::vector<std::uint32_t>& t
 void remove_accessors(Draft& draft) {
   Json& accessors = list_of(draft, "accessors");
   const auto to = renumbered(draft.spare_accessors, count_uses(draft, Referenced::accessor, accessors.size()));
+  std::set<std::uint32_t> shorter;
   for (std::size_t i = 0; i < to.size(); ++i) {
     if (to[i] != kNone) continue;
-    if (const auto view = accessors[i].find("bufferView"); view != accessors[i].end())
-      draft.spare_views.insert(index_of(*view));
+    if (const auto view = accessors[i].find("bufferView"); view != accessors[i].end()) shorter.insert(index_of(*view));
     if (const auto sparse = accessors[i].find("sparse"); sparse != accessors[i].end())
       for (const char* part : {"indices", "values"})
         draft.spare_views.insert(index_of(sparse->at(part).at("bufferView")));
   }
   renumber(draft, Referenced::accessor, to);
   keep_entries(accessors, to);
+  draft.spare_views.insert(shorter.begin(), shorter.end());
+  compact_views(shorter, draft);
 }
 
 void remove_views(Draft& draft) {

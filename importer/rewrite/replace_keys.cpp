@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "importer/read/accessor.h"
 #include "importer/read/animations.h"
 #include "importer/rewrite/key_writer.h"
 
@@ -66,19 +67,60 @@ void move_channels(const gltf::Document& document, const Scene& scene, const New
   }
 }
 
+/// The bytes of new keys whose values are all among the old ones, in an accessor of normalised integers.
+/// in   before, after   keys of the channel; `before` are those of the accessor
+std::optional<StoredValues> stored_as_before(const Keys& before, const Keys& after, const Json& accessor,
+                                             Draft& draft) {
+  const int type = accessor["componentType"];
+  if (type == 5126 || !accessor.value("normalized", false) || !accessor.contains("bufferView") ||
+      accessor.contains("sparse") || before.interpolation != after.interpolation)
+    return std::nullopt;
+  const std::size_t per_key = before.values.size() / before.times_s.size();
+  const std::size_t element = component_bytes(static_cast<gltf::ComponentType>(type)) * before.components;
+  const std::size_t elements = per_key / before.components;
+  const auto view = static_cast<std::uint32_t>(accessor["bufferView"].get<double>());
+  const Bytes bytes = draft.bytes_of(view);
+  const std::size_t step = draft.json["bufferViews"][view].value("byteStride", element);
+  const std::size_t first = accessor.value("byteOffset", std::size_t{0});
+  if (first + step * (before.times_s.size() * elements - 1) + element > bytes.size()) return std::nullopt;
+  const auto key_of = [&](const Keys& keys, std::size_t key) {
+    const auto at = keys.values.begin() + static_cast<std::ptrdiff_t>(key * per_key);
+    return std::vector<float>(at, at + static_cast<std::ptrdiff_t>(per_key));
+  };
+  std::map<std::vector<float>, std::size_t> known;
+  for (std::size_t key = 0; key < before.times_s.size(); ++key) known.emplace(key_of(before, key), key);
+  StoredValues out{type, {}};
+  for (std::size_t key = 0; key < after.times_s.size(); ++key) {
+    const auto found = known.find(key_of(after, key));
+    if (found == known.end()) return std::nullopt;
+    for (std::size_t i = 0; i < elements; ++i) {
+      const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(first + step * (found->second * elements + i));
+      out.bytes.insert(out.bytes.end(), at, at + static_cast<std::ptrdiff_t>(element));
+    }
+  }
+  return out;
+}
+
+/// New keys of a channel, and those that it has.
+struct ChangedKeys {
+  Keys after;
+  std::optional<Keys> before;
+};
+
 /// The channels of an animation that get new keys.
-std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, const Scene& scene, std::uint32_t index,
-                                               const NewKeys& new_keys) {
+std::map<std::uint32_t, ChangedKeys> changed_channels(const gltf::Document& document, const Scene& scene,
+                                                      std::uint32_t index, const NewKeys& new_keys) {
   const Animation& after = new_keys.animations[index];
   IssueLog discarded_log;  // the import has reported these issues
   std::set<ChannelTarget> seen;
-  std::map<std::uint32_t, Keys> changed;
+  std::map<std::uint32_t, ChangedKeys> changed;
   for (std::uint32_t c = 0; c < document.animations[index].channels.size(); ++c) {
     const auto target = read_channel_target(document, index, c, discarded_log);
     if (!target || !seen.insert(*target).second) continue;
     if (!target->moves_joint() && target->property != AnimatedProperty::weights) continue;
     auto keys = find_keys(scene, after, new_target(scene, new_keys, *target));
-    if (keys && keys != find_keys(scene, scene.animations[index], *target)) changed.emplace(c, *std::move(keys));
+    auto before = find_keys(scene, scene.animations[index], *target);
+    if (keys && keys != before) changed.emplace(c, ChangedKeys{*std::move(keys), std::move(before)});
   }
   return changed;
 }
@@ -100,24 +142,29 @@ void drop_samplers(Json& animation, const std::set<std::uint32_t>& candidates) {
 }  // namespace
 
 void replace_keys(const gltf::Document& document, const Scene& scene, const NewKeys& new_keys, Draft& draft) {
+  KeyWriter writer(draft);
   for (std::uint32_t a = 0; a < new_keys.animations.size(); ++a) {
     Json& animation = list_of(draft, "animations")[a];
-    KeyWriter writer(draft);
     std::set<std::uint32_t> left;
     for (auto& [channel, keys] : changed_channels(document, scene, a, new_keys)) {
       const std::uint32_t sampler = document.animations[a].channels[channel].sampler;
       Json own = animation["samplers"][sampler];
       for (const char* end : {"input", "output"})
         draft.spare_accessors.insert(static_cast<std::uint32_t>(own[end].get<double>()));
-      writer.write(keys, own);
+      std::optional<StoredValues> stored;
+      if (keys.before)
+        stored =
+            stored_as_before(*keys.before, keys.after,
+                             draft.json["accessors"][static_cast<std::uint32_t>(own["output"].get<double>())], draft);
+      writer.write(keys.after, own, stored ? &*stored : nullptr);
       animation["channels"][channel]["sampler"] = animation["samplers"].size();
       animation["samplers"].push_back(std::move(own));
       left.insert(sampler);
     }
     drop_samplers(animation, left);
     move_channels(document, scene, new_keys, a, animation);
-    writer.finish();
   }
+  writer.finish();
 }
 
 }  // namespace sinew::rewrite

@@ -22,6 +22,15 @@ inline constexpr const char* kLengthHelp =
 /// err   a sentence that says what is wrong and what would be right; negative and infinite lengths are refused
 tl::expected<Length, std::string> parse_length(std::string_view text);
 
+/// Reads an angle such as "1deg", "0.02rad" or a plain number of degrees.
+/// out   radians, 0 to pi
+/// err   a sentence
+tl::expected<double, std::string> parse_angle(std::string_view text);
+
+/// Reads a number that is not negative, or a percentage of 1: "0.001", "0.1%".
+/// err   a sentence
+tl::expected<double, std::string> parse_ratio(std::string_view text);
+
 /// "0.1 mm": three digits, with the unit that makes the number readable.
 std::string length_text(double metres);
 

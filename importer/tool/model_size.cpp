@@ -5,8 +5,32 @@
 #include <limits>
 
 #include "importer/tool/poses/pose_sampler.h"
+#include "runtime/animation/truth_pose.h"
+#include "runtime/math/affine.h"
 
 namespace sinew::tool {
+namespace {
+
+constexpr int kPosesOfClip = 8;
+
+/// The longest side of the box around the joints at rest, else over all clips.
+double size_of_joints(const Scene& scene) {
+  Aabb box;
+  TruthPose pose;
+  const auto size_with = [&](const Animation& animation, double time_s) {
+    evaluate_truth(animation, scene.skeleton, time_s, pose);
+    for (const Affined& model : pose.model) box.add(glm::vec3(translation_of(model)));
+    const glm::vec3 sides = box.empty() ? glm::vec3(0.0f) : box.upper - box.lower;
+    return static_cast<double>(std::max({sides.x, sides.y, sides.z}));
+  };
+  double size = size_with({}, 0.0);
+  if (size > 0.0) return size;
+  for (const Animation& animation : scene.animations)
+    for (int i = 0; i < kPosesOfClip; ++i) size = size_with(animation, animation.duration_s * i / (kPosesOfClip - 1));
+  return size;
+}
+
+}  // namespace
 
 std::optional<RestBox> rest_box(const Scene& scene) {
   PoseSampler sampler(
@@ -31,7 +55,8 @@ std::optional<RestBox> rest_box(const Scene& scene) {
 double model_size_m(const Scene& scene) {
   const auto box = rest_box(scene);
   double size = kSizeWithoutVertices;
-  for (std::size_t axis = 0; box && axis < 3; ++axis) size = std::max(size, box->upper[axis] - box->lower[axis]);
+  if (!box) return std::max(size, size_of_joints(scene));
+  for (std::size_t axis = 0; axis < 3; ++axis) size = std::max(size, box->upper[axis] - box->lower[axis]);
   return size;
 }
 

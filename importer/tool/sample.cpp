@@ -2,10 +2,8 @@
 #include "importer/tool/commands.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,9 +17,7 @@
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
-#include "importer/tool/poses/pose_sampler.h"
-#include "importer/tool/poses/pose_writer.h"
-#include "importer/tool/progress_line.h"
+#include "importer/tool/poses/write_poses.h"
 #include "importer/tool/sample_times.h"
 #include "importer/tool/skinning_choice.h"
 #include "importer/visible_text.h"
@@ -46,12 +42,6 @@ const std::map<std::string, PoseFormat> kFormatNames = {
 
 constexpr double kMostFrames = 1e6;  // of one clip, so that a typing error in --fps does not fill the disk
 
-/// One clip and the times to sample.
-struct Task {
-  std::uint32_t clip = kNone;
-  std::vector<double> times_s;
-};
-
 tl::expected<std::size_t, std::string> vertex_limit(const std::string& text) {
   if (text == "all") return kAllVertices;
   std::size_t limit = 0;
@@ -60,7 +50,7 @@ tl::expected<std::size_t, std::string> vertex_limit(const std::string& text) {
   return tl::unexpected(fmt::format("--vertices {}: neither a number nor 'all'", text));
 }
 
-tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const SampleOptions& options) {
+tl::expected<std::vector<SampledClip>, std::string> tasks_for(const Scene& scene, const SampleOptions& options) {
   const auto clips = choose_clips(scene, options.clip);
   if (!clips) return tl::unexpected(clips.error());
   std::optional<std::vector<double>> named;
@@ -69,9 +59,9 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
     if (!parsed) return tl::unexpected(parsed.error());
     named = *parsed;
   }
-  std::vector<Task> tasks;
+  std::vector<SampledClip> tasks;
   for (const std::uint32_t clip : *clips) {
-    Task task{clip, {0.0}};  // the rest pose is written once, unless the user names it
+    SampledClip task{clip, {0.0}};  // the rest pose is written once, unless the user names it
     const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
     if (named && (clip != kNone || options.clip))
       task.times_s = *named;
@@ -84,50 +74,6 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
     tasks.push_back(std::move(task));
   }
   return tasks;
-}
-
-std::size_t sample_count(const std::vector<Task>& tasks) {
-  std::size_t count = 0;
-  for (const Task& task : tasks) count += task.times_s.size();
-  return count;
-}
-
-/// Samples all tasks.
-/// err  as run_plan
-ErrorCode sample_all(const Scene& scene, const std::vector<Task>& tasks, PoseSampler& sampler, PoseWriter& writer) {
-  ProgressLine progress;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const auto& [clip, times_s] = tasks[i];
-    writer.begin_clip(clip, clip == kNone ? std::string_view{} : std::string_view(scene.animations[clip].name));
-    for (std::size_t k = 0; k < times_s.size(); ++k) {
-      const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
-      progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
-      if (const ErrorCode code = sampler.run(clip, times_s[k]); code != ErrorCode::ok) return code;
-      writer.begin_sample(sampler.pose());
-      for (std::size_t p = 0; p < sampler.primitive_count(); ++p) writer.add(sampler.primitive(p));
-      writer.end_sample();
-    }
-    writer.end_clip();
-  }
-  return ErrorCode::ok;
-}
-
-/// Samples and writes all tasks; prints what went wrong.
-ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const SampleOptions& options,
-                     const PoseContent& content) {
-  PoseSampler sampler(scene, content);
-  const std::string name = options.output.empty() ? "stdout" : options.output;
-  errno = 0;
-  StreamedFile out(options.output);
-  if (!out.opened()) return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", name, std::strerror(errno)));
-  const auto writer = make_pose_writer(options.format, scene, sample_count(tasks), out);
-  writer->begin(options.file, model_size_m(scene));
-  if (const ErrorCode code = sample_all(scene, tasks, sampler, *writer); code != ErrorCode::ok)
-    return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
-  writer->end();
-  if (out.finish()) return ExitCode::done;
-  return fail_with(ExitCode::machine_lacks,
-                   fmt::format("{}: cannot be written to the end: {}", name, std::strerror(errno)));
 }
 
 /// The parts of a pose that are sampled. A format without vertices needs no skinning.
@@ -161,7 +107,7 @@ ExitCode sample_file(SampleOptions options) {
       return fail_with(ExitCode::wrong_usage, *error);
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());
-  return write_poses(file->scene, *tasks, options, content);
+  return write_poses(file->scene, *tasks, content, options.format, options.file, options.output);
 }
 
 ExitCode sample_input(SampleOptions options, const Input& input, bool many) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -12,14 +13,15 @@
 #include "importer/tool/bake/verify_geometry.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/files/cache_folder.h"
-#include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
 #include "importer/tool/poses/compare_poses.h"
 #include "importer/tool/poses/pose_input.h"
 #include "importer/tool/poses/pose_sampler.h"
+#include "importer/tool/poses/write_poses.h"
 #include "importer/tool/progress_line.h"
+#include "importer/tool/verify_tolerance.h"
 
 namespace sinew::tool {
 namespace {
@@ -28,9 +30,9 @@ struct VerifyOptions {
   BatchOptions files;
   std::string file, golden;
   TakeSource against;  // of a geometry cache
-  std::optional<std::string> tolerance;
+  ToleranceOptions tolerance;
   std::string cache;
-  bool exact = false;
+  bool exact = false, update = false;
 };
 
 constexpr std::size_t kWorstShown = 10;
@@ -74,19 +76,67 @@ tl::expected<void, std::string> compare_all(const Scene& scene, const VerifyOpti
   return {};
 }
 
+std::string deviation_text(const Deviation& worst) {
+  const std::string_view unit = worst.unit;
+  std::string text = worst.where + ": ";
+  if (unit == "numbers")
+    return text +
+           "have other numbers, or were merged: their golden places are those of other vertices. Only poses of "
+           "this file, or of one with its order, can be compared";
+  if (std::isinf(worst.amount))
+    text += "missing";
+  else if (unit == "bits")
+    text += "not the same bits";
+  else
+    text +=
+        fmt::format("off by {:.6g}{}{}, allowed {:.3g}", worst.amount, unit.empty() ? "" : " ", unit, worst.tolerance);
+  if (worst.more > 0) text += fmt::format(" ({} more of this kind)", worst.more);
+  return text;
+}
+
 void print_outcome(const PoseComparison& comparison, const VerifyOptions& options, bool many) {
-  print_result("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance\n", options.file,
-               comparison.compared(), options.golden, comparison.largest_m(), comparison.failed());
+  const std::vector<Deviation> worst = comparison.worst();
+  print_result("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance{}\n", options.file,
+               comparison.compared(), options.golden, comparison.largest_m(), comparison.failed(),
+               many && !worst.empty() ? "; worst: " + deviation_text(worst.front()) : "");
   if (many) return;
-  for (const Deviation& worst : comparison.worst()) {
-    if (std::isinf(worst.amount))
-      print_result("  {}: missing\n", worst.where);
-    else if (std::string_view(worst.unit) == "bits")
-      print_result("  {}: not the same bits\n", worst.where);
-    else
-      print_result("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
-                   worst.unit, worst.tolerance);
-  }
+  for (const Deviation& deviation : worst) print_result("  {}\n", deviation_text(deviation));
+}
+
+/// The names that the program shows of clips and nodes.
+PoseNames names_of(const Scene& scene) {
+  const auto quoted = [](const std::string& name) { return name.empty() ? std::string() : in_quotes(name); };
+  PoseNames names;
+  for (const Clip& clip : scene.clips) names.clips.push_back(quoted(clip.name()));
+  for (const std::uint32_t joint : scene.skeleton.joint_of_node)
+    names.nodes.push_back(joint == kNone ? std::string() : quoted(scene.skeleton.names[joint]));
+  return names;
+}
+
+/// Writes the golden poses again as they are now: the same clips and times, as many vertices, the same skinning.
+ExitCode update_golden(const Scene& scene, const VerifyOptions& options, const PoseSummary& golden) {
+  std::vector<SampledClip> clips;
+  for (const std::uint32_t clip : golden.clips)
+    if (clip == kNone || clip < scene.clips.size()) clips.push_back({clip, {}});
+  if (clips.size() != golden.clips.size())
+    return fail_with(ExitCode::input_at_fault,
+                     options.golden + ": has clips that the file lacks, and stays as it is; sample the file again");
+  std::size_t most_vertices = 0;
+  const auto read = read_poses(options.golden, [&](std::size_t entry, const Pose& pose) {
+    if (entry >= clips.size()) return false;
+    clips[entry].times_s.push_back(pose.time_s);
+    for (const PrimitivePose& primitive : pose.primitives)
+      most_vertices = std::max(most_vertices, primitive.vertices.size());
+    return true;
+  });
+  if (!read || *read != golden)
+    return fail_with(ExitCode::cannot_read, options.golden + ": has changed while it was read");
+  PoseContent content = content_of(golden, true);
+  content.vertices_per_primitive = most_vertices;
+  content.bits = !golden.bits.empty();
+  const ExitCode code = write_poses(scene, clips, content, PoseFormat::json, options.file, options.golden);
+  if (code == ExitCode::done) print_result("{}: updated\n", options.golden);
+  return code;
 }
 
 ExitCode verify_cache(const VerifyOptions& options, const std::string& file, bool many) {
@@ -98,8 +148,8 @@ ExitCode verify_cache(const VerifyOptions& options, const std::string& file, boo
 }
 
 ExitCode verify_poses(const VerifyOptions& options, bool many) {
-  const auto distance = parse_length(options.tolerance.value_or("0"));
-  if (!distance) return fail_with(ExitCode::wrong_usage, "--tolerance: " + distance.error());
+  if (const auto parsed = parse_tolerance(options.tolerance, 1.0); !parsed)
+    return fail_with(ExitCode::wrong_usage, parsed.error());
   const auto golden = read_poses(options.golden);
   if (!golden) return fail_with(ExitCode::cannot_read, options.golden, golden.error());
   if (options.exact && !golden->bits.contains("pose")) {
@@ -113,11 +163,12 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::cannot_read;
 
-  PoseTolerance tolerance;
+  // Earlier versions wrote an extent of nearly 0 for files without meshes.
+  const bool has_extent = golden->extent && *golden->extent > kSizeWithoutVertices;
+  PoseTolerance tolerance =
+      *parse_tolerance(options.tolerance, has_extent ? *golden->extent : model_size_m(file->scene));
   tolerance.exact = options.exact;
-  tolerance.model_size_m = golden->extent ? *golden->extent : model_size_m(file->scene);
-  if (options.tolerance) tolerance.distance_m = distance->metres + distance->of_model * tolerance.model_size_m;
-  PoseComparison comparison(tolerance, kWorstShown);
+  PoseComparison comparison(tolerance, kWorstShown, names_of(file->scene));
   if (const auto done = compare_all(file->scene, options, *golden, comparison); !done)
     return fail_with(ExitCode::cannot_read, done.error());
   print_outcome(comparison, options, many);
@@ -126,6 +177,7 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
                      {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
   }
   if (comparison.failed() == 0) return ExitCode::done;
+  if (options.update) return update_golden(file->scene, options, *golden);
   return fail_with(ExitCode::input_at_fault, fmt::format("{}: poses differ from {}", options.file, options.golden));
 }
 
@@ -160,7 +212,8 @@ Command verify_command() {
       "verify",
       "Sample a file again, and tell where it differs from poses that were written earlier\n"
       "The file is sampled at the times of a pose file that `sinew sample` wrote. Exit status 0 when every pose still "
-      "matches; 1 when one has moved, and the worst differences are listed; 4 when a file cannot be read, so that "
+      "matches; 1 when one has moved, and the worst differences are listed, the worst first; 4 when a file cannot be "
+      "read, so that "
       "nothing was compared.\n"
       "\n"
       "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
@@ -181,10 +234,11 @@ Command verify_command() {
   command.flag("--exact", options->exact,
                "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread "
                "count\nand between machines with fused multiply-add (AVX2 and later, ARM)");
-  command.option(
-      "--tolerance", "LENGTH", &options->tolerance,
-      fmt::format("Largest distance that counts as equal, {} (default: 0.01% of the larger of model and value)",
-                  kLengthHelp));
+  add_tolerance_options(command, options->tolerance);
+  command.flag(
+      "--update", options->update,
+      "Where poses are out of tolerance, write GOLDEN again with the poses of FILE: the same clips, times and\n"
+      "number of vertices. The differences are listed all the same; exit status 0");
   add_cache_option(command, options->cache);
   command.run = [options] { return verify_files(*options); };
   return command;

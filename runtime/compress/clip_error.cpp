@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "runtime/animation/track_sample.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
 
@@ -68,13 +69,24 @@ class Meter {
         model_(local_.size()),
         largest_squared_(local_.size(), 0.0),
         weights_(truth.truth().weights.empty() ? 0 : truth.scene().weight_count()),
+        rest_weights_(weights_.empty() ? std::vector<float>{} : rest_weights_of(truth.scene())),
+        exact_weights_(weights_.size()),
         displaced_m_(weights_.empty() ? 0 : truth.scene().instances.size()) {
     error_.of_joint_m.resize(local_.size());
   }
 
   void look_at(std::size_t time, std::span<const Clip* const> forms) {
     const TruthSample& truth = truth_.at(time, scratch_);
-    for (const Clip* clip : forms) compare(*clip, truth_.times_s()[time], truth);
+    for (const Clip* clip : forms) {
+      sample(*clip, truth_.times_s()[time]);
+      compare(truth_.times_s()[time], truth);
+    }
+  }
+
+  void look_at(std::size_t time, const Animation& written) {
+    const TruthSample& truth = truth_.at(time, scratch_);
+    sample(written, truth_.times_s()[time]);
+    compare(truth_.times_s()[time], truth);
   }
 
   ClipError take() noexcept {
@@ -89,10 +101,26 @@ class Meter {
     double error_m = 0.0;
   };
 
-  void compare(const Clip& clip, double time_s, const TruthSample& truth) {
+  void sample(const Clip& clip, double time_s) {
     run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
     for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(memory_.span().get(j));
+    std::copy(weights_.begin(), weights_.end(), exact_weights_.begin());
     model_from_local(skeleton_, local_, model_);
+  }
+
+  void sample(const Animation& written, double time_s) {
+    evaluate_truth(written, skeleton_, time_s, pose_);
+    model_.swap(pose_.model);
+    std::copy(rest_weights_.begin(), rest_weights_.end(), exact_weights_.begin());
+    for (const WeightAnimation& animated : written.weights) {
+      if (animated.weights.empty()) continue;
+      const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
+      sample_track<double>(animated.weights, time_s,
+                           std::span(exact_weights_).subspan(first, animated.weights.target_count));
+    }
+  }
+
+  void compare(double time_s, const TruthSample& truth) {
     const auto [joint, joints_m] = compare_joints(truth);
     const double weights_m = weights_.empty() ? 0.0 : compare_weights(truth);
     error_.weights_m = std::max(error_.weights_m, weights_m);
@@ -125,8 +153,7 @@ class Meter {
       const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
       double& sum = displaced_m_[animated.instance];
       for (std::size_t i = first; i < first + animated.weights.target_count; ++i, ++value)
-        sum += std::abs(static_cast<double>(weights_[i]) - *value) *
-               static_cast<double>(truth_.vertices().metres_per_weight[i]);
+        sum += std::abs(exact_weights_[i] - *value) * static_cast<double>(truth_.vertices().metres_per_weight[i]);
     }
     double worst = 0.0;
     for (std::size_t i = 0; i < displaced_m_.size(); ++i)
@@ -141,7 +168,9 @@ class Meter {
   std::vector<Transformd> local_;
   std::vector<Affined> model_;
   std::vector<double> largest_squared_;  // [J]
-  std::vector<float> weights_;
+  TruthPose pose_;
+  std::vector<float> weights_, rest_weights_;
+  std::vector<double> exact_weights_;
   std::vector<double> displaced_m_;  // [instances] in mesh space
   ClipError error_;
 };
@@ -178,6 +207,12 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
 ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms) {
   Meter meter(truth);
   for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, forms);
+  return meter.take();
+}
+
+ClipError measure_animation(const TruthSamples& truth, const Animation& written) {
+  Meter meter(truth);
+  for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, written);
   return meter.take();
 }
 

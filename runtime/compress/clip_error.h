@@ -37,4 +37,8 @@ inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 /// cost O(times x J x forms), allocates
 SINEW_API ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);
 
+/// Same, for keys in authoring form, which are evaluated in double. Equal keys have no error.
+/// in   written   tracks of the same joints and instances, or fewer
+SINEW_API ClipError measure_animation(const TruthSamples& truth, const Animation& written);
+
 }  // namespace sinew

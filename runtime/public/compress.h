@@ -8,5 +8,6 @@
 ///     log(small.clip.certificate()->measured_m);
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/compile_clip_within.h"
+#include "runtime/compress/fit_keys.h"
 #include "runtime/compress/truth_samples.h"
 #include "runtime/compress/virtual_vertices.h"

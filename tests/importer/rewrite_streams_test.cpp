@@ -88,7 +88,7 @@ TinyGltf grid() {
 
 RewriteOptions how(bool quantize, bool meshopt) {
   RewriteOptions options;
-  options.quantize = quantize;
+  options.quantize = options.merge_vertices = quantize;
   options.meshopt = meshopt;
   return options;
 }
@@ -229,12 +229,12 @@ TEST(rewrite_streams, each_stream_takes_the_small_integers_and_the_filter_that_a
   const std::map<std::string, std::string> plain = {
       {"POSITION", "5126 bounds"},       {"NORMAL", "5120 normalized bounds"}, {"TANGENT", "5120 normalized"},
       {"TEXCOORD_0", "5123 normalized"}, {"COLOR_0", "5121 normalized"},       {"JOINTS_0", "5121"},
-      {"WEIGHTS_0", "5121 normalized"},  {"rotation", "5122 normalized"},      {"translation", "5126"}};
+      {"WEIGHTS_0", "5123 normalized"},  {"rotation", "5122 normalized"},      {"translation", "5126"}};
   const std::map<std::string, std::string> compressed = {
       {"POSITION", "5126 bounds EXPONENTIAL"},   {"NORMAL", "5120 normalized OCTAHEDRAL"},
       {"TANGENT", "5120 normalized OCTAHEDRAL"}, {"TEXCOORD_0", "5123 normalized NONE"},
       {"COLOR_0", "5121 normalized NONE"},       {"JOINTS_0", "5121 NONE"},
-      {"WEIGHTS_0", "5121 normalized NONE"},     {"rotation", "5122 normalized QUATERNION"},
+      {"WEIGHTS_0", "5123 normalized NONE"},     {"rotation", "5122 normalized QUATERNION"},
       {"translation", "5126 EXPONENTIAL"}};
   for (const bool meshopt : {false, true}) {
     const Both out = recoded(bounded_grid(), how(true, meshopt));
@@ -272,6 +272,22 @@ TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles
   for (std::size_t i = 0; i < a.indices.size(); ++i) EXPECT_EQ(a.positions[a.indices[i]], b.positions[b.indices[i]]);
   expect_close(a, b, 0.0f);
   EXPECT_EQ(out.parts.json["extensionsRequired"], Json::array({"KHR_mesh_quantization"}));
+}
+
+TEST(rewrite_streams, quantised_vertices_keep_order_and_number_unless_they_are_to_be_merged) {
+  RewriteOptions options = how(true, false);
+  options.merge_vertices = false;
+  const Both out = recoded(grid_without_sparse(), options);
+  const Primitive &a = first(out.before), &b = first(out.after);
+  ASSERT_EQ(a.vertex_count(), 6 * kSide * kSide);
+  ASSERT_EQ(b.vertex_count(), a.vertex_count());
+  const auto in_file_order = [](const Primitive& p) {
+    std::vector<glm::vec3> positions(p.vertex_count());
+    for (std::size_t v = 0; v < p.vertex_count(); ++v)
+      positions[p.source_vertex.empty() ? v : p.source_vertex[v]] = p.positions[v];
+    return positions;
+  };
+  EXPECT_EQ(in_file_order(a), in_file_order(b));
 }
 
 TEST(rewrite_streams, vertices_that_only_a_target_or_a_weight_tells_apart_stay) {
@@ -407,12 +423,61 @@ std::vector<std::byte> bytes_of(const GlbParts& parts, const char* attribute) {
   return view;
 }
 
-TEST(rewrite_streams, the_heaviest_weight_takes_what_rounding_left) {
+TEST(rewrite_streams, the_weight_that_rounding_moved_farthest_takes_what_is_left) {
   TinyGltf gltf;
   gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {.2f, .5f, .3f, 0, 0, .5f, .5f, 0, .1f, .1f, .1f, .7f});
   const std::vector<std::byte> bytes = bytes_of(recoded(gltf, how(true, false)).parts, "WEIGHTS_0");
-  const int expected[] = {51, 127, 77, 0, 0, 127, 128, 0, 26, 26, 26, 177};
+  const int expected[] = {51, 127, 77, 0, 0, 127, 128, 0, 25, 26, 26, 178};
   for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(static_cast<int>(bytes.at(i)), expected[i]) << i;
+}
+
+TEST(rewrite_streams, a_weight_that_becomes_zero_names_no_joint) {
+  TinyGltf gltf;
+  gltf.add_skinned_triangle({0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 0, 0}, {.999f, .001f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0});
+  const GlbParts parts = recoded(gltf, how(true, false)).parts;
+  const std::vector<std::byte> joints = bytes_of(parts, "JOINTS_0");
+  const int expected[] = {0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 0, 0};  // the file's own zero weights keep what they name
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(static_cast<int>(joints.at(i)), expected[i]) << i;
+}
+
+/// A triangle between two joints that are `apart` from each other in a clip, so that weights matter.
+TinyGltf stretched_triangle(float apart) {
+  TinyGltf gltf;
+  gltf.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.301f, .699f, 0, 0, .5f, .5f, 0, 0, .4f, .6f, 0, 0});
+  const std::size_t joint = gltf.root["skins"][0]["joints"][1];
+  gltf.animate("translation", gltf.times({0, 1}), gltf.vec3({0, 0, 0, apart, 0, 0}));
+  gltf.root["animations"][0]["channels"][0]["target"]["node"] = joint;
+  return gltf;
+}
+
+TEST(rewrite_streams, weights_get_16_bits_where_8_would_move_a_vertex_by_a_thousandth_of_the_model) {
+  for (const float apart : {0.01f, 10.0f}) {
+    const Json json = recoded(stretched_triangle(apart), how(true, false)).parts.json;
+    EXPECT_EQ(stored_as(json, json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"]),
+              apart > 1.0f ? "5123 normalized" : "5121 normalized");
+  }
+}
+
+TEST(rewrite_streams, rotations_above_a_camera_keep_16_bits) {
+  const auto worst_dot = [](bool camera) {
+    TinyGltf gltf = grid();
+    if (camera) {
+      gltf.root["cameras"] = Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}});
+      gltf.root["nodes"][2]["camera"] = 0;
+    }
+    RewriteOptions options = how(true, true);
+    const Both out = recoded(gltf, options);
+    const auto& a = out.before.scene.animations[0].bones[1].rotation.values;
+    const auto& b = out.after.scene.animations[0].bones[1].rotation.values;
+    double worst = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const glm::quat d(b[k].w - a[k].w, b[k].x - a[k].x, b[k].y - a[k].y, b[k].z - a[k].z);
+      worst = std::max(worst, 2.0 * std::sqrt(static_cast<double>(glm::dot(d, d))));
+    }
+    return worst;
+  };
+  EXPECT_GT(worst_dot(false), 1e-4);
+  EXPECT_LT(worst_dot(true), 5e-5);
 }
 
 TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {

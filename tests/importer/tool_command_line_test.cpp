@@ -159,7 +159,8 @@ TEST(command_line, verify_holds_for_what_sample_wrote_and_falls_when_the_file_ch
   std::ofstream(model.path(), std::ios::binary) << text;
   const CommandOutcome outcome = run_tool({"verify", model.path(), model.beside("golden.json")});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("clip 1, 2 s, node 3, primitive 0, vertex 2, positions: off by 3 m"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("clip 1 \"talk\", 2 s, node 3 \"face\", primitive 0, vertex 2, positions: off by 3 m"));
   EXPECT_THAT(outcome.err, HasSubstr("poses differ"));
   EXPECT_EQ(run_tool({"verify", model.path(), model.beside("golden.json"), "--tolerance", "10"}).status, 0);
 }
@@ -190,7 +191,7 @@ TEST(command_line, verify_exact_compares_the_bits_of_everything_and_tells_which_
     EXPECT_EQ(run_tool({"verify", model.path(), golden}).status, 0) << "within the tolerance nothing moved";
     const CommandOutcome outcome = run_tool({"verify", model.path(), golden, "--exact"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.out, HasSubstr(std::string("clip 0, 0 s, ") + kind + ": not the same bits"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::string("clip 0 \"bend\", 0 s, ") + kind + ": not the same bits"));
     bits[kind] = kept;
   }
 }

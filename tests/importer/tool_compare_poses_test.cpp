@@ -123,10 +123,82 @@ TEST(compare_poses, keeps_the_worst_in_order) {
     pose.primitives[0].of(VertexKind::dqs)[2] = 0.02;
   });
   EXPECT_EQ(many.failed(), 4u);
-  ASSERT_EQ(many.worst().size(), 3u);
-  EXPECT_NEAR(many.worst()[0].amount, 0.5, 1e-12);
-  EXPECT_NEAR(many.worst()[1].amount, 0.2, 1e-12);
-  EXPECT_NEAR(many.worst()[2].amount, 0.05, 1e-12);
+  const std::vector<Deviation> worst = many.worst();
+  ASSERT_EQ(worst.size(), 3u);
+  EXPECT_NEAR(worst[0].amount, 0.5, 1e-12);
+  EXPECT_EQ(worst[0].more, 1u) << "another vertex of the primitive";
+  EXPECT_NEAR(worst[1].amount, 0.2, 1e-12);
+  EXPECT_NEAR(worst[2].amount, 0.02, 1e-12);
+}
+
+TEST(compare_poses, names_follow_numbers_where_they_are_known) {
+  Pose golden = simple_pose(), pose = simple_pose();
+  pose.nodes[0].world[12] += 1.0;
+  PoseComparison comparison({.distance_m = 0.01, .model_size_m = 2.0}, 3, {{"", "", "", "", "\"Walk\""}, {"\"hand\""}});
+  comparison.compare(4, golden, pose);
+  EXPECT_EQ(comparison.worst()[0].where, "clip 4 \"Walk\", 1.5 s, node 0 \"hand\", translation");
+}
+
+TEST(compare_poses, what_has_no_tolerance_is_ordered_by_its_amount) {
+  const auto moved = after(
+      [](Pose&, Pose& pose) {
+        pose.primitives[0].of(VertexKind::positions)[0] = 0.001;
+        pose.nodes[0].world[12] += 1.0;
+      },
+      {.distance_m = 0.0, .model_size_m = 2.0});
+  ASSERT_EQ(moved.worst().size(), 2u);
+  EXPECT_NEAR(moved.worst()[0].amount, 1.0, 1e-12);
+}
+
+TEST(compare_poses, directions_and_matrices_have_tolerances_of_their_own) {
+  const auto turn_normal = [](double rad) {
+    return [rad](Pose&, Pose& pose) {
+      pose.primitives[0].of(VertexKind::normals)[1] = std::sin(rad);
+      pose.primitives[0].of(VertexKind::normals)[2] = std::cos(rad);
+    };
+  };
+  const PoseTolerance degree{.distance_m = 0.01, .direction = 2.0 * std::sin(0.5 * M_PI / 180.0), .model_size_m = 2.0};
+  EXPECT_EQ(after(turn_normal(0.9 * M_PI / 180.0), degree).failed(), 0u);
+  const auto turned = after(turn_normal(2.0 * M_PI / 180.0), degree);
+  ASSERT_EQ(turned.failed(), 1u);
+  EXPECT_NEAR(turned.worst()[0].amount, 2.0, 1e-9);
+  EXPECT_STREQ(turned.worst()[0].unit, "deg");
+  const auto turn_node = [](Pose&, Pose& pose) { pose.nodes[0].world[1] = 0.3; };
+  EXPECT_EQ(after(turn_node, {.distance_m = 0.01, .matrix = 0.4, .model_size_m = 2.0}).failed(), 0u);
+  EXPECT_EQ(after(turn_node, {.distance_m = 9.0, .matrix = 0.2, .model_size_m = 2.0}).failed(), 1u);
+}
+
+/// A pose of a fan of ten vertices, and the same with vertices numbered from the other end.
+std::pair<Pose, Pose> renumbered_poses() {
+  std::pair<Pose, Pose> poses;
+  PrimitivePose primitive{.node = 3, .mesh = 0, .primitive = 0, .vertices = {}, .values = {}};
+  PrimitivePose reversed = primitive;
+  for (std::uint32_t v = 0; v < 10; ++v) {
+    primitive.vertices.push_back(v);
+    for (const double x : {static_cast<double>(v), 0.1 * v * v, 0.0}) primitive.of(VertexKind::positions).push_back(x);
+    const double w = 9.0 - v;
+    for (const double x : {w, 0.1 * w * w, 0.0}) reversed.of(VertexKind::positions).push_back(x);
+  }
+  reversed.vertices = primitive.vertices;
+  poses.first.primitives = {primitive};
+  poses.second.primitives = {reversed};
+  return poses;
+}
+
+TEST(compare_poses, vertices_with_other_numbers_are_told_once_and_not_as_distances) {
+  auto [golden, pose] = renumbered_poses();
+  PoseComparison comparison({.distance_m = 1e-3, .model_size_m = 2.0}, 5);
+  comparison.compare(0, golden, pose);
+  comparison.compare(0, golden, pose);
+  ASSERT_EQ(comparison.worst().size(), 1u);
+  EXPECT_STREQ(comparison.worst()[0].unit, "numbers");
+  EXPECT_EQ(comparison.failed(), 1u);
+  EXPECT_EQ(comparison.largest_m(), 0.0);
+  pose.primitives[0].of(VertexKind::positions)[0] += 0.5;  // one golden place is nobody's
+  PoseComparison moved({.distance_m = 1e-3, .model_size_m = 2.0}, 5);
+  moved.compare(0, golden, pose);
+  EXPECT_EQ(moved.failed(), 10u);
+  EXPECT_NEAR(moved.largest_m(), std::hypot(9.0, 8.1), 1.0);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
+#include "tests/support/file_text.h"
 
 namespace sinew::test {
 namespace {
@@ -96,6 +98,96 @@ TEST(pose_commands, verify_says_missing_of_what_the_model_no_longer_has) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("rest pose, 0 s, node 9, translation: missing\n"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("off by inf"))) << "a distance that there is not";
+}
+
+TEST(pose_commands, verify_names_clip_and_node_and_has_tolerances_for_each_kind) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "--clip", "bend", "-o", golden}).status, 0);
+  const std::string moved = changed_poses(model, golden, [](json& clips) {
+    json& sample = clips[0]["samples"][0];
+    sample["nodes"][2]["world"][12] = 0.25;
+    sample["skinned"][0]["normals"][0] = {0.99, 0.141, 0.0};  // 8 degrees
+  });
+  const CommandOutcome outcome = run_tool({"verify", model.path(), moved, "--tolerance", "0.1"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("clip 0 \"bend\", 0 s, node 2 \"tip\", translation: off by 0.25 m"));
+  EXPECT_THAT(outcome.out, HasSubstr(" deg, allowed 0.0573"));
+  const auto status = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"verify", model.path(), moved, "--tolerance", "1"});
+    return run_tool(more).status;
+  };
+  EXPECT_EQ(status({"--tolerance-normals", "5deg"}), 1);
+  EXPECT_EQ(status({"--tolerance-normals", "10deg"}), 0);
+  EXPECT_EQ(status({"--tolerance-normals", "1mm"}), 2);
+  EXPECT_EQ(status({"--tolerance-weights", "some"}), 2);
+  EXPECT_EQ(status({"--tolerance-normals", "10deg", "--tolerance-matrices", "0.1%"}), 0);
+}
+
+TEST(pose_commands, verify_update_writes_the_poses_as_they_are_now) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", golden}).status, 0);
+  const std::string as_sampled = text_of_file(golden);
+  EXPECT_EQ(run_tool({"verify", model.path(), golden, "--update"}).status, 0);
+  EXPECT_EQ(text_of_file(golden), as_sampled) << "nothing moved";
+  const std::string moved =
+      changed_poses(model, golden, [](json& clips) { clips[1]["samples"][0]["nodes"][2]["world"][12] = 0.25; });
+  const CommandOutcome outcome = run_tool({"verify", model.path(), moved, "--update"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("off by 0.25 m"));
+  EXPECT_THAT(outcome.out, HasSubstr(": updated"));
+  EXPECT_EQ(run_tool({"verify", model.path(), moved, "--exact"}).status, 0);
+  EXPECT_EQ(json::parse(text_of_file(moved))["clips"], json::parse(as_sampled)["clips"]);
+}
+
+TEST(pose_commands, verify_says_that_vertices_were_merged_or_renumbered) {
+  const ToolModelFile model;
+  TinyGltf gltf;
+  std::vector<float> corners;
+  for (int x = 0; x < 12; ++x)
+    for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+      const float u = static_cast<float>(x + i), v = static_cast<float>(j);
+      corners.insert(corners.end(), {u, v, 0.1f * u * u});
+    }
+  gltf.add_triangle();
+  const std::size_t positions = gltf.vec3(corners);
+  gltf.root["accessors"][positions]["min"] = {0, 0, 0};
+  gltf.root["accessors"][positions]["max"] = {12, 1, 14.4};
+  gltf.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = positions;
+  gltf.root["nodes"] = Json::array({{{"mesh", 0}, {"name", "strip"}}});
+  const std::string in = model.beside("strip.gltf"), out = model.beside("merged.glb"),
+                    golden = model.beside("strip.json");
+  std::ofstream(in) << gltf.text();
+  ASSERT_EQ(run_tool({"sample", in, "-o", golden}).status, 0);
+  ASSERT_EQ(run_tool({"convert", in, out, "--quantize"}).status, 0);
+  EXPECT_EQ(run_tool({"verify", out, golden}).status, 0) << "order and number stay";
+  ASSERT_EQ(run_tool({"convert", in, out, "--merge-vertices"}).status, 0);
+  const CommandOutcome outcome = run_tool({"verify", out, golden});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("have other numbers, or were merged"));
+  EXPECT_THAT(outcome.out, HasSubstr("largest distance 0 m, 1 out of tolerance"));
+}
+
+TEST(pose_commands, verify_takes_shares_of_the_joints_where_there_are_no_meshes) {
+  const ToolModelFile model;
+  TinyGltf gltf;
+  gltf.root["nodes"] = Json::array({{{"children", {1}}}, {{"translation", {0, 0.8, 0}}}});
+  gltf.animate("translation", gltf.times({0, 1}), gltf.vec3({0, 0, 0, 0.1f, 0, 0}));
+  const std::string in = model.beside("joints.gltf"), golden = model.beside("joints.json");
+  std::ofstream(in) << gltf.text();
+  ASSERT_EQ(run_tool({"sample", in, "-o", golden}).status, 0);
+  json poses = json::parse(text_of_file(golden));
+  EXPECT_NEAR(poses["extent"].get<double>(), 0.8, 1e-6);
+  for (const double extent : {0.8, 1e-9}) {  // an earlier version wrote the latter
+    poses["extent"] = extent;
+    json moved = poses;
+    json& x = moved["clips"][0]["samples"][0]["nodes"][0]["world"][12];
+    x = x.get<double>() + 0.006;
+    std::ofstream(golden) << moved;
+    EXPECT_EQ(run_tool({"verify", in, golden, "--tolerance", "1%"}).status, 0) << extent;
+    EXPECT_EQ(run_tool({"verify", in, golden, "--tolerance", "0.5%"}).status, 1) << extent;
+  }
 }
 
 TEST(pose_commands, verify_prints_how_far_a_value_is_off_and_how_far_it_may_be) {

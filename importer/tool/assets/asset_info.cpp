@@ -31,7 +31,7 @@ Json json_of(const Clip& clip) {
     out["certificate"] = {{"asked_m", c->asked_m},
                           {"measured_m", c->measured_m},
                           {"weights_m", c->weights_m},
-                          {"is_met", c->is_met()},
+                          {"is_met", keeps_promise(*c)},
                           {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)},
                           {"worst_time_s", c->worst_time_s},
                           {"times_checked", c->times_checked},

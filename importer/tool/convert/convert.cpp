@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,9 +12,9 @@
 #include "importer/rewrite_gltf.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
-#include "importer/tool/convert/fit_keys.h"
 #include "importer/tool/convert/mirror_clips.h"
 #include "importer/tool/convert/resample_clips.h"
+#include "importer/tool/convert/written_clips.h"
 #include "importer/tool/files/model_output.h"
 #include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
@@ -26,15 +25,13 @@
 namespace sinew::tool {
 namespace {
 
-constexpr double kNoBudget = std::numeric_limits<double>::infinity();
-
 struct ConvertOptions {
   BatchOptions files;
   std::string in, out;
   std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
   std::optional<std::string> budget;
   std::optional<double> fps;
-  bool mirror = false, quantize = false, meshopt = false;
+  bool mirror = false, quantize = false, merge_vertices = false, meshopt = false;
   std::vector<std::string> drop;
 };
 
@@ -58,29 +55,39 @@ tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) 
   return output;
 }
 
-/// The clips that are written in place of the clips of the file.
-struct NewClips {
-  std::vector<Animation> mirrored;         // the clips with left and right exchanged, where that is asked for
-  std::vector<Animation> fewer_keys;       // these, or the file's own, with other keys
+/// The clips that the written ones are measured against: the file's own, or mirrored.
+struct Truths {
+  std::vector<Animation> mirrored;         // empty without --mirror
   std::vector<std::uint32_t> channels_to;  // RewriteOptions::channels_to
 
-  /// The clips that the written keys are measured against.
-  std::span<const Animation> truths(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
-  std::span<const Animation> written() const { return fewer_keys.empty() ? mirrored : fewer_keys; }
+  std::span<const Animation> of(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
 };
 
-NewClips new_clips(const ConvertOptions& options, const Scene& scene, double budget_m) {
-  NewClips clips;
-  if (options.mirror) {
-    MirroredClips found = mirror_clips(scene);
-    print_error(options.in + ": " + found.summary);
-    clips.mirrored = std::move(found.animations);
-    clips.channels_to = std::move(found.channels_to);
-  }
-  const std::span<const Animation> truths = clips.truths(scene);
-  if (options.budget) clips.fewer_keys = fit_keys(scene, truths, budget_m);
-  if (options.fps) clips.fewer_keys = resample_clips({truths.begin(), truths.end()}, *options.fps);
-  return clips;
+Truths truths_of(const ConvertOptions& options, const Scene& scene) {
+  if (!options.mirror) return {};
+  MirroredClips found = mirror_clips(scene);
+  print_error(options.in + ": " + found.summary);
+  return {std::move(found.animations), std::move(found.channels_to)};
+}
+
+/// Writes clips with other keys, and prints what was measured of them.
+ExitCode convert_clips(const ConvertOptions& options, const ImportedFile& model, std::span<const Animation> truths,
+                       RewriteOptions changes, std::optional<double> budget_m, const ModelOutput& output, bool many) {
+  auto written = budget_m ? write_within(model, truths, std::move(changes), *budget_m)
+                          : write_keys(model, truths, std::move(changes),
+                                       resample_clips({truths.begin(), truths.end()}, *options.fps));
+  if (!written) return print_rewrite_error(options.in, written.error());
+  const auto bytes = output.buffer.empty() ? write_rewritten(written->file, options.in, output)
+                                           : write_model(model, options.in, written->changes, options.drop, output);
+  if (!bytes) return bytes.error();
+  if (!many) print_result_text(certified_clips_table(written->clips, model.scene.skeleton.names));
+  print_result("{}; {}\n", size_line(options.out, *bytes, model.facts.file_bytes), summary_of(*written));
+  const std::size_t not_met = clips_not_met(*written);
+  if (not_met == 0) return ExitCode::done;
+  return fail_with(ExitCode::input_at_fault,
+                   fmt::format("{}: {} of {} cannot be written within {}; {} all keys of the input", options.out,
+                               not_met, counted(written->clips.size(), "clip"), length_text(*budget_m),
+                               not_met == 1 ? "it has" : "they have"));
 }
 
 ExitCode convert_file(const ConvertOptions& options, bool many) {
@@ -97,20 +104,20 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   if (const auto error = find_output_error(*output, model->facts.files))
     return fail_with(ExitCode::wrong_usage, *error);
 
-  const double budget_m = options.budget ? metres_of(*budget, model->scene) : kNoBudget;
-  const NewClips clips = new_clips(options, model->scene, budget_m);
+  const Truths truths = truths_of(options, model->scene);
   RewriteOptions changes;
-  changes.animations = clips.written();
-  changes.channels_to = clips.channels_to;
+  changes.animations = truths.mirrored;
+  changes.channels_to = truths.channels_to;
   changes.quantize = options.quantize;
+  changes.merge_vertices = options.merge_vertices;
   changes.meshopt = options.meshopt;
+  changes.drop.insert(options.drop.begin(), options.drop.end());
+  if ((options.budget || options.fps) && !model->scene.animations.empty()) {
+    const auto budget_m = options.budget ? std::optional(metres_of(*budget, model->scene)) : std::nullopt;
+    return convert_clips(options, *model, truths.of(model->scene), std::move(changes), budget_m, *output, many);
+  }
   const auto bytes = write_model(*model, options.in, std::move(changes), options.drop, *output);
   if (!bytes) return bytes.error();
-  if (options.budget || options.fps) {
-    const auto table = certificates(model->scene, clips.truths(model->scene), output->file, budget_m);
-    if (!table) return print_rewrite_error(options.out, table.error());
-    if (!many) print_result_text(*table);
-  }
   print_result("{}\n", size_line(options.out, *bytes, model->facts.file_bytes));
   return ExitCode::done;
 }
@@ -140,7 +147,11 @@ Command convert_command() {
       "complete or not at all, and never replaces a file that is read.\n"
       "\n"
       "With a budget, keys are left out of clips as long as no vertex of the model ever moves farther than the budget "
-      "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
+      "from where it was, and no camera or light turns by more than 0.05 degrees. --fps resamples clips. Either way "
+      "the "
+      "written file is read again and measured, and each line says how many keys are left. A clip for which no smaller "
+      "form is within the budget keeps all of its keys. Where even these are not, since what is written cannot say the "
+      "same, the exit status is 1.\n"
       "\n"
       "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
   add_batch_options(command, options->files, ".gltf or .glb files, and folders of them; - is the standard input", "IN")
@@ -169,8 +180,15 @@ Command convert_command() {
                "mirrored clips get fewer keys");
   command.flag("--quantize", options->quantize,
                "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
-               "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");
-  command.flag("--meshopt", options->meshopt, "Compress with EXT_meshopt_compression; vertices get another order");
+               "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16). Weights get\n"
+               "16 bits where 8 would move a vertex by more than 0.1 % of the model, rotations above a camera\n"
+               "or a light always. With --budget, keys get as many bits as the budget needs. Vertices keep\n"
+               "their order and number");
+  command.flag("--merge-vertices", options->merge_vertices,
+               "Merge equal vertices and leave out unused ones, which gives vertices other numbers");
+  command.flag("--meshopt", options->meshopt,
+               "Compress with EXT_meshopt_compression; merges equal vertices and gives them another order, so that\n"
+               "poses and geometry caches of the input no longer fit");
   add_drop_option(command, options->drop);
   command.run = [options] { return convert_files(*options); };
   return command;

@@ -49,9 +49,14 @@ tl::expected<std::size_t, ExitCode> write_model(const ImportedFile& model, const
   changes.buffer_uri = output.buffer.filename().string();
   const auto written = rewrite_gltf(model, changes);
   if (!written) return tl::unexpected(print_rewrite_error(in, written.error()));
-  for (const ImportIssue& dropped : written->drops) print_issue(in, dropped);
-  if (const ExitCode code = write_files(output, *written); code != ExitCode::done) return tl::unexpected(code);
-  return written->file.size() + written->buffer.size();
+  return write_rewritten(*written, in, output);
+}
+
+tl::expected<std::size_t, ExitCode> write_rewritten(const RewrittenFile& model, const std::string& in,
+                                                    const ModelOutput& output) {
+  for (const ImportIssue& dropped : model.drops) print_issue(in, dropped);
+  if (const ExitCode code = write_files(output, model); code != ExitCode::done) return tl::unexpected(code);
+  return model.file.size() + model.buffer.size();
 }
 
 ExitCode print_rewrite_error(const std::string& in, const ImportError& error) {

@@ -40,6 +40,12 @@ tl::expected<std::size_t, ExitCode> write_model(const ImportedFile& model, const
                                                 RewriteOptions changes, const std::vector<std::string>& drop,
                                                 const ModelOutput& output);
 
+/// Writes the files of a model that was rewritten for this output, or none of them, and prints what was dropped.
+/// out   bytes written
+/// err   the exit code
+tl::expected<std::size_t, ExitCode> write_rewritten(const RewrittenFile& model, const std::string& in,
+                                                    const ModelOutput& output);
+
 /// Prints the errors of a rewrite or of reading its result, and how to go on.
 ExitCode print_rewrite_error(const std::string& in, const ImportError& error);
 

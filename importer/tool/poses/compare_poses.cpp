@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <span>
 #include <string_view>
 
@@ -36,27 +38,58 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   return largest;
 }
 
-std::string clip_name(std::uint32_t clip) { return clip == kNone ? "rest pose" : fmt::format("clip {}", clip); }
+std::string with_name(std::string text, std::uint32_t index, const std::vector<std::string>& names) {
+  if (index < names.size() && !names[index].empty()) text += " " + names[index];
+  return text;
+}
+
+double in_degrees(double chord) {
+  return chord > 2.0 ? (std::isinf(chord) ? chord : 180.0) : 2.0 * std::asin(chord / 2.0) * 180.0 / std::numbers::pi;
+}
+
+/// Number of golden vertices that are looked for among all vertices of the file.
+constexpr std::size_t kLookedFor = 256;
 
 }  // namespace
 
+bool Deviation::is_worse_than(const Deviation& other) const noexcept {
+  const double own = amount / tolerance, others = other.amount / other.tolerance;
+  if (std::isinf(amount) != std::isinf(other.amount)) return std::isinf(amount);
+  return own > others || (!(own < others) && amount > other.amount);
+}
+
 template <class Where>
-void PoseComparison::add(double amount, double tolerance, const char* unit, const Where& where) {
+void PoseComparison::add(const Kind& kind, double amount, double tolerance, const char* unit, const Where& where) {
   ++compared_;
   if (std::string_view(unit) == "m") largest_m_ = std::fmax(largest_m_, amount);
   if (amount <= tolerance) return;
   ++failed_;
-  const auto worse = [](const Deviation& a, const Deviation& b) { return a.severity() > b.severity(); };
   Deviation deviation{{}, amount, tolerance, unit};
-  const auto at = std::upper_bound(worst_.begin(), worst_.end(), deviation, worse);
-  if (static_cast<std::size_t>(at - worst_.begin()) >= keep_worst_) return;
+  const auto [known, is_first] = worst_.try_emplace(kind, deviation);
+  if (!is_first) deviation.more = known->second.more + 1;
+  if (!is_first && deviation.amount <= known->second.amount) {
+    known->second.more = deviation.more;
+    return;
+  }
   deviation.where = where();
-  worst_.insert(at, std::move(deviation));
-  if (worst_.size() > keep_worst_) worst_.pop_back();
+  known->second = std::move(deviation);
+}
+
+std::vector<Deviation> PoseComparison::worst() const {
+  std::vector<Deviation> out;
+  for (const auto& [kind, deviation] : worst_) out.push_back(deviation);
+  std::stable_sort(out.begin(), out.end(), [](const Deviation& a, const Deviation& b) { return a.is_worse_than(b); });
+  if (out.size() > keep_worst_) out.resize(keep_worst_);
+  return out;
+}
+
+std::string PoseComparison::node_text(std::uint32_t node) const {
+  return with_name(fmt::format("node {}", node), node, names_.nodes);
 }
 
 void PoseComparison::missing(std::string where) {
-  add(kMissing, tolerance_.relative, "", [&] { return std::move(where); });
+  add({"missing", static_cast<std::uint32_t>(worst_.size())}, kMissing, tolerance_.relative, "",
+      [&] { return std::move(where); });
 }
 
 double PoseComparison::allowed_m(double size_m) const noexcept {
@@ -68,25 +101,32 @@ void PoseComparison::compare_bits(const Pose& golden, const Pose& pose, const st
   for (const auto& [name, hash] : golden.bits) {
     const auto found = pose.bits.find(name);
     const double amount = found == pose.bits.end() ? kMissing : found->second == hash ? 0.0 : 1.0;
-    add(amount, 0.0, "bits", [&, n = name] { return fmt::format("{}, {}", where, n); });
+    add({"bits", kNone, static_cast<std::uint32_t>(std::distance(golden.bits.begin(), golden.bits.find(name)))}, amount,
+        0.0, "bits", [&, n = name] { return fmt::format("{}, {}", where, n); });
   }
 }
 
 void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose, const std::string& where) {
   const std::span<const double> g(golden.world), p(pose ? pose->world : golden.world);
   const std::span<const double> linear = g.first(12), translation = g.subspan(12, 3);
-  add(pose ? length_of_difference(translation, p.subspan(12, 3)) : kMissing, allowed_m(largest_entry(translation)), "m",
-      [&] { return fmt::format("{}, node {}, translation", where, golden.node); });
+  add({"translation", golden.node}, pose ? length_of_difference(translation, p.subspan(12, 3)) : kMissing,
+      allowed_m(largest_entry(translation)), "m",
+      [&] { return fmt::format("{}, {}, translation", where, node_text(golden.node)); });
   constexpr double kNoSize = 1e-6;  // a scene without vertices: a point at 1 m stands for the model
   const double lever_m = tolerance_.model_size_m > kNoSize ? tolerance_.model_size_m : 1.0;
   const double largest = largest_entry(linear);
   const double turned = largest_difference(linear, p.first(12)) / (largest > 0.0 ? largest : 1.0);
-  add(pose ? turned * lever_m : kMissing, allowed_m(lever_m), "m",
-      [&] { return fmt::format("{}, node {}, rotation and scale", where, golden.node); });
+  const auto place = [&] { return fmt::format("{}, {}, rotation and scale", where, node_text(golden.node)); };
+  if (tolerance_.matrix)
+    add({"matrix", golden.node}, pose ? turned : kMissing, *tolerance_.matrix + slack_, "", place);
+  else
+    add({"matrix", golden.node}, pose ? turned * lever_m : kMissing, allowed_m(lever_m), "m", place);
 }
 
 void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose& pose) {
-  const std::string sample = fmt::format("{}, {:.9g} s", clip_name(clip), golden.time_s);
+  const std::string clip_text =
+      clip == kNone ? "rest pose" : with_name(fmt::format("clip {}", clip), clip, names_.clips);
+  const std::string sample = fmt::format("{}, {:.9g} s", clip_text, golden.time_s);
   slack_ = 1.5 * golden.non_unit;
   if (tolerance_.exact) compare_bits(golden, pose, sample);
   std::map<std::uint32_t, const NodeWorld*> nodes;
@@ -101,8 +141,8 @@ void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose&
     const auto found = weights.find(node.node);
     const bool usable = found != weights.end() && found->second->weights.size() == node.weights.size();
     const double scale = std::fmax(1.0, largest_entry(node.weights));
-    add(usable ? largest_difference(node.weights, found->second->weights) / scale : kMissing,
-        tolerance_.weight + slack_, "", [&] { return fmt::format("{}, node {}, weights", sample, node.node); });
+    add({"weights", node.node}, usable ? largest_difference(node.weights, found->second->weights) / scale : kMissing,
+        tolerance_.weight + slack_, "", [&] { return fmt::format("{}, {}, weights", sample, node_text(node.node)); });
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, const PrimitivePose*> primitives;
   for (const PrimitivePose& p : pose.primitives) primitives[{p.node, p.primitive}] = &p;
@@ -114,6 +154,7 @@ void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose&
 
 void PoseComparison::compare_primitive(const PrimitivePose& golden, const PrimitivePose* pose,
                                        const std::string& where) {
+  if (pose && report_renumbered(golden, *pose, where)) return;
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind) {
     const auto& [key, width, direction] = kVertexKinds[kind];
     const std::vector<double>& values = golden.values[kind];
@@ -129,12 +170,52 @@ void PoseComparison::compare_primitive(const PrimitivePose& golden, const Primit
         }
       }
       const double allowed = direction ? tolerance_.direction + slack_ : allowed_m(largest_entry(expected));
-      add(amount, allowed, direction ? "" : "m", [&, k = key] {
-        return fmt::format("{}, node {}, primitive {}, vertex {}, {}", where, golden.node, golden.primitive,
-                           golden.vertices[i], k);
-      });
+      add({key, golden.node, golden.primitive}, direction ? in_degrees(amount) : amount,
+          direction ? in_degrees(allowed) : allowed, direction ? "deg" : "m", [&, k = key] {
+            return fmt::format("{}, {}, primitive {}, vertex {}, {}", where, node_text(golden.node), golden.primitive,
+                               golden.vertices[i], k);
+          });
     }
   }
+}
+
+/// Reports once that the vertices of a primitive have other numbers than in the golden pose. Some are then not at their
+/// place, but every golden position is the place of some vertex.
+bool PoseComparison::report_renumbered(const PrimitivePose& golden, const PrimitivePose& pose,
+                                       const std::string& where) {
+  if (renumbered_.contains({golden.node, golden.primitive})) return true;
+  const std::vector<double>&expected = golden.of(VertexKind::positions), &found = pose.of(VertexKind::positions);
+  if (expected.empty() || found.empty()) return false;
+  const auto far = [&](std::size_t i, std::size_t row) {
+    const std::span<const double> place = std::span(expected).subspan(3 * i, 3);
+    return !(length_of_difference(place, std::span(found).subspan(3 * row, 3)) <= allowed_m(largest_entry(place)));
+  };
+  const auto is_moved = [&](std::size_t i) {
+    const auto at = std::lower_bound(pose.vertices.begin(), pose.vertices.end(), golden.vertices[i]);
+    return at == pose.vertices.end() || *at != golden.vertices[i] ||
+           far(i, static_cast<std::size_t>(at - pose.vertices.begin()));
+  };
+  const auto is_somewhere = [&](std::size_t i) {
+    for (std::size_t row = 0; row < pose.vertices.size(); ++row)
+      if (!far(i, row)) return true;
+    return false;
+  };
+  const std::size_t count = golden.vertices.size(), step = count / kLookedFor + 1;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::isnan(expected[3 * i]))
+      return false;
+    else
+      moved += is_moved(i);
+  if (moved < 2 || count < 3) return false;
+  for (std::size_t i = 0; i < count; i += step)
+    if (!is_somewhere(i)) return false;
+  renumbered_.emplace(golden.node, golden.primitive);
+  add({"numbers", golden.node, golden.primitive}, kMissing, 0.0, "numbers", [&] {
+    return fmt::format("{}, {}, primitive {}, {} of {} vertices", where, node_text(golden.node), golden.primitive,
+                       moved, count);
+  });
+  return true;
 }
 
 }  // namespace sinew::tool

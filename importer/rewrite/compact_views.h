@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <set>
+
+#include "importer/rewrite/draft.h"
+
+namespace sinew::rewrite {
+
+/// Drops the bytes of views that none of their accessors names any more. Unchanged are views with a byteStride or an
+/// extension, views that something else than an accessor uses, and views that share bytes with another view.
+/// in    views  that lost an accessor
+/// cost  O(accessors + bytes of the views)
+void compact_views(const std::set<std::uint32_t>& views, Draft& draft);
+
+}  // namespace sinew::rewrite

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "importer/tool/command.h"
+#include "importer/tool/poses/compare_poses.h"
+
+namespace sinew::tool {
+
+/// The tolerances of `sinew verify` as they are given.
+struct ToleranceOptions {
+  std::optional<std::string> distance, normals, weights, matrices;
+};
+
+/// Adds --tolerance and its relatives.
+void add_tolerance_options(Command& command, ToleranceOptions& options);
+
+/// err   a sentence that names the option
+tl::expected<PoseTolerance, std::string> parse_tolerance(const ToleranceOptions& options, double model_size_m);
+
+}  // namespace sinew::tool

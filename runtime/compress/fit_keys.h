@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/base/api.h"
+#include "runtime/clip/clip.h"
+#include "runtime/compress/virtual_vertices.h"
+
+namespace sinew {
+
+/// The keys of an animation that a file needs within an error budget. No virtual vertex, in model space, is farther
+/// than `budget_m` from its place in `truth`, at keys and between them. Every kept key is a key of the file, with its
+/// time, value and tangents. A track that hardly moves keeps one key. Keys that a format rounds are judged as they are
+/// rounded: compile_clip_within() makes clips of the runtime, which rounds in its own way.
+///
+/// The search goes from the roots of the skeleton to its tips. It holds the error that has come together so far, of a
+/// joint and all below it, within a share of the budget. A tip may use everything that is left. A second look gives
+/// joints that need many keys larger shares. The form with the fewest bytes (FileBytes) wins. Morph weights have a
+/// share of the budget by how far they displace vertices. Properties keep every key, as do squad tracks.
+/// in   truth     of the scene
+///      stored    the same tracks and times, with the values that a reader of the file will see
+///      budget_m  in the file's units, >= 0; 0 keeps everything
+/// out  some keys of `truth`; all of them where no smaller form is within the budget
+/// cost O(keys x longest step); allocates some hundred bytes for each joint and key, at most about 100 MB
+SINEW_API Animation fit_keys(const Scene& scene, const Animation& truth, const Animation& stored,
+                             const VirtualVertices& vertices, double budget_m);
+
+/// Bytes of the keys of an animation in a glTF file. Equal key times are stored once.
+struct FileBytes {
+  static constexpr std::uint64_t kTimes = 130;  ///< the description of a list of key times
+  static constexpr std::uint64_t kValues = 90;  ///< that of a list of values
+};
+SINEW_API std::uint64_t bytes_in_file(const Animation& animation);
+
+/// Measures the keys of a file as a reader plays them: in double, by the equations of glTF (clip_error.h has the
+/// times).
+/// out  a certificate. Its bytes are those of bytes_in_file(). Keys that equal those of `truth` have an error of 0.
+/// cost O(times x J), allocates
+SINEW_API ClipCertificate measure_keys(const Scene& scene, const Animation& written, const Animation& truth,
+                                       const VirtualVertices& vertices, double asked_m);
+
+}  // namespace sinew

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "runtime/animation/track_sample.h"
+#include "runtime/compress/key_lists.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+
+/// The largest number in [known, most] for which `holds` is true, if it is true up to there and false above. `known`
+/// holds. Doubles the step, then halves it.
+template <class Holds>
+std::size_t last_that_holds(std::size_t known, std::size_t most, const Holds& holds) {
+  std::size_t step = 1, good = known, bad = most + 1;
+  while (good + step < bad) {
+    if (holds(good + step)) {
+      good += step;
+      step *= 2;
+    } else {
+      bad = good + step;
+    }
+    if (good + step >= bad) step = std::min(step, (bad - good) / 2);
+    if (step == 0) break;
+  }
+  return good;
+}
+
+inline Vec3<double> value_of(const Vec3Track& track, std::size_t key) {
+  return Vec3<double>(track.values[value_row(track.interpolation, key)]);
+}
+inline Quat<double> value_of(const QuatTrack& track, std::size_t key) {
+  return quat_cast<double>(track.values[value_row(track.interpolation, key)]);
+}
+inline double between(double a, double b, double at) noexcept { return (at - a) / (b - a); }
+
+/// Chooses the keys of one track in one part of an animation. At all times of the part `error_squared(t, value)` stays
+/// within the square of a limit.
+template <class V, class ErrorSquared>
+class TrackFit {
+ public:
+  using Value = decltype(value_of(Track<V>{}, 0));
+
+  /// in   at_s    times of the part, rising
+  ///      first, last   the part is the first, or the last, of the animation
+  TrackFit(const Track<V>& track, std::span<const double> at_s, bool first, bool last, double limit,
+           const ErrorSquared& error_squared)
+      : track_(track),
+        at_s_(at_s),
+        first_(first),
+        last_(last),
+        limit_squared_(limit * limit),
+        error_squared_(error_squared) {}
+
+  /// Adds to `kept.keys` those that the part needs.
+  void run(KeptKeys& kept) const {
+    if (first_ && last_)
+      if (const std::uint32_t key = middle_key(); holds_value(0, at_s_.size(), key)) {
+        kept.keys = {key};
+        kept.rests = true;
+        return;
+      }
+    if (kept.keys.empty()) kept.keys.push_back(first_key());
+    walk(kept.keys, stop());
+    if (last_) drop_last(kept.keys);
+  }
+
+  /// The value that the kept keys give at a time of the part. `segment` is the last key at or before it, a hint that
+  /// goes up.
+  Value value_at(const KeptKeys& kept, std::size_t t, std::size_t& segment) const {
+    const std::vector<std::uint32_t>& keys = kept.keys;
+    while (segment + 1 < keys.size() && time_of(keys[segment + 1]) <= at_s_[t]) ++segment;
+    const double begin_s = time_of(keys[segment]);
+    if (kept.rests || segment + 1 == keys.size() || at_s_[t] <= begin_s) return value_of(track_, keys[segment]);
+    const double end_s = time_of(keys[segment + 1]), fraction = between(begin_s, end_s, at_s_[t]);
+    return between_keys<double>(track_, keys[segment], keys[segment + 1], fraction, end_s - begin_s);
+  }
+
+ private:
+  static constexpr std::size_t kLongest = 4096;  // keys that a step may leave out
+
+  double time_of(std::size_t key) const { return static_cast<double>(track_.times_s[key]); }
+  std::size_t first_at_or_after(double time_s) const {
+    return static_cast<std::size_t>(std::lower_bound(at_s_.begin(), at_s_.end(), time_s) - at_s_.begin());
+  }
+  std::size_t first_after(double time_s) const {
+    return static_cast<std::size_t>(std::upper_bound(at_s_.begin(), at_s_.end(), time_s) - at_s_.begin());
+  }
+  bool is_jump(std::size_t key) const {
+    return key + 1 < track_.key_count() && !(track_.times_s[key + 1] > track_.times_s[key]);
+  }
+
+  template <class ValueAt>
+  bool all_near(std::size_t from, std::size_t to, const ValueAt& value) const {
+    if (from >= to) return true;
+    const std::size_t middle = from + (to - from) / 2;
+    if (!(error_squared_(middle, value(middle)) <= limit_squared_)) return false;
+    for (std::size_t t = from; t < to; ++t)
+      if (t != middle && !(error_squared_(t, value(t)) <= limit_squared_)) return false;
+    return true;
+  }
+  bool holds_value(std::size_t from, std::size_t to, std::size_t key) const {
+    const Value value = value_of(track_, key);
+    return all_near(from, to, [&](std::size_t) { return value; });
+  }
+  bool can_skip(std::size_t a, std::size_t b) const {
+    const double begin_s = time_of(a), end_s = time_of(b);
+    return all_near(first_after(begin_s), first_at_or_after(end_s), [&](std::size_t t) {
+      return between_keys<double>(track_, a, b, between(begin_s, end_s, at_s_[t]), end_s - begin_s);
+    });
+  }
+
+  static double distance_of(const Vec3<double>& a, const Vec3<double>& b) { return safe_length(a - b); }
+  static double distance_of(const Quat<double>& a, const Quat<double>& b) {
+    const Quat<double> d = a - aligned_with(a, b);
+    return std::sqrt(quat_dot(d, d));
+  }
+
+  /// The key whose value is nearest to two keys that are far apart.
+  std::uint32_t middle_key() const {
+    const auto farthest_from = [&](std::size_t key) {
+      std::size_t far = key;
+      double most = 0.0;
+      for (std::size_t other = 0; other < track_.key_count(); ++other) {
+        const double apart = distance_of(value_of(track_, key), value_of(track_, other));
+        if (apart > most) far = other;
+        most = std::max(most, apart);
+      }
+      return far;
+    };
+    const std::size_t one = farthest_from(0), other = farthest_from(one);
+    std::uint32_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t key = 0; key < track_.key_count(); ++key) {
+      const double most = std::max(distance_of(value_of(track_, key), value_of(track_, one)),
+                                   distance_of(value_of(track_, key), value_of(track_, other)));
+      if (most < least) best = key;
+      least = std::min(least, most);
+    }
+    return best;
+  }
+
+  /// The last key whose value may stand for all keys before it.
+  std::uint32_t first_key() const {
+    return static_cast<std::uint32_t>(last_that_holds(0, track_.key_count() - 1, [&](std::size_t key) {
+      return time_of(key) < at_s_.back() && holds_value(0, first_at_or_after(time_of(key)), key);
+    }));
+  }
+
+  /// The last key of the track, or the first one that is not before the end of the part.
+  std::size_t stop() const {
+    const std::size_t end = track_.key_count() - 1;
+    if (last_) return end;
+    const auto at = std::lower_bound(track_.times_s.begin(), track_.times_s.end(), static_cast<float>(at_s_.back()));
+    return std::min(end, static_cast<std::size_t>(at - track_.times_s.begin()));
+  }
+
+  /// From each key takes the longest step that stays within the limit. Both sides of a jump stay.
+  void walk(std::vector<std::uint32_t>& keys, std::size_t stop) const {
+    while (keys.back() < stop) {
+      const std::size_t a = keys.back();
+      std::size_t most = is_jump(a) ? a + 1 : std::min(stop, a + kLongest);
+      for (std::size_t key = a + 1; key < most; ++key)
+        if (is_jump(key)) most = key;
+      const auto skips = [&](std::size_t b) { return can_skip(a, b); };
+      keys.push_back(static_cast<std::uint32_t>(last_that_holds(a + 1, most, skips)));
+    }
+  }
+
+  /// Drops keys at the end whose value the one before may stand for.
+  void drop_last(std::vector<std::uint32_t>& keys) const {
+    while (keys.size() > 1) {
+      const std::uint32_t before = keys[keys.size() - 2];
+      if (time_of(before) < at_s_.front() || !holds_value(first_at_or_after(time_of(before)), at_s_.size(), before))
+        return;
+      keys.pop_back();
+    }
+  }
+
+  const Track<V>& track_;
+  std::span<const double> at_s_;
+  bool first_, last_;
+  double limit_squared_;
+  const ErrorSquared& error_squared_;
+};
+
+}  // namespace sinew
