@@ -24,6 +24,13 @@ struct TileStreams {
   VertexOutput out;
   bool past_caches;  ///< stores may bypass the caches where they are aligned
 
+  bool is_aligned(std::size_t vertex) const {
+    const auto address = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at); };
+    return (address(out.positions.data() + vertex) | (out.normals.empty() ? 0 : address(out.normals.data() + vertex)) |
+            (out.tangents.empty() ? 0 : address(out.tangents.data() + vertex))) %
+               sizeof(Wide) ==
+           0;
+  }
   const std::uint16_t* joints_of(const TileRun& run) const { return tiles.joints.data() + run.first_joint; }
 };
 
@@ -96,8 +103,8 @@ struct SkinRun {
     const SpreadMatrices<kCount> matrices(s.palette, s.joints_of(run), run.joint_count);
     const std::size_t planes = kCount > 0 ? 2 + static_cast<std::size_t>(kCount) : run.planes_per_tile();
     const std::size_t lane_count = run.lane_count, row_lanes = lanes_in_a_row(run);
-    const std::size_t direct_lanes = s.past_caches ? 0 : row_lanes;
     const std::uint32_t* vertices = &s.tiles.vertices[std::size_t{run.first_tile} * VertexTiles::kLanes];
+    const std::size_t direct_lanes = s.past_caches && s.is_aligned(*vertices) ? 0 : row_lanes;
     const std::uint32_t* fours = &s.tiles.fours[std::size_t{run.first_tile} * VertexTiles::kLanes / 4];
     const VertexOutput out = s.out;  // copies, which no store can change
     const TilePlane* positions = s.tiles.positions.data() + run.first_plane;

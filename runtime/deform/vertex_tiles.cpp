@@ -236,10 +236,14 @@ class TileWriter {
 
 }  // namespace
 
-double VertexTiles::lanes_per_vertex() const noexcept {
-  std::size_t lanes = 0;
-  for (const TileRun& run : runs) lanes += (run.lane_count + kVector - 1) / kVector * kVector;
-  return vertex_count == 0 ? 1.0 : static_cast<double>(lanes) / vertex_count;
+double VertexTiles::relative_cost() const noexcept {
+  constexpr double kOfScattered = 1.8, kOfStart = 1.0;
+  double vectors = 0;
+  for (const TileRun& run : runs) {
+    const std::uint32_t in_a_row = run.in_eights / kVector, all = (run.lane_count + kVector - 1) / kVector;
+    vectors += kOfStart + in_a_row + kOfScattered * (all - in_a_row);
+  }
+  return vertex_count == 0 ? 1.0 : vectors * kVector / vertex_count;
 }
 
 VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices) {

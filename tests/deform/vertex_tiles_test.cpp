@@ -131,7 +131,7 @@ TEST(vertex_tiles, no_vertices_are_no_tiles) {
   const VertexTiles tiles = tiles_of({});
   EXPECT_TRUE(tiles.empty());
   EXPECT_EQ(tiles.tile_count(), 0u);
-  EXPECT_EQ(tiles.lanes_per_vertex(), 1.0);
+  EXPECT_EQ(tiles.relative_cost(), 1.0);
 }
 
 TEST(vertex_tiles, the_order_of_joints_makes_no_difference) {
@@ -142,7 +142,7 @@ TEST(vertex_tiles, the_order_of_joints_makes_no_difference) {
   ASSERT_EQ(tiles.runs.size(), 1u);
   EXPECT_EQ(tiles.runs[0].in_sixteens, 16u);
   EXPECT_EQ(tiles.joint_count, 6u);
-  EXPECT_EQ(tiles.lanes_per_vertex(), 1.0);
+  EXPECT_NEAR(tiles.relative_cost(), 1.5, 1e-12) << "two vectors and the start of a run";
 }
 
 TEST(vertex_tiles, vertices_left_over_take_free_lanes_of_a_larger_set) {
@@ -157,8 +157,47 @@ TEST(vertex_tiles, vertices_left_over_take_free_lanes_of_a_larger_set) {
 TEST(vertex_tiles, vertices_left_over_stay_where_no_larger_set_has_room_for_all) {
   std::vector<std::vector<std::uint16_t>> joints(4, {1});
   joints.resize(9, {1, 4});
-  EXPECT_EQ(tiles_of(joints).runs.size(), 2u);
-  EXPECT_NEAR(tiles_of(joints).lanes_per_vertex(), 16.0 / 9, 1e-12);
+  const VertexTiles tiles = tiles_of(joints);
+  ASSERT_EQ(tiles.runs.size(), 2u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 4u);
+  EXPECT_NEAR(tiles.relative_cost(), (2 + 2 * 1.8) * 8 / 9, 1e-12) << "two starts, two vectors of which no one is full";
+}
+
+TEST(vertex_tiles, vertices_left_over_are_not_in_a_row_any_more) {
+  std::vector<std::vector<std::uint16_t>> joints(13, {1});
+  joints.resize(16, {1, 4});
+  const VertexTiles tiles = tiles_of(joints);
+  ASSERT_EQ(tiles.runs.size(), 2u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 8u);
+  EXPECT_EQ(tiles.runs[0].in_fours, 8u);
+}
+
+/// Joint 1 is the base of the first two sets, joint 4 that of the largest.
+TEST(vertex_tiles, vertices_left_over_move_once) {
+  std::vector<std::vector<std::uint16_t>> joints(2, {1});
+  joints.resize(5, {1, 4});
+  joints.resize(8, {1, 4, 5});
+  VertexInfluences influences = even_shares(joints);
+  for (std::size_t i = 8; i < influences.weights.size(); i += 3) {
+    influences.weights[i] = influences.weights[i + 2] = 0.25f;
+    influences.weights[i + 1] = 0.5f;  // of joint 4
+  }
+  const std::vector<glm::vec3> positions(joints.size());
+  const VertexTiles tiles = tile_vertices(influences, {.positions = positions, .normals = {}, .tangents = {}});
+  ASSERT_EQ(tiles.runs.size(), 2u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 2u);
+  EXPECT_EQ(tiles.runs[1].lane_count, 6u);
+}
+
+TEST(vertex_tiles, long_stretches_end_where_their_set_ends) {
+  std::vector<std::vector<std::uint16_t>> joints(5, {3});
+  joints.resize(70, {1});
+  joints.resize(80, {2});
+  const VertexTiles tiles = tiles_of(joints);
+  ASSERT_EQ(tiles.runs.size(), 3u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 65u);
+  EXPECT_EQ(tiles.runs[0].in_sixteens, 48u) << "from vertex 16 to 64";
+  EXPECT_EQ(tiles.vertices[0], 16u);
 }
 
 /// The matrix of the last joint of a run is the base of all of its blends, whose rounding grows with it.
