@@ -13,8 +13,6 @@
 namespace sinew::rewrite {
 namespace {
 
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
-
 /// Bytes of a view that accessors name, and their place in the new view.
 struct Range {
   std::size_t begin = 0, end = 0, to = 0;

@@ -16,7 +16,6 @@ namespace sinew::rewrite {
 namespace {
 
 constexpr int kBitsOfAims = 16;  // 12 bits turn a camera by 0.03 degrees for each joint above it
-constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kFloat = 5126;
 
 std::vector<float> floats_of(const Stream& stream, std::size_t components) {
   std::vector<float> out(stream.count * components);
@@ -189,8 +188,6 @@ class Quantizer {
   Draft& draft_;
   std::map<std::uint32_t, std::vector<std::size_t>> zeroed_;
 };
-
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
 /// The WEIGHTS_0 accessors of primitives with a single set. The sum over several sets could not be preserved.
 std::set<std::uint32_t> single_weights(Draft& draft) {

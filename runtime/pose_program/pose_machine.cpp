@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-void copy_pose(const PoseSpan& from, const PoseSpan& to) noexcept {
+void copy_planes(const PoseSpan& from, const PoseSpan& to) noexcept {
   std::copy_n(from.planes, PoseSpan::floats_for(from.joint_count), to.planes);
 }
 
@@ -64,7 +64,7 @@ std::span<const float> PoseMachine::mask(std::uint8_t index) const noexcept {
 
 void PoseMachine::push_rest() noexcept {
   const PoseSlot to = slot(depth_++);
-  copy_pose(rest_, to.pose);
+  copy_planes(rest_, to.pose);
   copy_or_rest({}, assets_.rest_weights, to.weights);
   copy_or_rest({}, assets_.rest_properties, to.properties);
 }
@@ -72,7 +72,7 @@ void PoseMachine::push_rest() noexcept {
 void PoseMachine::push_external(std::size_t index) noexcept {
   const ExternalPose& from = inputs_.externals[index];
   const PoseSlot to = slot(depth_++);
-  copy_pose(from.pose, to.pose);
+  copy_planes(from.pose, to.pose);
   copy_or_rest(from.weights, assets_.rest_weights, to.weights);
   copy_or_rest(from.properties, assets_.rest_properties, to.properties);
   ++work_.poses_copied;
