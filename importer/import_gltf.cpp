@@ -149,7 +149,7 @@ class Import {
     return true;
   }
 
-  /// What is left out for an error that only touches animations.
+  /// Channels and samplers that are left out for an error which only touches animations.
   static std::string_view consequence(std::string_view place) {
     return place.find("/channels/") != place.npos ? "; the channel is left out"
                                                   : "; it is left out, with the animation channels that use it";

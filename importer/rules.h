@@ -16,7 +16,7 @@ enum class Rule : std::uint8_t {
 #undef SINEW_RULE
 };
 
-/// What becomes of a file that breaks a rule.
+/// The fate of a file that breaks a rule.
 /// - refused: the import fails.
 /// - refused_or_left_out: where only animation channels need the broken part, these are left out; else the import
 /// fails.

@@ -15,7 +15,7 @@ struct BrokenStores {
 /// True if all bytes of a view were read. They may be although its buffer is broken, which then is too short.
 bool has_its_bytes(const gltf::Document& document, const gltf::BufferView& view) noexcept;
 
-/// True if nothing but animation samplers reads these stores, directly or through a view or an accessor: then the scene
+/// True if nothing but animation samplers reads these stores, directly or through a view or an accessor. Then the scene
 /// is sound without the animation channels that use them.
 /// in    document   references may be out of range
 ///       spares     allow stores that nothing reads, because their samplers may have been emptied

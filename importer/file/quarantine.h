@@ -20,8 +20,8 @@ namespace sinew {
 /// about entries that depend on them.
 class Quarantine {
  public:
-  /// Call after check_shape(): replaces each malformed list entry by the smallest valid one; of meshes only the
-  /// malformed primitives, of animations only the malformed channels and samplers.
+  /// Call after check_shape(): replaces each malformed list entry by the smallest valid one. Of meshes only the
+  /// malformed primitives are replaced, of animations only the malformed channels and samplers.
   /// out   false if the document as a whole is broken (the root, a list that is not an array) or there were too many
   ///       errors; the import must end
   bool isolate(JsonTree& document, IssueLog& log);

@@ -13,8 +13,8 @@ namespace sinew::rewrite {
 /// farther get 16 bits.
 inline constexpr double kWeightsMove = 1e-3;
 
-/// Rounds four weights to multiples of 1 / `most` that have the sum 1. Each goes to the nearest multiple. The weights that
-/// moved farthest take the part that is missing. Weights of the sum 0 stay 0.
+/// Rounds four weights to multiples of 1 / `most` that have the sum 1. Each goes to the nearest multiple. The weights
+/// that moved farthest take the part that is missing. Weights of the sum 0 stay 0.
 /// out  multiples, 0 to `most`
 std::array<double, 4> rounded_weights(const std::array<float, 4>& weights, double most);
 

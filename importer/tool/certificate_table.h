@@ -16,8 +16,8 @@ struct CertifiedClip {
   ClipCertificate certificate;
 };
 
-/// True if a clip is within its budget. One that was asked for 0 is if it has every key: what is measured of a compiled clip is
-/// then the rounding of float arithmetic.
+/// True if a clip is within its budget. One that was asked for 0 is if it has every key: what is measured of a compiled
+/// clip is then the rounding of float arithmetic.
 bool keeps_promise(const ClipCertificate& certificate);
 
 /// A table of certificates, one row per clip: budget, measured error and its place, keys, bytes. Nothing in it depends

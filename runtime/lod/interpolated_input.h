@@ -19,7 +19,8 @@ SINEW_API std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame,
 /// or where vertices are skinned elsewhere. HeldInput (update_rate.h) saves the rest as well, but its motion is jerky.
 ///
 /// A change of clip, weight or speed shows at the next update, up to 2^k - 1 frames late and without a jump. The root,
-/// given morph weights, vertex sources and visibility are always those of the current frame. Pose programs are evaluated
+/// given morph weights, vertex sources and visibility are always those of the current frame. Pose programs are
+/// evaluated
 /// in every frame: their next pose is not known in advance.
 /// err  of second order: under an acceleration a, the pose is off by at most a h^2 / 8, h the time between updates.
 ///      Under a constant turn by an angle x per interval it is off by less than 0.0041 x^3 rad (rotations are

@@ -93,7 +93,8 @@ struct FrameInput {
   /// Makes the pose in place of `layers`, which must be empty then; within Needs::in.program. Clips and masks are those
   /// of the plan; masks of `program_inputs` follow them. Empty = the layers make it.
   PoseProgramSpan program = {};
-  /// What the program's indices name. With a SkeletonLod, poses and joints are those that it keeps (pose_joint).
+  /// Poses, joints and masks of the caller that the program names by index. With a SkeletonLod, poses and joints are
+  /// those that it keeps (pose_joint).
   PoseProgramInputs program_inputs = {};
   bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion lie outside of frames
                         ///< and go on

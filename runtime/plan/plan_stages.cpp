@@ -85,7 +85,7 @@ PlanStage describe_add(const CompiledPlan& plan) {
           2 * pose_bytes(plan)};
 }
 
-/// What programs may do beyond samples, means and additions.
+/// Describes programs: poses of the caller, overlays, placed joints, procedures.
 PlanStage describe_programs(const CompiledPlan& plan) {
   const PoseProgramRoom& room = plan.needs.in.program;
   if (room.ops == 0) return {"pose_program", false, "no pose programs are asked for", 0, 0};

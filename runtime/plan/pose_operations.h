@@ -19,7 +19,7 @@ constexpr std::size_t most_versions(const PoseProgramRoom& room) noexcept {
   return std::size_t{room.externals} + room.overrides + room.procedures + room.masks;
 }
 
-/// What programs of a plan may name.
+/// The tables that programs of a plan may name entries of, and the poses that there is room for.
 PoseProgramLimits program_limits(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept;
 
 }  // namespace sinew

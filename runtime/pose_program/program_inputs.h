@@ -64,15 +64,16 @@ struct PoseProcedure {
   ContentVersion version = 0;
 };
 
-/// What the indices of a program name, beside the tables that all characters share.
+/// Lists of the caller that a program names by index, beside the tables that all characters share.
 /// owns  nothing: views of the caller's memory, which stays unchanged while the program runs
 struct PoseProgramInputs {
   std::span<const ExternalPose> externals = {};
   std::span<const JointOverrides> overrides = {};
   std::span<const PoseProcedure> procedures = {};
-  std::span<const JointMask> masks = {};  ///< their indices follow those of the shared masks
-  /// [ops] or empty: the part of the operation's clip that has the keys of its time (paging/paged_clip.h), null = the
-  /// clip itself
+  std::span<const JointMask> masks = {};  ///< their indices follow those of the shared masks.
+
+  /// [ops] or empty: the part of the operation's clip that has the keys of its time (paging/paged_clip.h). Null is the
+  /// clip itself.
   std::span<const Clip* const> pages = {};
 };
 

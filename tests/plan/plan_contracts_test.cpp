@@ -234,9 +234,10 @@ std::vector<BadNumber> bad_numbers() {
     bad.push_back(
         {"large morph weight", [=](auto&, auto&, auto&, auto& weights) { weights.back() = -x; }, ErrorCode::too_large});
   }
-  bad.push_back({"interpolation factor above 1",
-                 [](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = std::nextafter(1.0f, 2.0f); },
-                 ErrorCode::not_a_fraction});
+  bad.push_back(
+      {"interpolation factor above 1",
+       [](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = std::nextafter(1.0f, 2.0f); },
+       ErrorCode::not_a_fraction});
   bad.push_back({"mask", [](auto&, ClipLayer& layer, auto&, auto&) { layer.mask = 0; }, ErrorCode::index_out_of_range});
   return bad;
 }

@@ -51,10 +51,10 @@ TEST(retarget_properties, cameras_and_lights_are_found_in_their_own_lists) {
   from.lights = {{.name = "lamp"}};
   to.lights = {{.name = "sun"}, {.name = "moon"}, {.name = "star"}, {.name = "lamp"}};
   Animation animation{"", 1.0, {}, {}}, made;
-  animation.properties = {
-      track_of(PropertyKind::camera_fov_y, 0, 1.0f), track_of(PropertyKind::camera_far, 1, 1.0f),
-      track_of(PropertyKind::light_color, 0, 1.0f), track_of(PropertyKind::light_outer_cone, 0, 1.0f),
-      track_of(PropertyKind::base_color, 0, 1.0f)};
+  animation.properties = {track_of(PropertyKind::camera_fov_y, 0, 1.0f), track_of(PropertyKind::camera_far, 1, 1.0f),
+                          track_of(PropertyKind::light_color, 0, 1.0f),
+                          track_of(PropertyKind::light_outer_cone, 0, 1.0f),
+                          track_of(PropertyKind::base_color, 0, 1.0f)};
   EXPECT_THAT(retarget_properties(animation, {}, from, to, made), ElementsAre());
   std::vector<std::uint32_t> indices;
   for (const PropertyTrack& track : made.properties) indices.push_back(track.target.index);

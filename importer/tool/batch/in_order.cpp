@@ -21,7 +21,7 @@ struct Item {
 using ItemPointer = std::shared_ptr<Item>;  // a filter copies what it passes on
 
 /// The text of outcomes that wait for the one before them. A thread that would begin further work waits while it is too
-/// much, as long as other threads work: the outcome that all wait for comes from one of them.
+/// much, as long as other threads work. The outcome that all wait for comes from one of them.
 class WaitingText {
  public:
   explicit WaitingText(std::size_t most_bytes) : most_bytes_(most_bytes) {}
