@@ -11,6 +11,7 @@
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/clip/unpack_clip.h"
+#include "runtime/compress/animation_counts.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/joint_reach.h"
 #include "runtime/compress/remove_keys.h"
@@ -33,23 +34,6 @@ Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances
   ClipRest rest = clip_rest(scene.skeleton, rest_weights_of(scene), scene.properties);
   if (!scene.clips.empty()) share_rest(scene.clips.front(), rest);
   return compile_clip(animation, rest, scene.first_weight, scene.properties, rounding);
-}
-
-std::uint64_t key_count(const Animation& animation) {
-  std::uint64_t keys = 0;
-  for (const BoneAnimation& bone : animation.bones)
-    keys += bone.translation.key_count() + bone.rotation.key_count() + bone.scale.key_count();
-  for (const WeightAnimation& animated : animation.weights) keys += animated.weights.key_count();
-  for (const PropertyTrack& track : animation.properties) keys += track.values.key_count();
-  return keys;
-}
-
-std::uint32_t animated_joints(const Animation& animation) {
-  std::vector<std::uint32_t> joints;
-  for (const BoneAnimation& bone : animation.bones)
-    if (!bone.empty()) joints.push_back(bone.joint);
-  std::sort(joints.begin(), joints.end());
-  return static_cast<std::uint32_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
 }
 
 /// The part of the budget of each joint, and of all weights together.

@@ -19,7 +19,7 @@ constexpr std::size_t kMostHeld = std::size_t{1} << 18, kFewestTimes = 256;
 /// A track that kept this fraction of its keys will keep all of them, and needs hardly any share.
 constexpr double kNeedsAll = 0.9, kWeightOfWhole = 0.01;
 
-double time_of(const std::vector<float>& times_s, std::size_t key) { return static_cast<double>(times_s[key]); }
+double key_time(const std::vector<float>& times_s, std::size_t key) { return static_cast<double>(times_s[key]); }
 
 /// Times that the search looks at: keys, the last moments before jumps, and between keys the middle (quarters, if a
 /// track is cubic).
@@ -30,7 +30,7 @@ std::vector<double> times_to_look_at(const Animation& animation) {
     with_track(animation, t, [&](const auto& track) {
       cubic |= !track.empty() && track.interpolation == Interpolation::cubic_spline;
       for (std::size_t key = 0; key < track.key_count(); ++key) {
-        times_s.push_back(time_of(track.times_s, key));
+        times_s.push_back(key_time(track.times_s, key));
         if (track.interpolation == Interpolation::step || (key > 0 && !(track.times_s[key] > track.times_s[key - 1])))
           times_s.push_back(
               static_cast<double>(std::nextafter(track.times_s[key], -std::numeric_limits<float>::infinity())));

@@ -9,6 +9,7 @@
 
 #include "runtime/animation/track_sample.h"
 #include "runtime/base/contract.h"
+#include "runtime/compress/animation_counts.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/fit_joints.h"
 #include "runtime/compress/key_lists.h"
@@ -18,13 +19,13 @@ namespace sinew {
 namespace {
 
 /// Fraction of the budget that the search uses. The rest covers times that it does not look at.
-constexpr double kUsed = 0.98;
+constexpr double kSearchedPart = 0.98;
 /// Number of looks with other shares, and of further ones with a smaller budget if the measured error is above it.
 constexpr int kLooks = 3, kSmaller = 4;
 /// The part of the budget of morph weights, if joints move as well.
-constexpr double kOfWeights = 0.25;
+constexpr double kWeightsPart = 0.25;
 /// Number of poses in which the size of morph displacements in model space is looked at.
-constexpr int kPoses = 12;
+constexpr int kMorphPoses = 12;
 
 std::uint64_t value_bytes(const Animation& animation, std::set<std::vector<float>>& times) {
   std::uint64_t bytes = 0;
@@ -44,7 +45,7 @@ std::uint64_t value_bytes(const Animation& animation, std::set<std::vector<float
 /// [instances] The largest stretch (truth_samples.h) of each instance over the animation.
 std::vector<double> stretches(const Scene& scene, const Animation& truth, const VirtualVertices& vertices) {
   std::vector<double> largest(scene.instances.size(), 0.0), times_s;
-  for (int i = 0; i < kPoses; ++i) times_s.push_back(truth.duration_s * i / (kPoses - 1));
+  for (int i = 0; i < kMorphPoses; ++i) times_s.push_back(truth.duration_s * i / (kMorphPoses - 1));
   const TruthSamples samples(scene, truth, vertices, times_s, 0);
   TruthSamples::Scratch scratch;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
@@ -114,7 +115,7 @@ Form search(const Scene& scene, const Animation& truth, const Animation& stored,
             JointFit& joints, double budget_m) {
   const bool has_weights = std::any_of(truth.weights.begin(), truth.weights.end(),
                                        [](const WeightAnimation& w) { return moves(w.weights); });
-  const double weights_m = !has_weights ? 0.0 : (joints.empty() ? 1.0 : kOfWeights) * budget_m;
+  const double weights_m = !has_weights ? 0.0 : (joints.empty() ? 1.0 : kWeightsPart) * budget_m;
   std::vector<KeptKeys> weights;
   if (has_weights) fit_weights(scene, truth, stored, vertices, weights_m, weights);
   Form best;
@@ -129,21 +130,6 @@ Form search(const Scene& scene, const Animation& truth, const Animation& stored,
     joints.share_by_need();
   }
   return best;
-}
-
-std::uint64_t key_count(const Animation& animation) {
-  std::uint64_t keys = 0;
-  for (std::size_t t = 0; t < track_count(animation); ++t)
-    keys += with_track(animation, t, [](const auto& track) { return track.key_count(); });
-  for (const PropertyTrack& track : animation.properties) keys += track.values.key_count();
-  return keys;
-}
-
-std::uint32_t animated_joints(const Animation& animation) {
-  std::set<std::uint32_t> joints;
-  for (const BoneAnimation& bone : animation.bones)
-    if (!bone.empty()) joints.insert(bone.joint);
-  return static_cast<std::uint32_t>(joints.size());
 }
 
 }  // namespace
@@ -163,13 +149,13 @@ Animation fit_keys(const Scene& scene, const Animation& truth, const Animation& 
   const std::vector<double> times_s = times_to_check(truth, scene.skeleton.joint_count());
   const TruthSamples samples(scene, truth, vertices, times_s, 0);
   JointFit joints(scene.skeleton, truth, stored, vertices);
-  double used = kUsed;
+  double used = kSearchedPart;
   for (int i = 0; i < kSmaller; ++i) {
     const Form form = search(scene, truth, stored, vertices, joints, used * budget_m);
     if (form.bytes >= bytes_in_file(truth)) break;
     const double error_m = measure_animation(samples, with_keys(stored, form.tracks)).worst_m;
     if (error_m <= budget_m) return with_keys(truth, form.tracks);
-    used *= kUsed * budget_m / error_m;
+    used *= kSearchedPart * budget_m / error_m;
   }
   return truth;
 }

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr int kPoses = 16;
+constexpr int kReachPoses = 16;
 
 double distance_between(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
 
@@ -43,8 +43,8 @@ std::vector<JointReach> joint_reach(const Animation& animation, const Skeleton& 
                                     const VirtualVertices& vertices) {
   std::vector<JointReach> reach(skeleton.joint_count());
   TruthPose pose;
-  for (int i = 0; i < kPoses; ++i) {
-    evaluate_truth(animation, skeleton, animation.duration_s * i / (kPoses - 1), pose);
+  for (int i = 0; i < kReachPoses; ++i) {
+    evaluate_truth(animation, skeleton, animation.duration_s * i / (kReachPoses - 1), pose);
     raise(skeleton, vertices, pose, reach);
   }
   return reach;

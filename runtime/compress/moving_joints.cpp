@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 /// Poses in which the reach of each joint is looked at, and the number of points that all of them may take.
-constexpr std::size_t kPoses = 12, kMostPoints = 1'000'000;
+constexpr std::size_t kMostPoses = 12, kMostPoints = 1'000'000;
 
 void add_corners(const Affined& to_space, const Aabb& box, Aabb& sum) {
   const BoxCorners corners = corners_in_model(to_space, box);
@@ -37,7 +37,7 @@ void add_below(const Animation& animation, const Skeleton& skeleton, std::vector
     if (joints[i].parent != kNone) depth[i] = depth[joints[i].parent] + 1;
     points += depth[i];
   }
-  const std::size_t poses = std::clamp<std::size_t>(kMostPoints / points, 2, kPoses);
+  const std::size_t poses = std::clamp<std::size_t>(kMostPoints / points, 2, kMostPoses);
   std::vector<Affined> to_parent(joints.size());
   for (std::size_t pose = 0; pose < poses; ++pose) {
     const double time_s = animation.duration_s * static_cast<double>(pose) / static_cast<double>(poses - 1);
