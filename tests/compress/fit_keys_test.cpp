@@ -14,9 +14,9 @@
 namespace sinew {
 namespace {
 
-constexpr Interpolation kPlayed[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline};
+constexpr Interpolation kEveryKind[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline};
 
-Scene scene_of(Skeleton skeleton, Animation animation) {
+Scene scene_with(Skeleton skeleton, Animation animation) {
   Scene scene;
   scene.skeleton = std::move(skeleton);
   scene.animations.push_back(std::move(animation));
@@ -29,7 +29,7 @@ Scene swinging_chain(std::uint32_t joints, std::size_t keys) {
   Skeleton skeleton = test::chain_skeleton(joints);
   for (Transform& rest : skeleton.rest) rest.translation.y = 0.2f;
   Animation animation = scenes::swinging(skeleton, keys);
-  return scene_of(std::move(skeleton), std::move(animation));
+  return scene_with(std::move(skeleton), std::move(animation));
 }
 
 std::vector<reference::Matrix> reference_pose(const Skeleton& skeleton, const Animation& animation, double time_s) {
@@ -67,9 +67,9 @@ Animation random_animation(test::FixedRandom& random, std::uint32_t joints) {
     BoneAnimation bone;
     bone.joint = j;
     const auto times = test::random_times(random, 1 + random.below(30), random.below(4));
-    bone.translation = test::random_vectors(random, kPlayed[random.below(3)], times);
-    bone.rotation = test::random_rotations(random, kPlayed[random.below(3)], times);
-    bone.scale = test::random_vectors(random, kPlayed[random.below(3)], test::random_times(random, 5));
+    bone.translation = test::random_vectors(random, kEveryKind[random.below(3)], times);
+    bone.rotation = test::random_rotations(random, kEveryKind[random.below(3)], times);
+    bone.scale = test::random_vectors(random, kEveryKind[random.below(3)], test::random_times(random, 5));
     bones.push_back(bone);
   }
   return test::animation_of(std::move(bones));
@@ -80,7 +80,7 @@ TEST(fit_keys, no_virtual_vertex_is_ever_farther_off_than_the_budget) {
   std::size_t smaller = 0;
   for (int round = 0; round < 30; ++round) {
     const Scene scene =
-        round % 3 == 0 ? swinging_chain(6, 50) : scene_of(test::chain_skeleton(5), random_animation(random, 5));
+        round % 3 == 0 ? swinging_chain(6, 50) : scene_with(test::chain_skeleton(5), random_animation(random, 5));
     const Animation& truth = scene.animations[0];
     const VirtualVertices vertices = virtual_vertices(scene);
     const double budget_m = std::pow(10.0, random.in(-4, 0.5));
@@ -148,7 +148,7 @@ TEST(fit_keys, tracks_that_hardly_move_keep_one_key_and_the_clip_its_length) {
       bones[j].translation.values.push_back(glm::vec3(1, 2, 3) + random.vec3(-1e-5, 1e-5));
     }
   }
-  const Scene scene = scene_of(test::chain_skeleton(3), test::animation_of(std::move(bones)));
+  const Scene scene = scene_with(test::chain_skeleton(3), test::animation_of(std::move(bones)));
   const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-3);
   std::size_t keys = 0;
   float first = 1e9f, last = 0.0f;
@@ -172,7 +172,7 @@ TEST(fit_keys, a_cubic_track_that_rests_becomes_linear_since_it_has_one_key) {
   BoneAnimation moving;
   moving.joint = 1;
   moving.translation = {Interpolation::linear, {0, 9}, {glm::vec3(0), glm::vec3(9)}};
-  const Scene scene = scene_of(test::chain_skeleton(2), test::animation_of({bone, moving}));
+  const Scene scene = scene_with(test::chain_skeleton(2), test::animation_of({bone, moving}));
   const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-3);
   EXPECT_EQ(kept.bones[0].translation.interpolation, Interpolation::linear);
   EXPECT_EQ(kept.bones[0].translation.values, std::vector<glm::vec3>{glm::vec3(1, 2, 3)});
@@ -182,7 +182,7 @@ TEST(fit_keys, a_cubic_track_that_rests_becomes_linear_since_it_has_one_key) {
 TEST(fit_keys, both_sides_of_a_jump_stay_and_squad_keeps_every_key) {
   BoneAnimation bone;
   bone.translation = {Interpolation::linear, {0, 1, 1, 2}, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}}};
-  Scene scene = scene_of(test::chain_skeleton(1), test::animation_of({bone}));
+  Scene scene = scene_with(test::chain_skeleton(1), test::animation_of({bone}));
   const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-2);
   EXPECT_EQ(sample_track<double>(kept.bones[0].translation, 0.999).x, 0.0);
   EXPECT_EQ(sample_track<double>(kept.bones[0].translation, 1.0).x, 1.0);
@@ -218,7 +218,7 @@ TEST(fit_keys, keys_are_judged_as_a_reader_sees_them) {
 }
 
 TEST(fit_keys, morph_weights_are_held_by_what_they_displace) {
-  Scene scene = scene_of(test::chain_skeleton(1), {});
+  Scene scene = scene_with(test::chain_skeleton(1), {});
   Mesh mesh;
   mesh.primitives.resize(1);
   mesh.primitives[0].positions.assign(4, glm::vec3(0));
@@ -261,7 +261,7 @@ TEST(fit_keys, morph_weights_are_held_by_what_they_displace) {
 TEST(fit_keys, long_animations_are_fitted_in_parts) {
   Skeleton tree = scenes::wide_tree(1100);
   Animation swing = scenes::swinging(tree, 200);  // more joints times times than are held at once
-  const Scene scene = scene_of(std::move(tree), std::move(swing));
+  const Scene scene = scene_with(std::move(tree), std::move(swing));
   const VirtualVertices vertices = virtual_vertices(scene);
   const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], vertices, 0.5);
   const ClipCertificate certificate = measure_keys(scene, kept, scene.animations[0], vertices, 0.5);

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "importer/rewrite/streams.h"
-#include "tests/importer/rewritten.h"
+#include "tests/importer/recoded.h"
 #include "tests/support/corpus.h"
 #include "tests/support/fixed_random.h"
 
@@ -86,13 +86,6 @@ TinyGltf grid() {
   return gltf;
 }
 
-RewriteOptions how(bool quantize, bool meshopt) {
-  RewriteOptions options;
-  options.quantize = options.merge_vertices = quantize;
-  options.meshopt = meshopt;
-  return options;
-}
-
 /// All attributes of one triangle corner as numbers.
 using Corner = std::vector<float>;
 
@@ -132,24 +125,6 @@ std::vector<std::array<Corner, 3>> triangles(const Primitive& p) {
   std::sort(out.begin(), out.end());
   return out;
 }
-
-struct Both {
-  ImportedFile before, after;
-  GlbParts parts;
-  std::size_t bytes = 0;
-};
-
-Both recoded(const TinyGltf& gltf, const RewriteOptions& options) {
-  auto before = gltf.import(carrying());
-  if (!before) throw std::runtime_error(before.error().issue.detail);
-  const auto out = rewrite_gltf(*before, options);
-  if (!out) throw std::runtime_error(out.error().issue.detail);
-  auto after = import_gltf(out->file, "recoded.glb");
-  if (!after) throw std::runtime_error(describe("recoded.glb", after.error().issue));
-  return {*std::move(before), *std::move(after), split_glb(out->file), out->file.size()};
-}
-
-const Primitive& first(const ImportedFile& file) { return file.scene.meshes[0].primitives[0]; }
 
 TEST(rewrite_streams, meshopt_alone_draws_the_same_bits_from_fewer_vertices) {
   const Both out = recoded(grid(), how(false, true));
@@ -213,18 +188,6 @@ TinyGltf bounded_grid() {
   return gltf;
 }
 
-/// A rewritten stream: component type, normalised or not, bounds or not, and filter.
-std::string stored_as(const Json& json, const Json& accessor_index) {
-  const Json& accessor = json["accessors"][accessor_index.get<std::size_t>()];
-  const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-  std::string out = std::to_string(accessor["componentType"].get<int>());
-  if (accessor.value("normalized", false)) out += " normalized";
-  if (accessor.contains("min") && accessor.contains("max")) out += " bounds";
-  if (view.contains("extensions"))
-    out += " " + view["extensions"]["EXT_meshopt_compression"].value("filter", std::string("NONE"));
-  return out;
-}
-
 TEST(rewrite_streams, each_stream_takes_the_small_integers_and_the_filter_that_are_made_for_it) {
   const std::map<std::string, std::string> plain = {
       {"POSITION", "5126 bounds"},       {"NORMAL", "5120 normalized bounds"}, {"TANGENT", "5120 normalized"},
@@ -272,22 +235,6 @@ TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles
   for (std::size_t i = 0; i < a.indices.size(); ++i) EXPECT_EQ(a.positions[a.indices[i]], b.positions[b.indices[i]]);
   expect_close(a, b, 0.0f);
   EXPECT_EQ(out.parts.json["extensionsRequired"], Json::array({"KHR_mesh_quantization"}));
-}
-
-TEST(rewrite_streams, quantised_vertices_keep_order_and_number_unless_they_are_to_be_merged) {
-  RewriteOptions options = how(true, false);
-  options.merge_vertices = false;
-  const Both out = recoded(grid_without_sparse(), options);
-  const Primitive &a = first(out.before), &b = first(out.after);
-  ASSERT_EQ(a.vertex_count(), 6 * kSide * kSide);
-  ASSERT_EQ(b.vertex_count(), a.vertex_count());
-  const auto in_file_order = [](const Primitive& p) {
-    std::vector<glm::vec3> positions(p.vertex_count());
-    for (std::size_t v = 0; v < p.vertex_count(); ++v)
-      positions[p.source_vertex.empty() ? v : p.source_vertex[v]] = p.positions[v];
-    return positions;
-  };
-  EXPECT_EQ(in_file_order(a), in_file_order(b));
 }
 
 TEST(rewrite_streams, vertices_that_only_a_target_or_a_weight_tells_apart_stay) {
@@ -414,48 +361,20 @@ TEST(rewrite_streams, G37_two_sets_of_weights_stay_floats_and_far_joints_stay_wi
   EXPECT_EQ(first(out.before).influences.weights, first(out.after).influences.weights);
 }
 
-/// The bytes of the accessor of one attribute of the first primitive.
-std::vector<std::byte> bytes_of(const GlbParts& parts, const char* attribute) {
-  const Json& accessor =
-      parts.json["accessors"][parts.json["meshes"][0]["primitives"][0]["attributes"][attribute].get<std::size_t>()];
-  std::vector<std::byte> view = parts.view(accessor["bufferView"].get<std::size_t>());
-  view.erase(view.begin(), view.begin() + accessor.value("byteOffset", 0));
-  return view;
-}
-
-TEST(rewrite_streams, the_weight_that_rounding_moved_farthest_takes_what_is_left) {
-  TinyGltf gltf;
-  gltf.add_skinned_triangle(std::vector<std::uint8_t>(12), {.2f, .5f, .3f, 0, 0, .5f, .5f, 0, .1f, .1f, .1f, .7f});
-  const std::vector<std::byte> bytes = bytes_of(recoded(gltf, how(true, false)).parts, "WEIGHTS_0");
-  const int expected[] = {51, 127, 77, 0, 0, 127, 128, 0, 25, 26, 26, 178};
-  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(static_cast<int>(bytes.at(i)), expected[i]) << i;
-}
-
-TEST(rewrite_streams, a_weight_that_becomes_zero_names_no_joint) {
-  TinyGltf gltf;
-  gltf.add_skinned_triangle({0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 0, 0}, {.999f, .001f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0});
-  const GlbParts parts = recoded(gltf, how(true, false)).parts;
-  const std::vector<std::byte> joints = bytes_of(parts, "JOINTS_0");
-  const int expected[] = {0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 0, 0};  // the file's own zero weights keep what they name
-  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(static_cast<int>(joints.at(i)), expected[i]) << i;
-}
-
-/// A triangle between two joints that are `apart` from each other in a clip, so that weights matter.
-TinyGltf stretched_triangle(float apart) {
-  TinyGltf gltf;
-  gltf.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.301f, .699f, 0, 0, .5f, .5f, 0, 0, .4f, .6f, 0, 0});
-  const std::size_t joint = gltf.root["skins"][0]["joints"][1];
-  gltf.animate("translation", gltf.times({0, 1}), gltf.vec3({0, 0, 0, apart, 0, 0}));
-  gltf.root["animations"][0]["channels"][0]["target"]["node"] = joint;
-  return gltf;
-}
-
-TEST(rewrite_streams, weights_get_16_bits_where_8_would_move_a_vertex_by_a_thousandth_of_the_model) {
-  for (const float apart : {0.01f, 10.0f}) {
-    const Json json = recoded(stretched_triangle(apart), how(true, false)).parts.json;
-    EXPECT_EQ(stored_as(json, json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"]),
-              apart > 1.0f ? "5123 normalized" : "5121 normalized");
-  }
+TEST(rewrite_streams, quantised_vertices_keep_order_and_number_unless_they_are_to_be_merged) {
+  RewriteOptions options = how(true, false);
+  options.merge_vertices = false;
+  const Both out = recoded(grid_without_sparse(), options);
+  const Primitive &a = first(out.before), &b = first(out.after);
+  ASSERT_EQ(a.vertex_count(), 6 * kSide * kSide);
+  ASSERT_EQ(b.vertex_count(), a.vertex_count());
+  const auto in_file_order = [](const Primitive& p) {
+    std::vector<glm::vec3> positions(p.vertex_count());
+    for (std::size_t v = 0; v < p.vertex_count(); ++v)
+      positions[p.source_vertex.empty() ? v : p.source_vertex[v]] = p.positions[v];
+    return positions;
+  };
+  EXPECT_EQ(in_file_order(a), in_file_order(b));
 }
 
 TEST(rewrite_streams, rotations_above_a_camera_keep_16_bits) {
