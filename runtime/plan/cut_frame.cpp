@@ -40,9 +40,10 @@ ErrorCode run_to_cut(const Plan& plan, const FrameInput& input, FrameBuffer& fra
 ErrorCode run_from_cut(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
   if (frame.plan_ == nullptr || frame.plan_.get() != plan.compiled().get() || frame.cut_pose_.planes == nullptr)
     return ErrorCode::no_cut;
+  const CompiledPlan& compiled = *plan.compiled();
+  if (const Refusal refusal = check_input(compiled, input); refusal.error != ErrorCode::ok) return refusal.error;
   if (!is_finite(frame.cut_pose_)) return ErrorCode::not_finite;
   frame.cut_pose_ = {};
-  const CompiledPlan& compiled = *plan.compiled();
   const FrameBuffer* const followed = std::exchange(frame.before_, nullptr);
   const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
   const FrameMemory memory{frame.block_.get()};
