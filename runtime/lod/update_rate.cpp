@@ -33,7 +33,13 @@ FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64
     return now;
   }
   if (is_due || !holds_) {
-    held_.assign(now);
+    FrameInput kept = now;
+    if (kept.program.empty()) kept.program_inputs = {};  // which nothing names then
+    if (!kept.program.empty() && held_.check_room(kept) != ErrorCode::ok) {
+      holds_ = false;
+      return now;  // run_plan says why
+    }
+    held_.assign(kept);
     holds_ = true;
   }
   FrameInput input = held_.view();
