@@ -13,6 +13,7 @@
 #include "runtime/c/jobs.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/result.h"
 #include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
 
@@ -35,6 +36,8 @@ template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_jobs_options> = offsetof(sinew_jobs_options, own_thread);
 template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_page_window> = offsetof(sinew_page_window, plan);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_result_info> = offsetof(sinew_result_info, local);
 template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_lod_info> = offsetof(sinew_skeleton_lod_info,
                                                                                     tolerance_m);

@@ -3,24 +3,17 @@
 
 #include <memory>
 #include <new>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "runtime/c/boundary.h"
-#include "runtime/c/frame_input.h"
+#include "runtime/c/frame_handle.h"
 #include "runtime/c/handles.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/run_plan.h"
 
 using namespace sinew;
-
-/// Lies at the beginning of its own memory; the room for one input and the frame buffer's block follow.
-struct sinew_frame {
-  const sinew_plan* plan;
-  sinew_allocator allocator;
-  c::InputRoom room;
-  FrameBuffer buffer;
-};
 
 namespace {
 
@@ -38,29 +31,49 @@ void release_new(void*, void* block, std::size_t, std::size_t alignment) {
 }
 void keep_block(void*, void*, std::size_t, std::size_t) {}
 
-std::size_t layer_bytes(const sinew_plan& plan) noexcept { return aligned(plan.input_room() * sizeof(ClipLayer)); }
-std::size_t geometry_bytes(const sinew_plan& plan) noexcept {
-  return aligned(plan.geometry_room() * sizeof(GeometryInput));
+/// The memory of a frame, out of which arrays are taken one after another.
+struct OwnBlock {
+  std::byte* start = nullptr;  // null: bytes are counted alone
+  std::size_t used = aligned(sizeof(sinew_frame));
+
+  template <class T>
+  std::span<T> take(std::size_t count) {
+    std::span<T> taken;
+    if (start != nullptr) {
+      taken = {reinterpret_cast<T*>(start + used), count};
+      std::uninitialized_value_construct(taken.begin(), taken.end());
+    }
+    used += aligned(count * sizeof(T));
+    return taken;
+  }
+};
+
+c::InputRoom take_room(const sinew_plan& plan, OwnBlock& block) {
+  const PoseProgramRoom& program = plan.plan.needs().in.program;
+  c::InputRoom room;
+  room.layers = block.take<ClipLayer>(plan.input_room());
+  room.geometry = block.take<GeometryInput>(plan.geometry_room());
+  room.program.externals = block.take<ExternalPose>(program.externals);
+  room.program.overrides = block.take<JointOverrides>(program.overrides);
+  room.program.procedures = block.take<PoseProcedure>(program.procedures);
+  room.program.masks = block.take<JointMask>(program.masks);
+  return room;
 }
 
-sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_allocator& allocator) {
-  std::byte* const room = block + aligned(sizeof(sinew_frame));
-  auto* layers = reinterpret_cast<ClipLayer*>(room);
-  auto* geometry = reinterpret_cast<GeometryInput*>(room + layer_bytes(plan));
-  std::uninitialized_value_construct_n(layers, plan.input_room());
-  std::uninitialized_value_construct_n(geometry, plan.geometry_room());
-  std::byte* own = room + layer_bytes(plan) + geometry_bytes(plan);
-  return new (block) sinew_frame{&plan,
-                                 allocator,
-                                 {{layers, plan.input_room()}, {geometry, plan.geometry_room()}},
-                                 FrameBuffer(plan.plan, {own, plan.plan.frame_bytes()})};
+sinew_frame* make_frame(const sinew_plan& plan, std::byte* start, const sinew_allocator& allocator) {
+  OwnBlock block{start};
+  const c::InputRoom room = take_room(plan, block);
+  const std::span<std::byte> own(start + block.used, plan.plan.frame_bytes());
+  return new (start) sinew_frame{&plan, allocator, room, FrameBuffer(plan.plan, own)};
 }
 
 }  // namespace
 
 std::size_t sinew_plan_frame_bytes(const sinew_plan* plan) {
   if (plan == nullptr) return 0;
-  return aligned(sizeof(sinew_frame)) + layer_bytes(*plan) + geometry_bytes(*plan) + plan->plan.frame_bytes();
+  OwnBlock counted;
+  take_room(*plan, counted);
+  return counted.used + plan->plan.frame_bytes();
 }
 
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out) {

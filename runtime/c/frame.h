@@ -3,6 +3,7 @@
 #include "runtime/base/api.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/pose_program.h"
 #include "runtime/c/result.h"
 
 #ifdef __cplusplus
@@ -40,9 +41,6 @@ typedef struct sinew_geometry_input {
   float weight;   ///< [0, 1] 1 = vertices of the source alone; below: blended with the pose in world space
 } sinew_geometry_input;
 
-/// The keys of a clip for one time (pages.h).
-typedef struct sinew_page sinew_page;
-
 typedef struct sinew_frame_input {
   size_t struct_size;
   const sinew_layer* layers;         ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
@@ -62,9 +60,13 @@ typedef struct sinew_frame_input {
                                          ///< elements: the clips have them. Pages live, and stay as
                                          ///< they are, as long as frames get the layers
   const sinew_page* const* next_pages;   ///< [next_layer_count] the same for next_layers
+  const sinew_pose_op* program;  ///< [op_count] makes the pose in place of layers, of which there are none then;
+                                 ///< needs sinew_needs.program
+  size_t op_count;               ///< 0 = the layers make the pose
+  const sinew_program_inputs* program_inputs;  ///< what indices of the program name; null = nothing
 } sinew_frame_input;
 
-/// No layers, root identity, interpolation factor 0; struct_size is set.
+/// No layers and no program, root identity, interpolation factor 0; struct_size is set.
 SINEW_API sinew_frame_input sinew_default_input(void);
 
 /// All memory of one character. Frames run into it and allocate nothing.
@@ -82,16 +84,19 @@ SINEW_API void sinew_frame_destroy(sinew_frame* frame);
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
-///      does not play), SINEW_SIZE_MISMATCH (weights, geometry), SINEW_TOO_MANY_LAYERS, SINEW_WRONG_PAGE,
+///      does not play; what a program names), SINEW_SIZE_MISMATCH (weights, geometry, poses and masks of a program, its
+///      operands, poses that are not aligned), SINEW_TOO_MANY_LAYERS, SINEW_WRONG_PAGE,
 ///      SINEW_NOT_FINITE, SINEW_NEGATIVE_WEIGHT, SINEW_TOO_LARGE (a weight or the root above 1e9),
-///      SINEW_NOT_A_FRACTION (interpolation factor or weight of a source), SINEW_TWO_TIMES, SINEW_UNSUPPORTED (kind of
-///      layer; a source in scene space for an instance with copies), SINEW_NOT_IN_NEEDS (the plan has no mirror, no
-///      additive layers, no frames between updates, or one layer and so no weight below 1). Afterwards the last good
-///      frame is still there.
+///      SINEW_NOT_A_FRACTION (interpolation factor, weight of a source, share or threshold of an operation),
+///      SINEW_TWO_TIMES, SINEW_UNSUPPORTED (kind of layer, operation or space; a source in scene space for an instance
+///      with copies; layers or an interpolation factor beside a program; a procedure without code), SINEW_NOT_IN_NEEDS
+///      (the plan has no mirror, no additive layers, no frames between updates, or one layer and so no weight below 1;
+///      it has no room for the program or its lists). Afterwards the last good frame is still there.
 SINEW_API sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Says why sinew_run refuses this input: which field, which index, which rule ("layers[1].weight: a weight is below
-/// 0"). `layers[1].page` is pages[1], and `layers[1].mirrored` is SINEW_LAYER_MIRRORED in its kind.
+/// 0"). `layers[1].page` is pages[1], and `layers[1].mirrored` is SINEW_LAYER_MIRRORED in its kind. Lists of a program
+/// are those of sinew_program_inputs.
 /// in   input  null = the rest pose
 /// out  why    one line, owned by the caller; NULL where sinew_run does not refuse
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY

@@ -13,12 +13,6 @@ static_assert(sizeof(VertexSource) <= sizeof(sinew_vertex_source));
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
 
-/// Without a rule of its own, the sentence of the code is the rule.
-NotRead refuse(sinew_error error, Refusal where) noexcept {
-  if (where.rule == nullptr) where.rule = sinew_describe(error);
-  return {error, where};
-}
-
 /// Writes layers and their pages behind one another into `room`, of which it takes what it needs.
 const sinew_layer* write_layers(std::span<const ClipLayer> layers, InputRoomOfC& room,
                                 const sinew_page* const*& pages) noexcept {
@@ -85,6 +79,8 @@ NotRead read_input(const sinew_frame_input* given, const sinew_plan& plan, const
                       room.layers.subspan(layer_room), input.next_layers);
     if (why.error != SINEW_OK) return why;
   }
+  why = read_program(own, plan.plan.needs().in.program, room.program, input);
+  if (why.error != SINEW_OK) return why;
   if (own.geometry_count > 0 && own.geometry == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "geometry"});
   if (own.geometry_count > room.geometry.size())
     return refuse(SINEW_SIZE_MISMATCH, {.rule = kNotEachSource, .list = "geometry"});
@@ -120,6 +116,7 @@ sinew_error write_input(const FrameInput& input, InputRoomOfC room, sinew_frame_
     room.geometry[i] = {{}, input.geometry[i].time_s, input.geometry[i].weight};
     copy_bits(input.geometry[i].source, room.geometry[i].source);
   }
+  write_program(input, room.program, own);
   return write_struct(own, out);
 }
 
@@ -139,5 +136,8 @@ sinew_frame_input sinew_default_input(void) {
           .geometry = nullptr,
           .geometry_count = 0,
           .pages = nullptr,
-          .next_pages = nullptr};
+          .next_pages = nullptr,
+          .program = nullptr,
+          .op_count = 0,
+          .program_inputs = nullptr};
 }

@@ -5,8 +5,8 @@
 
 #include "runtime/c/frame.h"
 #include "runtime/c/handles.h"
+#include "runtime/c/program_input.h"
 #include "runtime/plan/frame_input.h"
-#include "runtime/plan/refusal.h"
 
 namespace sinew::c {
 
@@ -14,6 +14,7 @@ namespace sinew::c {
 struct InputRoom {
   std::span<ClipLayer> layers;        ///< [plan.input_room()]
   std::span<GeometryInput> geometry;  ///< [plan.geometry_room()]
+  ProgramRoom program;
 };
 
 /// The same as C has it.
@@ -21,29 +22,26 @@ struct InputRoomOfC {
   std::span<sinew_layer> layers;
   std::span<const sinew_page*> pages;  ///< as many
   std::span<sinew_geometry_input> geometry;
+  ProgramRoomOfC program;
 };
 
 /// Room that owns its memory.
 struct OwnInputRoom {
-  explicit OwnInputRoom(const sinew_plan& plan) : layers(plan.input_room()), geometry(plan.geometry_room()) {}
-  InputRoom room() noexcept { return {layers, geometry}; }
+  explicit OwnInputRoom(const sinew_plan& plan)
+      : layers(plan.input_room()), geometry(plan.geometry_room()), program(plan.plan.needs().in.program) {}
+  InputRoom room() noexcept { return {layers, geometry, program.room()}; }
 
   std::vector<ClipLayer> layers;
   std::vector<GeometryInput> geometry;
-};
-
-/// Why an input does not even get to the runtime. `where` has the place and always a rule; its code means nothing,
-/// since some of C's have no twin.
-struct [[nodiscard]] NotRead {
-  sinew_error error = SINEW_OK;
-  Refusal where;
+  OwnProgramRoom program;
 };
 
 /// The input of a C caller as the runtime takes it.
 /// in   given  null = the rest pose
 /// out  input  views of `room` and of the caller's weights
 /// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights or
-///      instances that play than room), SINEW_UNSUPPORTED (unknown kind), SINEW_NOT_IN_NEEDS (interpolation)
+///      instances that play than room), SINEW_UNSUPPORTED (unknown kind), SINEW_NOT_IN_NEEDS (interpolation), those of
+///      read_program
 NotRead read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
                    FrameInput& input) noexcept;
 

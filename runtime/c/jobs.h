@@ -40,12 +40,13 @@ SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
 
-/// Queues one frame: inputs[c] is what character c shows; copied. All inputs have the same struct_size, which is how
-/// far they are apart.
+/// Queues one frame: inputs[c] is what character c shows. They are copied, but for pages and the procedures of
+/// programs, which stay as they are until the frame is done. All inputs have the same struct_size, which is how far
+/// they are apart.
 /// out  ticket  names the frame: 1 for the first, rising by one; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
-///      weights), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer), SINEW_NOT_IN_NEEDS (interpolation),
-///      SINEW_BUSY
+///      weights, poses or masks of another size), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer, space of an
+///      override), SINEW_NOT_IN_NEEDS (interpolation, more of a program than the needs declare), SINEW_BUSY
 SINEW_API sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count,
                                         uint64_t* ticket);
 SINEW_API int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);

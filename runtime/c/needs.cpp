@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "runtime/c/boundary.h"
+#include "runtime/c/program_room.h"
 
 namespace sinew::c {
 namespace {
 
-constexpr std::uint32_t kAllFlags = (SINEW_NEED_TANGENTS_OF_ALL << 1) - 1;
+constexpr std::uint32_t kAllFlags = (SINEW_NEED_CUT << 1) - 1;
 
 static_assert(static_cast<int>(Skinning::linear) == SINEW_SKIN_LINEAR &&
               static_cast<int>(Skinning::dual_quaternion) == SINEW_SKIN_DUAL_QUATERNION &&
@@ -46,6 +47,7 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   if (const sinew_error error = read_struct(caller, given); error != SINEW_OK) return error;
   const std::size_t joints = scene.skeleton.joint_count(), instances = scene.instances.size();
   if (const sinew_error error = check(given, scene); error != SINEW_OK) return error;
+  if (const sinew_error error = read_program_room(given.program, needs.in.program); error != SINEW_OK) return error;
   const auto asked = [&](std::uint32_t flag) { return (given.flags & flag) != 0; };
   needs.out.joints = asked(SINEW_NEED_JOINTS);
   needs.out.positions = asked(SINEW_NEED_POSITIONS);
@@ -59,6 +61,7 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   needs.in.additive = asked(SINEW_NEED_ADDITIVE);
   needs.out.palettes = asked(SINEW_NEED_PALETTES);
   needs.in.between_updates = asked(SINEW_NEED_BETWEEN_UPDATES);
+  needs.in.cut = asked(SINEW_NEED_CUT);
   needs.in.max_layers = given.max_layers;
   needs.in.max_additive_layers = given.max_adding_layers;
   needs.skin.kind = static_cast<Skinning>(given.skinning);
@@ -89,5 +92,6 @@ sinew_needs sinew_default_needs(void) {
           .instance_skinning = nullptr,
           .skeleton_lod = nullptr,
           .cached_instances = {nullptr, 0},
-          .mirror = nullptr};
+          .mirror = nullptr,
+          .program = nullptr};
 }

@@ -18,4 +18,12 @@ inline const Clip* clip_of(const sinew_page* page) noexcept { return page != nul
 /// The page that has this clip.
 inline const sinew_page* page_of(const Clip* clip) noexcept { return reinterpret_cast<const sinew_page*>(clip); }
 
+/// Lists of pages in place. Null stays null.
+inline const Clip* const* clips_of(const sinew_page* const* pages) noexcept {
+  return reinterpret_cast<const Clip* const*>(pages);
+}
+inline const sinew_page* const* pages_of(const Clip* const* clips) noexcept {
+  return reinterpret_cast<const sinew_page* const*>(clips);
+}
+
 }  // namespace sinew::c

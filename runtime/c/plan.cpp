@@ -18,6 +18,11 @@ sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs
 
 void sinew_plan_destroy(sinew_plan* plan) { delete plan; }
 
+std::uint32_t sinew_pose_joint(const sinew_plan* plan, std::uint32_t joint) {
+  if (plan == nullptr || joint >= plan->scene->scene.skeleton.joint_count()) return SINEW_NONE;
+  return pose_joint(plan->plan, joint);
+}
+
 std::size_t sinew_stage_count(const sinew_plan* plan) { return plan != nullptr ? plan->stages.size() : 0; }
 
 sinew_error sinew_get_stage(const sinew_plan* plan, std::uint32_t stage, sinew_stage* out) {

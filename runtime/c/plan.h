@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/api.h"
+#include "runtime/c/pose_program.h"
 #include "runtime/c/scene.h"
 
 #ifdef __cplusplus
@@ -20,8 +21,9 @@ enum {
   SINEW_NEED_ADDITIVE = 1u << 8,       ///< layers may add to the pose
   SINEW_NEED_PALETTES = 1u << 9,       ///< skinning matrices, for engines that skin vertices themselves
   SINEW_NEED_BETWEEN_UPDATES =
-      1u << 10,                          ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
-  SINEW_NEED_TANGENTS_OF_ALL = 1u << 11  ///< of the other primitives as well, for engines with materials of their own
+      1u << 10,  ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
+  SINEW_NEED_TANGENTS_OF_ALL = 1u << 11,  ///< of the other primitives as well, for engines with materials of their own
+  SINEW_NEED_CUT = 1u << 12  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
 };
 
 typedef enum sinew_skinning {
@@ -49,18 +51,20 @@ typedef struct sinew_needs {
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
   const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied
   sinew_indices cached_instances;  ///< rising: mesh instances that sinew_frame_input.geometry may play in; copied
-  const sinew_mirror* mirror;      ///< of the same scene, for SINEW_LAYER_MIRRORED; null = no layer is mirrored; shared
+  const sinew_mirror* mirror;      ///< of the same scene, for SINEW_LAYER_MIRRORED; null = nothing is mirrored; shared
+  const sinew_program_room* program;  ///< of sinew_frame_input.program, the most of each; null = no programs; copied
 } sinew_needs;
 
-/// Everything but bounds, palettes, hidden meshes, adding layers and poses between updates; 4 layers of each kind;
-/// linear skinning; all joints; struct_size is set.
+/// Everything but bounds, palettes, hidden meshes, adding layers, poses between updates and cuts. There are 4 layers
+/// of each kind, no programs, linear skinning and all joints; struct_size is set.
 SINEW_API sinew_needs sinew_default_needs(void);
 
 /// The stages that a scene needs. Shared by all characters that show the scene.
 typedef struct sinew_plan sinew_plan;
 
 /// in   scene  must outlive the plan;   needs  null = sinew_default_needs
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all),
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all, more
+///      room than programs can use),
 ///      SINEW_INDEX_OUT_OF_RANGE (cached instances that do not exist, or do not rise),
 ///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD or
 ///      mirror of another scene), SINEW_OUT_OF_MEMORY
@@ -68,6 +72,10 @@ typedef struct sinew_plan sinew_plan;
 SINEW_API sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
 /// Frame buffers, jobs and inputs of the plan must be gone.
 SINEW_API void sinew_plan_destroy(sinew_plan* plan);
+
+/// The index in poses of a joint of the scene: the joint itself, or with a skeleton LOD a smaller number. SINEW_NONE
+/// for a joint that the plan leaves out, and for one that does not exist.     cost O(1)
+SINEW_API uint32_t sinew_pose_joint(const sinew_plan* plan, uint32_t joint);
 
 /// Memory of one frame buffer of the plan, all told, and how it is aligned.
 SINEW_API size_t sinew_plan_frame_bytes(const sinew_plan* plan);

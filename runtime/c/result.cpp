@@ -29,7 +29,8 @@ sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out)
                           .properties = c::span_from<sinew_floats>(frame.properties),
                           .hidden = c::span_from<sinew_flags>(frame.hidden),
                           .instance_count = frame.instances.size(),
-                          .shape_count = frame.primitives.size()},
+                          .shape_count = frame.primitives.size(),
+                          .local = {frame.local.planes, frame.local.joint_count}},
                          out);
 }
 

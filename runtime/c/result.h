@@ -2,6 +2,7 @@
 #pragma once
 #include "runtime/base/api.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/pose.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -19,6 +20,7 @@ typedef struct sinew_result_info {
   sinew_floats properties;  ///< animated numbers
   sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
   size_t instance_count, shape_count;
+  sinew_pose local;  ///< local transforms that `model` is composed of; not to be written
 } sinew_result_info;
 SINEW_API sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
 

@@ -19,15 +19,20 @@ static_assert(static_cast<int>(UpdateLevel::every_second) == SINEW_UPDATE_EVERY_
 /// Room for the input of a C caller on its way in, and for the answer on its way out.
 struct BothRooms {
   explicit BothRooms(const sinew_plan& plan)
-      : own(plan), layers(plan.input_room()), pages(plan.input_room()), geometry(plan.geometry_room()) {}
+      : own(plan),
+        layers(plan.input_room()),
+        pages(plan.input_room()),
+        geometry(plan.geometry_room()),
+        program(plan.plan.needs().in.program) {}
   c::InputRoom in() noexcept { return own.room(); }
-  c::InputRoomOfC out() noexcept { return {layers, pages, geometry}; }
+  c::InputRoomOfC out() noexcept { return {layers, pages, geometry, program.room()}; }
 
  private:
   c::OwnInputRoom own;
   std::vector<sinew_layer> layers;
   std::vector<const sinew_page*> pages;
   std::vector<sinew_geometry_input> geometry;
+  c::OwnProgramRoomOfC program;
 };
 
 bool has_pages(std::span<const ClipLayer> layers) noexcept {

@@ -49,9 +49,11 @@ SINEW_API void sinew_held_input_destroy(sinew_held_input* held);
 /// The input to run in this frame: `now` where the character is due, otherwise the last such input.
 /// in   now    null = the rest pose;   level  sinew_update_level
 ///      phase  of the character, any number: characters that count up spread their work over frames
-/// out  input  views of `held` and of `now`, valid until the next call
+/// out  input  views of `held` and of `now`, valid until the next call. Procedures of programs are not copied: they
+///             stay as they are while the input is held
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_TOO_MANY_LAYERS, SINEW_SIZE_MISMATCH (more weights than the
-///      scene has), SINEW_UNSUPPORTED (level, kind of layer)
+///      scene has), SINEW_UNSUPPORTED (level, kind of layer, space of an override), SINEW_NOT_IN_NEEDS (more of a
+///      program than the needs declare)
 SINEW_API sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_input* now, uint32_t level,
                                             uint64_t frame, uint32_t phase, sinew_frame_input* input);
 

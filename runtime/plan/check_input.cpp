@@ -142,11 +142,13 @@ Refusal check_root(const Affine& root) noexcept {
 /// The lists of a program's inputs are as long as the needs say at most.
 Refusal check_program_lists(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {
   const PoseProgramRoom& room = plan.needs.in.program;
-  constexpr const char* kRule = "longer than the needs declare";
-  if (inputs.externals.size() > room.externals) return {ErrorCode::not_in_needs, nullptr, kRule, "externals"};
-  if (inputs.overrides.size() > room.overrides) return {ErrorCode::not_in_needs, nullptr, kRule, "overrides"};
-  if (inputs.procedures.size() > room.procedures) return {ErrorCode::not_in_needs, nullptr, kRule, "procedures"};
-  if (inputs.masks.size() > room.masks) return {ErrorCode::not_in_needs, nullptr, kRule, "masks"};
+  if (inputs.externals.size() > room.externals)
+    return {ErrorCode::not_in_needs, nullptr, kLongerThanNeeds, "externals"};
+  if (inputs.overrides.size() > room.overrides)
+    return {ErrorCode::not_in_needs, nullptr, kLongerThanNeeds, "overrides"};
+  if (inputs.procedures.size() > room.procedures)
+    return {ErrorCode::not_in_needs, nullptr, kLongerThanNeeds, "procedures"};
+  if (inputs.masks.size() > room.masks) return {ErrorCode::not_in_needs, nullptr, kLongerThanNeeds, "masks"};
   std::size_t joints = 0;
   for (const JointOverrides& overrides : inputs.overrides) joints += overrides.joints.size();
   if (joints > room.overridden_joints)

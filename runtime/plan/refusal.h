@@ -21,6 +21,7 @@ struct Refusal {
 // Rules that the C interface checks, too.
 inline constexpr const char* kNotEachWeight = "not one for each morph weight of the scene";
 inline constexpr const char* kNotEachSource = "not one for each of the needs' cached instances";
+inline constexpr const char* kLongerThanNeeds = "longer than the needs declare";
 inline constexpr const char* kNoUpdates = "the needs declare no frames between updates";
 
 /// The sentence of why_refused: "layers[1].weight: a weight is below 0".

@@ -75,6 +75,9 @@ TEST_F(CNullArguments, of_plans_and_frames) {
   sinew_result_info info{.struct_size = sizeof(info)};
   sinew_instance_result instance{.struct_size = sizeof(instance)};
   sinew_shape shape{.struct_size = sizeof(shape)};
+  sinew_cut_pose cut{.struct_size = sizeof(cut)};
+  sinew_program_room room{.struct_size = sizeof(room)};
+  const sinew_pose_op op = sinew_default_op(SINEW_OP_REST);
   sinew_affine matrix;
   alignas(64) char block[64];
   EXPECT_REFUSED(sinew_plan_create, {1}, &scene_, nullptr, &plan);
@@ -82,6 +85,10 @@ TEST_F(CNullArguments, of_plans_and_frames) {
   EXPECT_REFUSED(sinew_frame_create, {1}, plan_, nullptr, &frame);
   EXPECT_REFUSED(sinew_frame_create_in, {}, plan_, block, sizeof(block), &frame);
   EXPECT_REFUSED(sinew_run, {1}, frame_, nullptr);
+  EXPECT_REFUSED(sinew_run_to_cut, {1}, frame_, nullptr, 1, &cut);
+  EXPECT_REFUSED(sinew_run_from_cut, {1}, frame_, nullptr);
+  EXPECT_REFUSED(sinew_program_room_of, {}, &op, 1, &room);
+  EXPECT_REFUSED(sinew_raise_program_room, {}, &room, &room);
   EXPECT_REFUSED(sinew_why_refused, {1}, frame_, nullptr, &why);
   EXPECT_REFUSED(sinew_get_result, {}, result_, &info);
   EXPECT_REFUSED(sinew_get_instance_result, {}, result_, 0, &instance);
