@@ -19,7 +19,7 @@ using c_pose_programs = ProgramActor;
 TEST_F(c_pose_programs, overlays_poses_joints_and_procedures_have_the_bits_of_cpp) {
   ASSERT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
   const std::vector<float> rest = all_numbers_of(sinew_frame_result(frame_));
-  for (const std::uint8_t space : {SINEW_OVERRIDE_LOCAL, SINEW_OVERRIDE_MODEL}) {
+  for (const std::uint8_t space : {std::uint8_t{SINEW_OVERRIDE_LOCAL}, std::uint8_t{SINEW_OVERRIDE_MODEL}}) {
     joint_.space = space;
     ++overrides_.version;
     ASSERT_EQ(sinew_run(frame_, &input_), SINEW_OK) << why();
@@ -91,6 +91,7 @@ TEST_F(c_pose_programs, held_inputs_hold_programs) {
   ASSERT_EQ(sinew_run(frame_, &next), SINEW_OK);
   EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_frame_result(frame_)), expected));
   --external_.pose.joint_count;
+  ++external_.version;
   ASSERT_EQ(sinew_held_input_next(held, &input_, SINEW_UPDATE_EVERY_FOURTH, 4, 0, &next), SINEW_OK);
   EXPECT_EQ(sinew_run(frame_, &next), SINEW_SIZE_MISMATCH) << "it is not held but handed on";
   input_.op_count = 0;
@@ -218,12 +219,11 @@ TEST_F(c_pose_programs, rooms_that_no_program_can_use_are_refused) {
   const sinew_needs needs = needs_of_c();
   const sinew_program_room good = room_;
   sinew_plan* plan = nullptr;
-  for (const auto [member, number] : {std::pair{&sinew_program_room::ops, 256u},
-                                      {&sinew_program_room::slots, 256u},
-                                      {&sinew_program_room::masks, 256u},
-                                      {&sinew_program_room::externals, 65536u},
-                                      {&sinew_program_room::overrides, 65536u},
-                                      {&sinew_program_room::procedures, 65536u}}) {
+  const std::pair<std::uint32_t sinew_program_room::*, std::uint32_t> too_many[] = {
+      {&sinew_program_room::ops, 256u},         {&sinew_program_room::slots, 256u},
+      {&sinew_program_room::masks, 256u},       {&sinew_program_room::externals, 65536u},
+      {&sinew_program_room::overrides, 65536u}, {&sinew_program_room::procedures, 65536u}};
+  for (const auto& [member, number] : too_many) {
     room_ = good;
     room_.*member = number;
     EXPECT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_UNSUPPORTED);

@@ -56,6 +56,7 @@ class ProgramActor : public testing::Test {
   std::size_t joints() const { return scene_.scene.skeleton.joint_count(); }
 
   void make_lists() {
+    input_ = sinew_default_input();
     EXPECT_EQ(sinew_pose_sample(&scene_, 1, 0.4, &pose_), SINEW_OK);
     for (std::size_t j = 0; j < joints(); j += 2) mask_weights_[j] = 0.25f;
     weights_.assign(scene_.scene.weight_count(), 0.5f);
@@ -151,7 +152,7 @@ class ProgramActor : public testing::Test {
   sinew_joint_mask mask_;
   sinew_program_inputs inputs_;
   sinew_program_room room_{};
-  sinew_frame_input input_ = sinew_default_input();
+  sinew_frame_input input_;
   sinew_plan* plan_ = nullptr;
   sinew_frame* frame_ = nullptr;
 };

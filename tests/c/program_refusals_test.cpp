@@ -64,7 +64,7 @@ TEST_F(CProgramRefusals, kinds_that_do_not_exist) {
 
 TEST_F(CProgramRefusals, faults_of_the_runtime_are_those_of_cpp) {
   refused(SINEW_INDEX_OUT_OF_RANGE, "program[1]: there is no external pose of that index", [&] { ops_[1].index = 1; });
-  refused(SINEW_INDEX_OUT_OF_RANGE, "program[1]: there is no external pose of that index",
+  refused(SINEW_INDEX_OUT_OF_RANGE, "program[1]: there is no mask of that index",
           [&] { input_.program_inputs = nullptr; });
   refused(SINEW_SIZE_MISMATCH, "program[2]: it takes more poses than those before it leave",
           [&] { ops_[2].kind = SINEW_OP_ADD; });
@@ -80,7 +80,6 @@ TEST_F(CProgramRefusals, faults_of_the_runtime_are_those_of_cpp) {
     input_.layers = &layer;
     input_.layer_count = 1;
   });
-  input_.layer_count = 0;
 }
 
 TEST_F(CProgramRefusals, poses_that_are_not_aligned) {
@@ -126,7 +125,7 @@ TEST_F(CProgramRefusals, callers_from_before_programs_have_none) {
   ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
   EXPECT_EQ(sinew_run(frame, input.get()), SINEW_OK);
   EXPECT_EQ(sinew_run(frame, &input_), SINEW_NOT_IN_NEEDS) << "the plan has no room for programs";
-  Older<sinew_result_info, offsetof(sinew_result_info, local)> info({});
+  Older<sinew_result_info, offsetof(sinew_result_info, local)> info(sinew_result_info{});
   ASSERT_EQ(sinew_get_result(sinew_frame_result(frame), info.get()), SINEW_OK);
   EXPECT_EQ(info.get()->model.count, joints());
   EXPECT_EQ(info.bytes[offsetof(sinew_result_info, local)], 0xa5) << "it is not written beyond its end";
