@@ -23,7 +23,7 @@ std::vector<float> rest_weights(const gltf::Node& node, std::uint32_t index, con
   return weights;
 }
 
-bool is_skinned(const Mesh& mesh) {
+bool any_skinned(const Mesh& mesh) {
   return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                      [](const Primitive& p) { return !p.influences.empty(); });
 }
@@ -54,7 +54,7 @@ Instances build_instances(const gltf::Document& document, const JointOrder& orde
     MeshInstance instance{order.joint_of_node[n], static_cast<std::uint32_t>(node.mesh),
                           static_cast<std::uint32_t>(node.skin), rest_weights(node, n, mesh, log),
                           copies.value_or(std::vector<Transform>{})};
-    if (node.skin != gltf::kAbsent && !is_skinned(mesh)) {
+    if (node.skin != gltf::kAbsent && !any_skinned(mesh)) {
       log.report(Rule::node_skin_unused, pointer("nodes", n, "skin"),
                  "no primitive of the mesh has joints and weights; ignored");
       instance.skin = kNone;

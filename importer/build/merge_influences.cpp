@@ -16,7 +16,7 @@ struct Influence {
 
 /// Deviation per weight caused by rounding to float. Sums within it are not normalised again, because that would change
 /// the last bits of normalised weights.
-constexpr double kRounding = 0x1p-24;
+constexpr double kWeightRounding = 0x1p-24;
 
 /// Issues counted over all vertices, so that each kind is reported once.
 struct IssueCounts {
@@ -104,7 +104,7 @@ class Merger {
     sort_influences(vertex_, [](const Influence& a, const Influence& b) {
       return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
     });
-    if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
+    if (deviation <= kWeightRounding * static_cast<double>(vertex_.size())) return;
     for (auto& influence : vertex_) influence.weight /= sum_;
   }
 

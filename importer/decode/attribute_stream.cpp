@@ -18,7 +18,7 @@ constexpr std::size_t kGroup = 16;           ///< differences per packed group
 constexpr std::size_t kMostElements = 256;   ///< elements per block
 constexpr std::size_t kBlockBytes = 8192;    ///< decoded bytes per block
 constexpr std::size_t kSmallestTail = 24;    ///< bytes
-constexpr std::size_t kChannel = 4;          ///< bytes of an element that share a mode
+constexpr std::size_t kChannelBytes = 4;     ///< bytes of an element that share a mode
 constexpr std::size_t kLargestStride = 256;  ///< bytes
 constexpr std::uint8_t kVersion = 0xa1;
 
@@ -111,7 +111,7 @@ T unzigzag(T v) noexcept {
 
 /// Decodes integer differences of type T at byte `first` of the channel, by prefix sums.
 template <class T>
-void add_differences(const std::array<Plane, kChannel>& planes, std::size_t first, std::size_t count,
+void add_differences(const std::array<Plane, kChannelBytes>& planes, std::size_t first, std::size_t count,
                      std::size_t stride, std::uint8_t* last, std::byte* out) noexcept {
   T value = 0;
   for (std::size_t b = sizeof(T); b-- > 0;) value = static_cast<T>(std::uint32_t{value} << 8 | last[first + b]);
@@ -127,17 +127,18 @@ void add_differences(const std::array<Plane, kChannel>& planes, std::size_t firs
 }
 
 /// Decodes XOR differences of 32-bit numbers, which the encoder rotated left by `rotation` bits.
-void flip_differences(const std::array<Plane, kChannel>& planes, int rotation, std::size_t count, std::size_t stride,
-                      std::uint8_t* last, std::byte* out) noexcept {
+void flip_differences(const std::array<Plane, kChannelBytes>& planes, int rotation, std::size_t count,
+                      std::size_t stride, std::uint8_t* last, std::byte* out) noexcept {
   std::uint32_t value = 0;
-  for (std::size_t b = kChannel; b-- > 0;) value = value << 8 | last[b];
+  for (std::size_t b = kChannelBytes; b-- > 0;) value = value << 8 | last[b];
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t difference = 0;
-    for (std::size_t b = kChannel; b-- > 0;) difference = difference << 8 | planes[b][i];
+    for (std::size_t b = kChannelBytes; b-- > 0;) difference = difference << 8 | planes[b][i];
     value ^= std::rotr(difference, rotation);
-    for (std::size_t b = 0; b < kChannel; ++b) out[i * stride + b] = static_cast<std::byte>(value >> (8 * b) & 0xff);
+    for (std::size_t b = 0; b < kChannelBytes; ++b)
+      out[i * stride + b] = static_cast<std::byte>(value >> (8 * b) & 0xff);
   }
-  for (std::size_t b = 0; b < kChannel; ++b) last[b] = static_cast<std::uint8_t>(value >> (8 * b));
+  for (std::size_t b = 0; b < kChannelBytes; ++b) last[b] = static_cast<std::uint8_t>(value >> (8 * b));
 }
 
 /// True for valid channel modes: the low 4 bits are the kind of difference; only kind 2 (XOR) uses the high 4 bits
@@ -147,14 +148,16 @@ bool is_known_mode(std::byte mode) noexcept {
   return kind == 2 || (kind < 2 && rotation == 0);
 }
 
-void restore(const std::array<Plane, kChannel>& planes, std::byte mode, std::size_t count, std::size_t stride,
+void restore(const std::array<Plane, kChannelBytes>& planes, std::byte mode, std::size_t count, std::size_t stride,
              std::uint8_t* last, std::byte* out) noexcept {
   switch (number(mode) & 15) {
     case 0:
-      for (std::size_t b = 0; b < kChannel; ++b) add_differences<std::uint8_t>(planes, b, count, stride, last, out);
+      for (std::size_t b = 0; b < kChannelBytes; ++b)
+        add_differences<std::uint8_t>(planes, b, count, stride, last, out);
       return;
     case 1:
-      for (std::size_t b = 0; b < kChannel; b += 2) add_differences<std::uint16_t>(planes, b, count, stride, last, out);
+      for (std::size_t b = 0; b < kChannelBytes; b += 2)
+        add_differences<std::uint16_t>(planes, b, count, stride, last, out);
       return;
     default: return flip_differences(planes, static_cast<int>(number(mode) >> 4), count, stride, last, out);
   }
@@ -163,14 +166,14 @@ void restore(const std::array<Plane, kChannel>& planes, std::byte mode, std::siz
 /// Decodes one block.   in/out   last   the element before the block, then the last one of the block
 bool read_block(Reader& in, Bytes modes, std::size_t stride, std::size_t count, std::uint8_t* last,
                 std::byte* out) noexcept {
-  const auto controls = in.take(stride / kChannel);
+  const auto controls = in.take(stride / kChannelBytes);
   if (!controls) return false;
-  std::array<Plane, kChannel> planes;
-  for (std::size_t channel = 0; channel < stride / kChannel; ++channel) {
+  std::array<Plane, kChannelBytes> planes;
+  for (std::size_t channel = 0; channel < stride / kChannelBytes; ++channel) {
     const unsigned control = number((*controls)[channel]);
-    for (std::size_t b = 0; b < kChannel; ++b)
+    for (std::size_t b = 0; b < kChannelBytes; ++b)
       if (!read_plane(in, control >> (2 * b) & 3, count, planes[b])) return false;
-    const std::size_t first = channel * kChannel;
+    const std::size_t first = channel * kChannelBytes;
     restore(planes, modes[channel], count, stride, last + first, out + first);
   }
   return true;
@@ -189,11 +192,11 @@ int load_signed(const std::byte* at, std::size_t bytes) noexcept {
 }  // namespace
 
 bool decode_attribute_stream(Bytes encoded, std::size_t stride, std::span<std::byte> out) noexcept {
-  if (stride == 0 || stride > kLargestStride || stride % kChannel != 0 || out.size() % stride != 0) return false;
-  const std::size_t tail = stride + stride / kChannel;
+  if (stride == 0 || stride > kLargestStride || stride % kChannelBytes != 0 || out.size() % stride != 0) return false;
+  const std::size_t tail = stride + stride / kChannelBytes;
   const std::size_t padded_tail = std::max(tail, kSmallestTail);
   if (encoded.size() < 1 + padded_tail || number(encoded.front()) != kVersion) return false;
-  const Bytes modes = encoded.last(stride / kChannel);
+  const Bytes modes = encoded.last(stride / kChannelBytes);
   if (!std::all_of(modes.begin(), modes.end(), is_known_mode)) return false;
   std::array<std::uint8_t, kLargestStride> last{};
   std::memcpy(last.data(), encoded.data() + encoded.size() - tail, stride);

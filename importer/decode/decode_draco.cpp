@@ -25,12 +25,12 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kName = "KHR_draco_mesh_compression";
-constexpr JsonValueShape kIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
-constexpr JsonProperty kProperties[] = {{"bufferView", kIndex, true},
-                                        {"attributes", {.kind = JsonKind::index_map, .element = &kIndex}, true}};
-constexpr JsonObjectShape kObject{kProperties};
-constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+constexpr JsonValueShape kDracoIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
+constexpr JsonProperty kDracoProperties[] = {
+    {"bufferView", kDracoIndex, true}, {"attributes", {.kind = JsonKind::index_map, .element = &kDracoIndex}, true}};
+constexpr JsonObjectShape kDracoObject{kDracoProperties};
+constexpr JsonValueShape kDracoShape{.kind = JsonKind::object, .object = &kDracoObject};
 
 template <class T>
 bool copy_values(const draco::Mesh& mesh, const draco::PointAttribute& attribute, std::vector<std::byte>& out) {
@@ -63,10 +63,10 @@ class DracoDecoder {
       : document_(document), budget_(budget), log_(log) {}
 
   void decode(gltf::Primitive& primitive, const std::string& primitive_place) {
-    const gltf::Json& extension = primitive.extensions[kName];
-    place_ = pointer(primitive_place, "extensions", kName);
+    const gltf::Json& extension = primitive.extensions[kDraco];
+    place_ = pointer(primitive_place, "extensions", kDraco);
     const std::size_t errors = log_.error_count();
-    check_shape(extension, kShape, place_, log_);
+    check_shape(extension, kDracoShape, place_, log_);
     if (log_.error_count() != errors) return;
     const bool strip = gltf::mode_of(primitive) == gltf::PrimitiveMode::triangle_strip;
     if (!strip && gltf::mode_of(primitive) != gltf::PrimitiveMode::triangles)
@@ -232,12 +232,12 @@ void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log)
   for (std::size_t m = 0; m < document.meshes.size(); ++m)
     for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
       auto& primitive = document.meshes[m].primitives[p];
-      if (!primitive.extensions.is_object() || !primitive.extensions.contains(kName)) continue;
+      if (!primitive.extensions.is_object() || !primitive.extensions.contains(kDraco)) continue;
       const std::size_t errors = log.error_count();
       const std::string place = pointer("meshes", m, "primitives", p);
       decoder.decode(primitive, place);
       if (log.error_count() == errors)
-        mend_decoded(document, primitive, primitive.extensions[kName]["attributes"], place, log);
+        mend_decoded(document, primitive, primitive.extensions[kDraco]["attributes"], place, log);
       forget_bounds(document, primitive);
     }
 }

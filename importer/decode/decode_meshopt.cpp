@@ -17,21 +17,21 @@ namespace {
 
 using gltf::Json;
 
-constexpr JsonValueShape kIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
-constexpr JsonValueShape kSize{.kind = JsonKind::integer, .lower = 0, .upper = 9007199254740991.0};
-constexpr JsonValueShape kCount{.kind = JsonKind::integer, .lower = 1, .upper = 4294967295.0};
-constexpr JsonValueShape kStride{.kind = JsonKind::integer, .lower = 2, .upper = 256};
-constexpr std::string_view kModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
-constexpr std::string_view kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
-constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
-                                        {"byteOffset", kSize},
-                                        {"byteLength", kSize, true},
-                                        {"byteStride", kStride, true},
-                                        {"count", kCount, true},
-                                        {"mode", {.kind = JsonKind::string, .words = kModes}, true},
-                                        {"filter", {.kind = JsonKind::string, .words = kFilters}}};
-constexpr JsonObjectShape kObject{kProperties};
-constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
+constexpr JsonValueShape kMeshoptIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
+constexpr JsonValueShape kMeshoptSize{.kind = JsonKind::integer, .lower = 0, .upper = 9007199254740991.0};
+constexpr JsonValueShape kMeshoptCount{.kind = JsonKind::integer, .lower = 1, .upper = 4294967295.0};
+constexpr JsonValueShape kMeshoptStride{.kind = JsonKind::integer, .lower = 2, .upper = 256};
+constexpr std::string_view kMeshoptModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::string_view kMeshoptFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+constexpr JsonProperty kMeshoptProperties[] = {{"buffer", kMeshoptIndex, true},
+                                               {"byteOffset", kMeshoptSize},
+                                               {"byteLength", kMeshoptSize, true},
+                                               {"byteStride", kMeshoptStride, true},
+                                               {"count", kMeshoptCount, true},
+                                               {"mode", {.kind = JsonKind::string, .words = kMeshoptModes}, true},
+                                               {"filter", {.kind = JsonKind::string, .words = kMeshoptFilters}}};
+constexpr JsonObjectShape kMeshoptObject{kMeshoptProperties};
+constexpr JsonValueShape kMeshoptShape{.kind = JsonKind::object, .object = &kMeshoptObject};
 
 /// Upper bound of decoded bytes per encoded byte. The extreme is version 1 of the attribute codec, which stores 256
 /// equal bytes in 2 bits.
@@ -103,7 +103,7 @@ void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budg
   const MeshoptExtension extension = meshopt_extension(view.extensions);
   const std::string place = pointer("bufferViews", index, "extensions", extension.name);
   const std::size_t errors = log.error_count();
-  check_shape(*extension.value, kShape, place, log);
+  check_shape(*extension.value, kMeshoptShape, place, log);
   if (log.error_count() != errors) return;
   const Stream stream = read_stream(*extension.value);
   if (stream.buffer >= document.buffers.size())

@@ -20,7 +20,7 @@ constexpr std::uint16_t kMetadataFlag = 0x8000;
 /// Plausibility limit: far above real compression ratios, yet small enough that a short stream cannot cause huge
 /// allocations.
 constexpr std::uint64_t kMaxElementsPerByte = 256;
-constexpr std::uint64_t kAlwaysPlausible = 65536;
+constexpr std::uint64_t kPlausibleElements = 65536;
 
 draco::DecoderBuffer buffer_of(gltf::Bytes stream) {
   draco::DecoderBuffer buffer;
@@ -53,7 +53,7 @@ tl::expected<DracoSize, std::string> probe_draco(gltf::Bytes stream) {
   } else if (!draco::DecodeVarint(&size.faces, &buffer) || !draco::DecodeVarint(&size.vertices, &buffer)) {
     return truncated;
   }
-  if (std::max(size.faces, size.vertices) > kAlwaysPlausible + kMaxElementsPerByte * stream.size())
+  if (std::max(size.faces, size.vertices) > kPlausibleElements + kMaxElementsPerByte * stream.size())
     return tl::make_unexpected("claims " + std::to_string(size.faces) + " faces and " + std::to_string(size.vertices) +
                                " vertices in " + std::to_string(stream.size()) + " bytes");
   return size;

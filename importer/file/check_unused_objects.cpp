@@ -38,19 +38,19 @@ bool has_telling_names(std::string_view extension) {
 }
 
 /// Stand-in address for the list of lights, which the document does not have.
-const void* lights_of(const Document& document) { return &document.extensions; }
+const void* list_of_lights(const Document& document) { return &document.extensions; }
 
 /// Marks entries that extensions refer to.
 class ExtensionReferences {
  public:
   ExtensionReferences(const Document& d, ReferencedEntries& referenced) : referenced_(referenced) {
-    lists_ = {{"accessor", &d.accessors}, {"bufferView", &d.buffer_views},
-              {"buffer", &d.buffers},     {"camera", &d.cameras},
-              {"image", &d.images},       {"source", &d.images},
-              {"light", lights_of(d)},    {"material", &d.materials},
-              {"mesh", &d.meshes},        {"sampler", &d.samplers},
-              {"skin", &d.skins},         {"texture", &d.textures},
-              {"index", &d.textures},     {"attributes", &d.accessors}};
+    lists_ = {{"accessor", &d.accessors},   {"bufferView", &d.buffer_views},
+              {"buffer", &d.buffers},       {"camera", &d.cameras},
+              {"image", &d.images},         {"source", &d.images},
+              {"light", list_of_lights(d)}, {"material", &d.materials},
+              {"mesh", &d.meshes},          {"sampler", &d.samplers},
+              {"skin", &d.skins},           {"texture", &d.textures},
+              {"index", &d.textures},       {"attributes", &d.accessors}};
   }
 
   /// Searches the whole document for extensions; skips extras.
@@ -134,7 +134,7 @@ void check_unused_objects(const JsonNode& json, const Document& document, Refere
   report_list("textures", document.textures);
   const gltf::Json::json_pointer lights("/KHR_lights_punctual/lights");
   if (document.extensions.contains(lights) && document.extensions[lights].is_array())
-    report("extensions/KHR_lights_punctual/lights", lights_of(document), document.extensions[lights].size());
+    report("extensions/KHR_lights_punctual/lights", list_of_lights(document), document.extensions[lights].size());
   report_nodes(document, log);
 }
 

@@ -22,7 +22,7 @@ void write_name(std::string_view name, Writer& out) {
   out.Key(name.data(), static_cast<rapidjson::SizeType>(name.size()));
 }
 
-void write(const JsonNode& value, const JsonValueShape& shape, Writer& out);
+void write_value(const JsonNode& value, const JsonValueShape& shape, Writer& out);
 
 /// Omits members named `indices`: among the written lists, only primitives have them.
 void write_object(const JsonNode& value, const JsonObjectShape& shape, Writer& out) {
@@ -32,7 +32,7 @@ void write_object(const JsonNode& value, const JsonObjectShape& shape, Writer& o
     const JsonNode* found = find_member(value, property.name);
     if (found == nullptr) continue;
     write_name(property.name, out);
-    write(*found, property.value, out);
+    write_value(*found, property.value, out);
   }
   out.EndObject();
 }
@@ -43,18 +43,18 @@ void write_map(const JsonNode& value, const JsonValueShape& shape, Writer& out) 
     const std::string_view name = text_of(key);
     if (name.find('\0') != name.npos) continue;
     write_name(name, out);
-    write(entry, *shape.element, out);
+    write_value(entry, *shape.element, out);
   }
   out.EndObject();
 }
 
 void write_array(const JsonNode& value, const JsonValueShape& shape, Writer& out) {
   out.StartArray();
-  for (const JsonNode& entry : value.GetArray()) write(entry, *shape.element, out);
+  for (const JsonNode& entry : value.GetArray()) write_value(entry, *shape.element, out);
   out.EndArray();
 }
 
-void write(const JsonNode& value, const JsonValueShape& shape, Writer& out) {
+void write_value(const JsonNode& value, const JsonValueShape& shape, Writer& out) {
   switch (shape.kind) {
     case JsonKind::integer: out.Uint64(static_cast<std::uint64_t>(value.GetDouble())); return;
     case JsonKind::object: return write_object(value, *shape.object, out);
@@ -76,7 +76,7 @@ const JsonValueShape& shape_of(const JsonObjectShape& object, std::string_view p
 /// Writes a camera. A missing lens object is replaced by one with zeros, which also means "no values".
 void write_camera(const JsonNode& camera, const JsonValueShape& shape, Writer& out) {
   const std::string_view type = text_of(*find_member(camera, "type"));
-  if (find_member(camera, type) != nullptr) return write(camera, shape, out);
+  if (find_member(camera, type) != nullptr) return write_value(camera, shape, out);
   out.StartObject();
   for (const char* property : {"type", "name"})
     if (const JsonNode* text = find_member(camera, property)) {
@@ -102,7 +102,7 @@ std::string head_text(const JsonNode& root) {
   for (const char* name : {"asset", "extensionsUsed", "extensionsRequired", "scene"})
     if (const JsonNode* value = find_member(root, name)) {
       write_name(name, out);
-      write(*value, shape_of(*gltf_shape().object, name), out);
+      write_value(*value, shape_of(*gltf_shape().object, name), out);
     }
   out.EndObject();
   return {text.GetString(), text.GetSize()};
@@ -110,7 +110,7 @@ std::string head_text(const JsonNode& root) {
 
 std::string slice_text(const char* name, const JsonNode& list, std::size_t& next) {
   const JsonValueShape& shape = *shape_of(*gltf_shape().object, name).element;
-  const auto write_entry = std::string_view(name) == "cameras" ? write_camera : write;
+  const auto write_entry = std::string_view(name) == "cameras" ? write_camera : write_value;
   Text text;
   Writer out(text);
   out.StartObject();

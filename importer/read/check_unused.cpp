@@ -16,7 +16,7 @@ namespace sinew {
 namespace {
 
 /// Limit of checked components: many accessors may share bytes.
-constexpr std::uint64_t kMaxTotal = std::uint64_t{1} << 28;
+constexpr std::uint64_t kMaxUnusedElements = std::uint64_t{1} << 28;
 
 class Uses {
  public:
@@ -65,7 +65,7 @@ void check_unused_accessors(const gltf::Document& document, IssueLog& log) {
     if (uses.is_used(i) || !has_bytes || accessor.component_type != gltf::ComponentType::f32) continue;
     const std::uint64_t components = element_layout(accessor).components();
     total += accessor.count * components;
-    if (total > kMaxTotal) return;
+    if (total > kMaxUnusedElements) return;
     const std::vector<float> values = read_floats(document, i);
     const auto bad = std::find_if(values.begin(), values.end(), [](float f) { return !std::isfinite(f); });
     if (bad == values.end()) continue;

@@ -16,7 +16,7 @@ namespace {
 /// Plausible pixels per encoded byte: deflate expands a byte to at most 1032 bytes of 8 pixels each. Only
 /// single-coloured WebP and AVIF exceed this, so images up to a common texture size are always accepted.
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
-constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
+constexpr std::uint64_t kPlausiblePixels = std::uint64_t{1} << 22;
 
 /// Reserves the pixels of an image. Returns the reason if that fails, else an empty string.
 std::string admit(gltf::Bytes encoded, bool decode, std::uint64_t& pixels_left, Image& image) {
@@ -24,7 +24,7 @@ std::string admit(gltf::Bytes encoded, bool decode, std::uint64_t& pixels_left, 
   if (!size) return size.error();
   if (decode && !size->is_decoded) return std::string("is ") + size->mime_type + ", which is not decoded";
   const std::string dimensions = std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels";
-  if (size->pixels() > std::max(kAlwaysPlausible, kMaxPixelsPerByte * encoded.size()))
+  if (size->pixels() > std::max(kPlausiblePixels, kMaxPixelsPerByte * encoded.size()))
     return "claims " + dimensions + " in " + std::to_string(encoded.size()) + " bytes";
   if (decode && size->pixels() > pixels_left) return dimensions + " exceed the pixels allowed for all images";
   if (decode) pixels_left -= size->pixels();

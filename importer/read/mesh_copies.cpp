@@ -14,9 +14,9 @@ using gltf::ComponentType;
 using gltf::ElementType;
 using gltf::Json;
 
-constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
+constexpr const char* kMeshCopies = "EXT_mesh_gpu_instancing";
 
-std::string place_of(std::uint32_t node) { return pointer("nodes", node, "extensions", kExtension, "attributes"); }
+std::string place_of(std::uint32_t node) { return pointer("nodes", node, "extensions", kMeshCopies, "attributes"); }
 
 class CopyReader {
  public:
@@ -85,11 +85,11 @@ class CopyReader {
 std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node,
                                                      IssueLog& log) {
   std::map<std::string, std::uint32_t> out;
-  const Json* extension = member(&document.nodes[node].extensions, kExtension);
+  const Json* extension = member(&document.nodes[node].extensions, kMeshCopies);
   if (extension == nullptr) return out;
   const Json* attributes = member(extension, "attributes");
   if (attributes == nullptr || !attributes->is_object()) {
-    log.report(Rule::extension_value, pointer("nodes", node, "extensions", kExtension), "has no attributes; ignored");
+    log.report(Rule::extension_value, pointer("nodes", node, "extensions", kMeshCopies), "has no attributes; ignored");
     return out;
   }
   for (const auto& [name, index] : attributes->items()) {

@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kUnitTolerance = 0.00674f;  // rounding error of an 8-bit normal; the same as in common validators
+constexpr float kNormalTolerance = 0.00674f;  // rounding error of an 8-bit normal; the same as in common validators
 
 std::vector<glm::vec4> opaque(const std::vector<glm::vec3>& colors) {
   std::vector<glm::vec4> out;
@@ -112,7 +112,7 @@ class PrimitiveReader {
     float worst = 1.0f;
     for (auto& n : data_.primitive.normals) {
       const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-      if (std::abs(length - 1.0f) <= kUnitTolerance) continue;
+      if (std::abs(length - 1.0f) <= kNormalTolerance) continue;
       if (std::abs(length - 1.0f) > std::abs(worst - 1.0f)) worst = length;
       ++odd;
       n = length > 1e-20f ? n / length : glm::vec3(0.0f, 0.0f, 1.0f);

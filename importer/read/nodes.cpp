@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kUnitTolerance = 5e-5;
+constexpr double kRotationTolerance = 5e-5;
 
 /// Converts to vec3; returns `absent` if the vector is empty.
 glm::vec3 to_vec3(const std::vector<double>& v, glm::vec3 absent) {
@@ -42,7 +42,7 @@ NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, I
   const UnitRotation unit = r.empty() ? unit_rotation(0.0, 0.0, 0.0, 1.0) : unit_rotation(r[0], r[1], r[2], r[3]);
   if (unit.length <= 1e-12)
     log.report(Rule::rotation_zero, pointer(place, "rotation"), "has no length; taken as no rotation");
-  else if (std::abs(unit.length - 1.0) > kUnitTolerance)
+  else if (std::abs(unit.length - 1.0) > kRotationTolerance)
     log.report(Rule::rotation_length, pointer(place, "rotation"),
                "has length " + std::to_string(unit.length) + "; normalised");
   NodeTransform out;

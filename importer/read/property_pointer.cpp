@@ -12,7 +12,6 @@ namespace {
 
 using gltf::Json;
 using List = PointedProperty::List;
-using Kind = PropertyKind;
 
 constexpr std::pair<std::string_view, List> kLists[] = {{"/nodes/", List::nodes},
                                                         {"/meshes/", List::meshes},
@@ -23,31 +22,31 @@ constexpr std::pair<std::string_view, List> kLists[] = {{"/nodes/", List::nodes}
 struct Row {
   List list;
   std::string_view path;
-  Kind kind;
+  PropertyKind kind;
 };
 constexpr Row kRows[] = {
-    {List::nodes, "extensions/KHR_node_visibility/visible", Kind::node_visible},
-    {List::cameras, "perspective/yfov", Kind::camera_fov_y},
-    {List::cameras, "perspective/aspectRatio", Kind::camera_aspect},
-    {List::cameras, "perspective/znear", Kind::camera_near},
-    {List::cameras, "perspective/zfar", Kind::camera_far},
-    {List::cameras, "orthographic/xmag", Kind::camera_half_width},
-    {List::cameras, "orthographic/ymag", Kind::camera_half_height},
-    {List::cameras, "orthographic/znear", Kind::camera_near},
-    {List::cameras, "orthographic/zfar", Kind::camera_far},
-    {List::lights, "color", Kind::light_color},
-    {List::lights, "intensity", Kind::light_intensity},
-    {List::lights, "range", Kind::light_range},
-    {List::lights, "spot/innerConeAngle", Kind::light_inner_cone},
-    {List::lights, "spot/outerConeAngle", Kind::light_outer_cone},
-    {List::materials, "pbrMetallicRoughness/baseColorFactor", Kind::base_color},
-    {List::materials, "pbrMetallicRoughness/metallicFactor", Kind::metallic},
-    {List::materials, "pbrMetallicRoughness/roughnessFactor", Kind::roughness},
-    {List::materials, "normalTexture/scale", Kind::normal_scale},
-    {List::materials, "occlusionTexture/strength", Kind::occlusion_strength},
-    {List::materials, "emissiveFactor", Kind::emissive},
-    {List::materials, "extensions/KHR_materials_emissive_strength/emissiveStrength", Kind::emissive_strength},
-    {List::materials, "alphaCutoff", Kind::alpha_cutoff}};
+    {List::nodes, "extensions/KHR_node_visibility/visible", PropertyKind::node_visible},
+    {List::cameras, "perspective/yfov", PropertyKind::camera_fov_y},
+    {List::cameras, "perspective/aspectRatio", PropertyKind::camera_aspect},
+    {List::cameras, "perspective/znear", PropertyKind::camera_near},
+    {List::cameras, "perspective/zfar", PropertyKind::camera_far},
+    {List::cameras, "orthographic/xmag", PropertyKind::camera_half_width},
+    {List::cameras, "orthographic/ymag", PropertyKind::camera_half_height},
+    {List::cameras, "orthographic/znear", PropertyKind::camera_near},
+    {List::cameras, "orthographic/zfar", PropertyKind::camera_far},
+    {List::lights, "color", PropertyKind::light_color},
+    {List::lights, "intensity", PropertyKind::light_intensity},
+    {List::lights, "range", PropertyKind::light_range},
+    {List::lights, "spot/innerConeAngle", PropertyKind::light_inner_cone},
+    {List::lights, "spot/outerConeAngle", PropertyKind::light_outer_cone},
+    {List::materials, "pbrMetallicRoughness/baseColorFactor", PropertyKind::base_color},
+    {List::materials, "pbrMetallicRoughness/metallicFactor", PropertyKind::metallic},
+    {List::materials, "pbrMetallicRoughness/roughnessFactor", PropertyKind::roughness},
+    {List::materials, "normalTexture/scale", PropertyKind::normal_scale},
+    {List::materials, "occlusionTexture/strength", PropertyKind::occlusion_strength},
+    {List::materials, "emissiveFactor", PropertyKind::emissive},
+    {List::materials, "extensions/KHR_materials_emissive_strength/emissiveStrength", PropertyKind::emissive_strength},
+    {List::materials, "alphaCutoff", PropertyKind::alpha_cutoff}};
 
 constexpr std::pair<std::string_view, TextureSlot> kTextures[] = {
     {"pbrMetallicRoughness/baseColorTexture", TextureSlot::base_color},
@@ -55,10 +54,10 @@ constexpr std::pair<std::string_view, TextureSlot> kTextures[] = {
     {"normalTexture", TextureSlot::normal},
     {"occlusionTexture", TextureSlot::occlusion},
     {"emissiveTexture", TextureSlot::emissive}};
-constexpr std::pair<std::string_view, Kind> kTransforms[] = {
-    {"/extensions/KHR_texture_transform/offset", Kind::texture_offset},
-    {"/extensions/KHR_texture_transform/rotation", Kind::texture_rotation},
-    {"/extensions/KHR_texture_transform/scale", Kind::texture_scale}};
+constexpr std::pair<std::string_view, PropertyKind> kTransforms[] = {
+    {"/extensions/KHR_texture_transform/offset", PropertyKind::texture_offset},
+    {"/extensions/KHR_texture_transform/rotation", PropertyKind::texture_rotation},
+    {"/extensions/KHR_texture_transform/scale", PropertyKind::texture_scale}};
 
 bool take(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
@@ -93,27 +92,28 @@ std::size_t size_of(const gltf::Document& document, List list) {
   return lights == nullptr ? 0 : lights->size();
 }
 
-bool camera_defines(const tinygltf::Camera& camera, std::string_view path, Kind kind) {
+bool camera_defines(const tinygltf::Camera& camera, std::string_view path, PropertyKind kind) {
   if (!path.starts_with(camera.type)) return false;
-  if (kind == Kind::camera_aspect) return camera.perspective.aspectRatio != 0.0;
-  return kind != Kind::camera_far || gltf::depth_range(camera).far != 0.0;
+  if (kind == PropertyKind::camera_aspect) return camera.perspective.aspectRatio != 0.0;
+  return kind != PropertyKind::camera_far || gltf::depth_range(camera).far != 0.0;
 }
 
-bool light_defines(const gltf::Document& document, std::uint32_t index, Kind kind) {
+bool light_defines(const gltf::Document& document, std::uint32_t index, PropertyKind kind) {
   const Json* light = &(*lights_of(document))[index];
-  if (kind == Kind::light_range) return member(light, "range") != nullptr;
-  const bool cone = kind == Kind::light_inner_cone || kind == Kind::light_outer_cone;
+  if (kind == PropertyKind::light_range) return member(light, "range") != nullptr;
+  const bool cone = kind == PropertyKind::light_inner_cone || kind == PropertyKind::light_outer_cone;
   return !cone || member(light, "spot") != nullptr;
 }
 
 bool material_defines(const gltf::Material& material, const PropertyTarget& target) {
   switch (target.kind) {
-    case Kind::normal_scale: return material.normalTexture.index != gltf::kAbsent;
-    case Kind::occlusion_strength: return material.occlusionTexture.index != gltf::kAbsent;
-    case Kind::emissive_strength: return member(&material.extensions, "KHR_materials_emissive_strength") != nullptr;
-    case Kind::texture_offset:
-    case Kind::texture_rotation:
-    case Kind::texture_scale: {
+    case PropertyKind::normal_scale: return material.normalTexture.index != gltf::kAbsent;
+    case PropertyKind::occlusion_strength: return material.occlusionTexture.index != gltf::kAbsent;
+    case PropertyKind::emissive_strength:
+      return member(&material.extensions, "KHR_materials_emissive_strength") != nullptr;
+    case PropertyKind::texture_offset:
+    case PropertyKind::texture_rotation:
+    case PropertyKind::texture_scale: {
       const gltf::TextureInfo info = texture_info(material, target.slot);
       return info.index != kNone && member(info.extensions, "KHR_texture_transform") != nullptr;
     }
@@ -164,9 +164,9 @@ std::optional<PropertyTarget> find_target(List list, std::string_view path) {
 }
 
 List list_of(PropertyKind kind) {
-  if (kind == Kind::node_visible) return List::nodes;
-  if (kind <= Kind::camera_far) return List::cameras;
-  return kind <= Kind::light_outer_cone ? List::lights : List::materials;
+  if (kind == PropertyKind::node_visible) return List::nodes;
+  if (kind <= PropertyKind::camera_far) return List::cameras;
+  return kind <= PropertyKind::light_outer_cone ? List::lights : List::materials;
 }
 
 std::string path_of(const PropertyTarget& target, bool orthographic) {

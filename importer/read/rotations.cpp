@@ -7,7 +7,7 @@ namespace sinew {
 namespace {
 
 constexpr double kNoLength = 1e-12;
-constexpr double kUnitTolerance = 0.00769;  // rounding error of normalised bytes and shorts
+constexpr double kKeyTolerance = 0.00769;  // rounding error of normalised bytes and shorts
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void RotationTally::report(const std::string& place, const char* one, const char
   if (zeros_ > 0)
     log.report(Rule::rotation_zero, place,
                std::to_string(zeros_) + ' ' + many + " have no length; taken as no rotation");
-  if (std::abs(worst_ - 1.0) > kUnitTolerance)
+  if (std::abs(worst_ - 1.0) > kKeyTolerance)
     log.report(Rule::rotation_length, place,
                std::string(one) + " has length " + std::to_string(worst_) + "; normalised");
 }

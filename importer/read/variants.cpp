@@ -11,12 +11,12 @@ namespace {
 
 using gltf::Json;
 
-constexpr const char* kExtension = "KHR_materials_variants";
+constexpr const char* kVariants = "KHR_materials_variants";
 
 /// The array `name` of the extension; null if absent.
 /// in   place  of the extension
 const Json* list_in(const Json& extensions, const char* name, const std::string& place, IssueLog& log) {
-  const Json* extension = member(&extensions, kExtension);
+  const Json* extension = member(&extensions, kVariants);
   if (extension == nullptr) return nullptr;
   if (const Json* list = member(extension, name); list != nullptr && list->is_array()) return list;
   log.report(Rule::extension_value, place, "has no array " + in_quotes(name) + "; ignored");
@@ -27,7 +27,7 @@ const Json* list_in(const Json& extensions, const char* name, const std::string&
 
 std::vector<std::string> read_variants(const gltf::Document& document, IssueLog& log) {
   std::vector<std::string> names;
-  const Json* list = list_in(document.extensions, "variants", pointer("extensions", kExtension), log);
+  const Json* list = list_in(document.extensions, "variants", pointer("extensions", kVariants), log);
   if (list == nullptr) return names;
   for (const Json& variant : *list) {
     const Json* name = member(&variant, "name");
@@ -39,7 +39,7 @@ std::vector<std::string> read_variants(const gltf::Document& document, IssueLog&
 std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh,
                                                     std::uint32_t primitive, IssueLog& log) {
   std::vector<VariantMaterial> out;
-  const std::string place = pointer("meshes", mesh, "primitives", primitive, "extensions", kExtension);
+  const std::string place = pointer("meshes", mesh, "primitives", primitive, "extensions", kVariants);
   const Json* list = list_in(document.meshes[mesh].primitives[primitive].extensions, "mappings", place, log);
   if (list == nullptr) return out;
   IssueLog discarded_log;  // read_variants reports the issues of the names

@@ -9,9 +9,7 @@
 namespace sinew::rewrite {
 namespace {
 
-constexpr int kVertexBuffer = 34962, kFloat = 5126;
-
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
+constexpr int kVertexBuffer = 34962;
 
 /// Adds a view and an accessor of floats; returns the accessor's index.
 std::size_t add_floats(std::span<const float> values, Draft& draft) {

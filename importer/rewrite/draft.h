@@ -15,6 +15,10 @@ namespace sinew::rewrite {
 using gltf::Bytes;
 using gltf::Json;
 
+/// The componentType of an accessor.
+constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
+              kFloat = 5126;
+
 /// Location of a buffer view's bytes: a range of a block.
 struct Part {
   std::uint32_t block = kNone;  ///< kNone = the bytes are missing
@@ -52,6 +56,9 @@ Draft make_draft(const CarriedDocument& source);
 
 /// A list of the root object; an empty list if absent.
 Json& list_of(Draft& draft, const char* name);
+
+/// An index as a number of JSON, which may be written as 3.0.
+inline std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
 /// The extension of an object; null if absent.
 inline Json* extension_of(Json& object, const char* name) {

@@ -8,7 +8,7 @@
 namespace sinew::rewrite {
 namespace {
 
-constexpr const char* kName = "EXT_meshopt_compression";
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 std::vector<unsigned> widened(std::size_t stride, const std::vector<std::byte>& indices) {
   std::vector<unsigned> out(indices.size() / stride);
@@ -68,8 +68,8 @@ void declare_meshopt(const char* mode, Filter filter, std::size_t stride, std::s
   if (filter != Filter::none) extension["filter"] = kFilters[static_cast<std::size_t>(filter)];
   entry["buffer"] = 1;
   entry["byteLength"] = decoded_size;
-  entry["extensions"][kName] = std::move(extension);
-  declare(draft, kName, true);
+  entry["extensions"][kMeshopt] = std::move(extension);
+  declare(draft, kMeshopt, true);
 }
 
 }  // namespace sinew::rewrite

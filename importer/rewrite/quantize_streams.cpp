@@ -12,8 +12,6 @@
 namespace sinew::rewrite {
 namespace {
 
-constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kFloat = 5126;
-
 std::vector<float> floats_of(const Stream& stream, std::size_t components) {
   std::vector<float> out(stream.count * components);
   for (std::size_t i = 0; i < stream.count; ++i)
@@ -176,8 +174,6 @@ class Quantizer {
   bool filters_;
   Draft& draft_;
 };
-
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
 /// The WEIGHTS_0 accessors of primitives with a single set. The sum over several sets could not be preserved.
 std::set<std::uint32_t> single_weights(Draft& draft) {

@@ -8,8 +8,6 @@
 namespace sinew::rewrite {
 namespace {
 
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
-
 std::vector<std::size_t> count_uses(Draft& draft, Referenced kind, std::size_t entries) {
   std::vector<std::size_t> uses(entries, 0);
   for_each_reference(draft.json, [&](Referenced what, Json& index) {

@@ -15,15 +15,11 @@
 namespace sinew::rewrite {
 namespace {
 
-constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125;
-
 /// Largest vertex count for 16-bit indices; 65535 is the primitive restart index.
 constexpr std::size_t kMostNarrow = 65535;
 
 using Indices = std::vector<unsigned>;
 using IndexLists = std::vector<std::pair<std::uint32_t, Indices>>;  ///< (accessor, indices)
-
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
 
 Indices read_indices(const Stream& stream, const Json& accessor) {
   Indices out(stream.count);

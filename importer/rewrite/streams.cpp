@@ -12,8 +12,6 @@
 namespace sinew::rewrite {
 namespace {
 
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
-
 /// All uses of an accessor, reduced to the first one and whether all others are equal.
 struct Use {
   StreamUse use;
@@ -71,7 +69,7 @@ Uses find_uses(Draft& draft) {
   return uses;
 }
 
-std::size_t padded(StreamUse use, std::size_t element) {
+std::size_t padded_element(StreamUse use, std::size_t element) {
   return use == StreamUse::vertex ? (element + 3) / 4 * 4 : element;
 }
 
@@ -84,7 +82,7 @@ std::optional<Stream> read_plain(const Json& accessor, const Json& view, Bytes b
   Stream stream{use.use, use.semantic, {}, 0, accessor["count"].get<std::size_t>(), Filter::none};
   const std::size_t element = component_bytes_of(accessor) * component_count(accessor);
   const std::size_t step = view.value("byteStride", element), offset = accessor.value("byteOffset", std::size_t{0});
-  stream.stride = padded(use.use, element);
+  stream.stride = padded_element(use.use, element);
   if (stream.count == 0 || offset + step * (stream.count - 1) + element > bytes.size()) return std::nullopt;
   stream.bytes.resize(stream.stride * stream.count);
   for (std::size_t i = 0; i < stream.count; ++i)

@@ -14,8 +14,6 @@ constexpr int kVertices = 34962, kIndices = 34963;  // bufferView.target
 
 const char* const kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 
-std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
-
 /// Updates the JSON of the accessors that a Draco stream fills.
 void take_primitive(const gltf::Document& document, const gltf::Primitive& primitive, Json& json, Draft& draft) {
   const Json* extension = extension_of(json, kDraco);

@@ -19,12 +19,12 @@ Unpacker::Unpacker() : context_(ZSTD_createDCtx()) {
 }
 
 std::size_t Unpacker::unpack(std::span<const std::byte> stored, bool by_zstd, std::span<std::uint8_t> out) noexcept {
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t kFault = std::numeric_limits<std::size_t>::max();
   if (by_zstd) {
     const std::size_t size = ZSTD_decompressDCtx(context_.get(), out.data(), out.size(), stored.data(), stored.size());
-    return ZSTD_isError(size) != 0u ? kNone : size;
+    return ZSTD_isError(size) != 0u ? kFault : size;
   }
-  if (stored.size() > out.size()) return kNone;
+  if (stored.size() > out.size()) return kFault;
   if (!stored.empty()) std::memcpy(out.data(), stored.data(), stored.size());
   return stored.size();
 }

@@ -90,20 +90,20 @@ void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t 
 /// True if all points are finite and inside of the box. The loop has no branch, and takes four points (twelve floats)
 /// at a time, so compilers vectorise it.
 bool are_within(std::span<const glm::vec3> points, const Aabb& box) noexcept {
-  constexpr std::size_t kFour = 12;
-  float lower[kFour], upper[kFour];
-  for (std::size_t k = 0; k < kFour; ++k) {
+  constexpr std::size_t kFourPoints = 12;
+  float lower[kFourPoints], upper[kFourPoints];
+  for (std::size_t k = 0; k < kFourPoints; ++k) {
     lower[k] = box.lower[static_cast<int>(k % 3)];
     upper[k] = box.upper[static_cast<int>(k % 3)];
   }
   const float* at = points.empty() ? nullptr : &points.front().x;
-  const std::size_t count = 3 * points.size(), whole = count - count % kFour;
+  const std::size_t count = 3 * points.size(), whole = count - count % kFourPoints;
   const auto is_within = [&](std::size_t i, std::size_t k) {  // false for NaN
     return static_cast<std::uint32_t>(at[i] >= lower[k]) & static_cast<std::uint32_t>(at[i] <= upper[k]);
   };
   std::uint32_t within = 1;
-  for (std::size_t i = 0; i < whole; i += kFour)
-    for (std::size_t k = 0; k < kFour; ++k) within &= is_within(i + k, k);
+  for (std::size_t i = 0; i < whole; i += kFourPoints)
+    for (std::size_t k = 0; k < kFourPoints; ++k) within &= is_within(i + k, k);
   for (std::size_t i = whole; i < count; ++i) within &= is_within(i, i % 3);
   return within != 0;
 }

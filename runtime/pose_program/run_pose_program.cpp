@@ -17,7 +17,7 @@
 namespace sinew {
 namespace {
 
-void copy_pose(const PoseSpan& from, const PoseSpan& to) noexcept {
+void copy_planes(const PoseSpan& from, const PoseSpan& to) noexcept {
   std::copy_n(from.planes, PoseSpan::floats_for(from.joint_count), to.planes);
 }
 
@@ -65,7 +65,7 @@ class Machine {
 
   void push_rest() noexcept {
     const PoseSlot to = slots_.slot(depth_++);
-    copy_pose(assets_.rest, to.pose);
+    copy_planes(assets_.rest, to.pose);
     copy_or_rest({}, assets_.rest_weights, to.weights);
     copy_or_rest({}, assets_.rest_properties, to.properties);
   }
@@ -73,7 +73,7 @@ class Machine {
   void push_external(std::size_t index) noexcept {
     const ExternalPose& from = job_.externals[index];
     const PoseSlot to = slots_.slot(depth_++);
-    copy_pose(from.pose, to.pose);
+    copy_planes(from.pose, to.pose);
     copy_or_rest(from.weights, assets_.rest_weights, to.weights);
     copy_or_rest(from.properties, assets_.rest_properties, to.properties);
   }

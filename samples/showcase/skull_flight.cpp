@@ -19,7 +19,7 @@ namespace {
 
 using Bone = float (*)(const glm::vec3&);
 
-constexpr float kFloorY = -3.0f;
+constexpr float kPlainY = -3.0f;
 
 /// Scales bones from centimetres to a mesh around the middle of the head, 8 units high.
 Primitive to_scene(Primitive part, std::uint32_t material) {
@@ -82,7 +82,7 @@ Primitive cove() {
       [=](float u, float v) {
         const float along = v * (kFloor + kQuarter + kWall), up = std::max(along - kFloor - kQuarter, 0.0f);
         const float angle = glm::clamp((along - kFloor) / kBend, 0.0f, kQuarter / kBend);
-        return glm::vec3(90.0f * (u - 0.5f), kFloorY + kBend * (1.0f - std::cos(angle)) + up,
+        return glm::vec3(90.0f * (u - 0.5f), kPlainY + kBend * (1.0f - std::cos(angle)) + up,
                          28.0f - std::min(along, kFloor) - kBend * std::sin(angle));
       },
       1, 64);
@@ -96,14 +96,14 @@ Primitive columns() {
   };
   for (const float x : {-11.0f, 11.0f})
     for (int i = -2; i <= 2; ++i)
-      append(all, lathe({x, kFloorY - 0.05f, 6.0f * static_cast<float>(i)}, 4.05f, profile, 24, 30));
+      append(all, lathe({x, kPlainY - 0.05f, 6.0f * static_cast<float>(i)}, 4.05f, profile, 24, 30));
   return all;
 }
 
 Primitive spheres_on_columns() {
   Primitive all;
   for (const float x : {-11.0f, 11.0f})
-    for (int i = -2; i <= 2; ++i) append(all, sphere({x, kFloorY + 5.0f, 6.0f * static_cast<float>(i)}, 1.0f, 32, 20));
+    for (int i = -2; i <= 2; ++i) append(all, sphere({x, kPlainY + 5.0f, 6.0f * static_cast<float>(i)}, 1.0f, 32, 20));
   return all;
 }
 
@@ -122,8 +122,8 @@ ShowcaseScene skull_flight() {
   const std::uint32_t enamel = builder.add_material("enamel", {0.90f, 0.86f, 0.75f}, 0.3f);
 
   builder.add_prop("cove", cove(), stone);
-  builder.add_prop("large ball", sphere({4.2f, kFloorY + 1.5f, 1.0f}, 1.5f, 64, 32), lacquer);
-  builder.add_prop("small ball", sphere({6.4f, kFloorY + 0.8f, 3.2f}, 0.8f, 48, 24), gold);
+  builder.add_prop("large ball", sphere({4.2f, kPlainY + 1.5f, 1.0f}, 1.5f, 64, 32), lacquer);
+  builder.add_prop("small ball", sphere({6.4f, kPlainY + 0.8f, 3.2f}, 0.8f, 48, 24), gold);
   builder.add_prop("columns", columns(), marble);
   builder.add_prop("spheres", spheres_on_columns(), copper);
   const std::uint32_t skull = builder.add_joint("skull", kNone, Transform{});

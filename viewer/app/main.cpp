@@ -13,6 +13,7 @@
 #include "viewer/app/bake_visibility.h"
 #include "viewer/app/headless_run.h"
 #include "viewer/app/loaded_scene.h"
+#include "viewer/app/log_line.h"
 #include "viewer/app/options.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/window_loop.h"
@@ -20,8 +21,6 @@
 
 namespace sinew::viewer {
 namespace {
-
-void log_line(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
 /// A callback that prints the progress of `work` on stderr; null if stderr is no terminal.
 std::function<void(double)> progress_of(const char* work) {

@@ -15,6 +15,7 @@
 #include "viewer/app/frame.h"
 #include "viewer/app/framed_camera.h"
 #include "viewer/app/live_plan.h"
+#include "viewer/app/log_line.h"
 #include "viewer/app/panel/panel.h"
 #include "viewer/app/reload/replace_shown_scene.h"
 #include "viewer/app/scene_choice.h"
@@ -31,8 +32,6 @@ constexpr double kIdleWait_s = 0.1;            // longest wait for an event whil
 // Limit of a time step, so that the animation does not jump after the machine was suspended.
 constexpr double kLongestStep_s = 0.25;
 constexpr int kFramesAfterChange = 4;  // frames drawn after input, because ImGui reacts over several frames
-
-void log_line(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 

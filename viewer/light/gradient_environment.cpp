@@ -6,7 +6,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kSize = 128;  // so that the roughest level still has four texels along an edge
+constexpr std::uint32_t kGradientSize = 128;  // so that the roughest level still has four texels along an edge
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::shared_ptr<const Environment> gradient_environment(const Gradient& gradient
     const double roughness = static_cast<double>(level) / (kEnvironmentLevels - 1);
     const auto left = static_cast<float>(mean_reflected_cosine(roughness));
     made->reflected.push_back(
-        cube_of(kSize >> level, [&](const glm::vec3& d) { return middle + slope * (left * d.y); }));
+        cube_of(kGradientSize >> level, [&](const glm::vec3& d) { return middle + slope * (left * d.y); }));
   }
   return made;
 }

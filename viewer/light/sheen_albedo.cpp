@@ -9,9 +9,9 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr int kHeights = 24, kTurns = 8;  // kTurns azimuths of half a circle; the other half is symmetric
+constexpr int kHeights = 24, kAzimuths = 8;  // of half a circle; the other half is symmetric
 
-constexpr float kSmallestCosine = 1e-4f;
+constexpr float kGrazingCosine = 1e-4f;
 
 /// The paper's fit of Lambda, interpolated for one roughness.
 struct Lambda {
@@ -37,21 +37,21 @@ struct Lambda {
 
 float sheen_albedo(float n_v, float roughness) noexcept {
   const float r = std::max(roughness, kLeastSheenRoughness), inverse = 1.0f / (r * r);
-  const float v = std::max(n_v, kSmallestCosine), aside = std::sqrt(std::max(0.0f, 1.0f - v * v));
+  const float v = std::max(n_v, kGrazingCosine), aside = std::sqrt(std::max(0.0f, 1.0f - v * v));
   const Lambda lambda(r * r);
   const float lambda_v = lambda(v);
   float sum = 0.0f;
   for (int i = 0; i < kHeights; ++i) {
     const float u = (static_cast<float>(i) + 0.5f) / kHeights, z = u * u, across = std::sqrt(1.0f - z * z);
     float ring = 0.0f;
-    for (int j = 0; j < kTurns; ++j) {
-      const float turn = std::numbers::pi_v<float> * (static_cast<float>(j) + 0.5f) / kTurns;
+    for (int j = 0; j < kAzimuths; ++j) {
+      const float turn = std::numbers::pi_v<float> * (static_cast<float>(j) + 0.5f) / kAzimuths;
       const float x = across * std::cos(turn) + aside, y = across * std::sin(turn), h = z + v;
       const float flat = x * x + y * y;
       ring += std::pow(flat / (flat + h * h), 0.5f * inverse);
     }
     // D V n.l, times dz = 2 u du and the angle step of the ring. n.l and pi cancel out.
-    sum += ring * (2.0f + inverse) * u / ((1.0f + lambda_v + lambda(z)) * 2.0f * v * kHeights * kTurns);
+    sum += ring * (2.0f + inverse) * u / ((1.0f + lambda_v + lambda(z)) * 2.0f * v * kHeights * kAzimuths);
   }
   return sum;
 }

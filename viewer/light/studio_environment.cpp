@@ -11,7 +11,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kSize = 128;  // enough, because the lights have soft edges
+constexpr std::uint32_t kStudioSize = 128;  // enough, because the lights have soft edges
 
 /// A rectangular area light that faces the center of the room.
 struct Panel {
@@ -51,7 +51,7 @@ glm::vec3 studio(const glm::vec3& d) {
 
 }  // namespace
 
-CubeMap studio_sky() { return cube_of(kSize, studio); }
+CubeMap studio_sky() { return cube_of(kStudioSize, studio); }
 
 std::shared_ptr<const Environment> studio_environment() {
   static const std::shared_ptr<const Environment> made = make_environment(studio_sky());

@@ -14,7 +14,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr float kMostLight = 65504.0f;  // the largest half float
+constexpr float kLargestHalf = 65504.0f;  // the largest half float
 
 template <class Packed>
 void append(std::vector<std::uint8_t>& bytes, const Packed& packed) {
@@ -26,7 +26,7 @@ void append(std::vector<std::uint8_t>& bytes, const Packed& packed) {
 MipLevel as_half_floats(const CubeMap& cube) {
   MipLevel level{cube.size, cube.size, {}};
   for (const glm::vec3& texel : cube.texels)
-    append(level.rgba, glm::packHalf4x16(glm::vec4(glm::clamp(texel, 0.0f, kMostLight), 1.0f)));
+    append(level.rgba, glm::packHalf4x16(glm::vec4(glm::clamp(texel, 0.0f, kLargestHalf), 1.0f)));
   return level;
 }
 

@@ -52,9 +52,9 @@ std::string other_shape(const GeometryTake& take, const GeometryCache& cache) {
 using Errors = std::vector<double>;
 
 /// Decodes the frames in turn; with a take, measures them.
-class Check {
+class GeometryCheck {
  public:
-  Check(const CacheFile& file, const GeometryTake* take)
+  GeometryCheck(const CacheFile& file, const GeometryTake* take)
       : file_(file), take_(take), decoder_(file.cache), errors_(file.cache.stream_count(), 0.0) {}
 
   /// The first frame that is damaged; nothing when all are as they were written.
@@ -125,7 +125,7 @@ std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<T
       return fail_with(ExitCode::input_at_fault, fmt::format("{}: verify-shape: {}", source->file, other));
     take = std::move(*truth);
   }
-  Check check(in, take ? &*take : nullptr);
+  GeometryCheck check(in, take ? &*take : nullptr);
   if (const auto damaged = check.run()) {
     const std::uint64_t byte = in.cache.frames()[*damaged].offset;
     return fail_with(ExitCode::input_at_fault,

@@ -43,9 +43,9 @@ std::vector<ImportIssue> broken_rules(const std::string& file, bool all) {
 }
 
 /// One command with its options.
-class Check {
+class FileCheck {
  public:
-  Check(const CheckOptions& options, SeverityChoice severities)
+  FileCheck(const CheckOptions& options, SeverityChoice severities)
       : options_(options), severities_(std::move(severities)) {}
 
   ExitCode run(const std::string& file, bool many) {
@@ -78,7 +78,7 @@ ExitCode check_files(const CheckOptions& options) {
     return fail_with(ExitCode::wrong_usage, "FILE is required (see `sinew check --help`)");
   auto severities = SeverityChoice::parse(options.severities);
   if (!severities) return fail_with(ExitCode::wrong_usage, severities.error());
-  Check check(options, *std::move(severities));
+  FileCheck check(options, *std::move(severities));
   return run_batch(options.files, {[&](const Input& file, bool many) { return check.run(file.path, many); },
                                    [&] { return check.totals(); },
                                    {},

@@ -96,7 +96,7 @@ void add_plain(Study& study, const std::shared_ptr<Bench>& bench) {
   study.add(std::move(precise), {bench->part.vertex_count(), [bench] { bench->run_double(0); }});
 }
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_arithmetic(const Group& group) {
   const Point &best = default_of(group), *single = find(group, "plain float"), *precise = find(group, "plain double");
   std::vector<std::string> out{
       fmt::format("The widest lanes of this machine, {}, take {} and are off by {} in the last place.", best.name,
@@ -124,7 +124,7 @@ Study study_arithmetic(const Subject& subject) {
       bench->part.description);
   for (const InstructionSet& set : instruction_sets()) add_job(study, bench, set);
   add_plain(study, bench);
-  study.findings = findings;
+  study.findings = findings_of_arithmetic;
   return study;
 }
 

@@ -61,7 +61,7 @@ void add_variant(Study& study, const SkinnedPart& part, const char* name, const 
              }});
 }
 
-std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
+std::vector<std::string> findings_of_influences(const Group& group, double hardly_seen_mm) {
   const Point& all = default_of(group);
   std::vector<std::string> out{fmt::format("All influences with float weights take {}.", time_of(group, all))};
   for (const Point& point : group.points)
@@ -108,7 +108,7 @@ Study study_influences(const Subject& subject) {
               "all influences; widened to float as they are read");
   add_variant(study, *part, "8-bit weights", all, whole_weights<std::uint8_t>(all),
               "all influences; widened to float as they are read");
-  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
+  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings_of_influences(g, limit); };
   return study;
 }
 

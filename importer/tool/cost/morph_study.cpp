@@ -90,19 +90,19 @@ PlainVertices<double> true_vertices(const Primitive& primitive, const Weights& w
   return out;
 }
 
-struct Variant {
+struct MorphVariant {
   std::string name, note;
   std::function<float(float)> weight;  // replaces each weight
   bool normalise = true;
 };
 
-Weights changed(const Weights& weights, const Variant& variant) {
+Weights changed(const Weights& weights, const MorphVariant& variant) {
   Weights out;
   for (const float w : weights) out.push_back(variant.weight(w));
   return out;
 }
 
-std::vector<Variant> variants() {
+std::vector<MorphVariant> morph_variants() {
   // The smallest weight that the job does not treat as zero. It takes the full work and changes no digit of the sum.
   constexpr float kNothing = 2e-20f;
   const auto as_given = [](float w) { return w; };
@@ -127,7 +127,7 @@ struct MorphError {
 
 double chord_deg(double chord) { return 2.0 * 57.29577951308232 * std::asin(std::min(1.0, 0.5 * chord)); }
 
-MorphError error_of(const MorphedPart& part, const Variant& variant) {
+MorphError error_of(const MorphedPart& part, const MorphVariant& variant) {
   const std::size_t count = part.primitive->vertex_count();
   DeformedVertices found(count);
   std::vector<glm::vec3> scratch(count);
@@ -145,7 +145,7 @@ MorphError error_of(const MorphedPart& part, const Variant& variant) {
   return error;
 }
 
-void add_variant(Study& study, const MorphedPart& part, const Variant& variant, bool by_normals) {
+void add_variant(Study& study, const MorphedPart& part, const MorphVariant& variant, bool by_normals) {
   struct Morphed {
     MorphedPart part;
     std::vector<Weights> moments;
@@ -170,7 +170,7 @@ void add_variant(Study& study, const MorphedPart& part, const Variant& variant, 
              }});
 }
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_morphs(const Group& group) {
   const Point& active = default_of(group);
   std::vector<std::string> out{
       fmt::format("Adding only the targets whose weight is not zero takes {} and is within {} of the truth.",
@@ -216,9 +216,9 @@ Study study_morphing(const Subject& subject) {
       number(static_cast<double>(active) / static_cast<double>(part.moments.size())),
       part.animated ? fmt::format("at {} moments of {}", part.moments.size(), subject.clip_name())
                     : std::string("one in four at weight 0.5, for want of a clip that moves them"));
-  for (const Variant& variant : variants()) add_variant(study, part, variant, by_normals);
+  for (const MorphVariant& variant : morph_variants()) add_variant(study, part, variant, by_normals);
   group.points[1].is_default = true;
-  study.findings = findings;
+  study.findings = findings_of_morphs;
   return study;
 }
 

@@ -32,7 +32,7 @@ NormalError error_of(const SkinnedPart& part, NormalRule rule) {
   return error;
 }
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_normals(const Group& group) {
   const Point &plain = group.points[0], &cofactor = group.points[1];
   const double mean_deg = plain.values[0].value;
   std::vector<std::string> out{fmt::format("Turning normals with the blended matrix itself, as shaders do, is off by "
@@ -90,7 +90,7 @@ Study study_skinned_normals(const Subject& subject) {
                                              skinned->part.in(), skinned->out.out(), chosen});
                }});
   }
-  study.findings = findings;
+  study.findings = findings_of_normals;
   return study;
 }
 

@@ -29,7 +29,7 @@ Group empty_group() {
           .item = "pixel"};
 }
 
-Point point_of(const Json& trial, double pixels) {
+Point occlusion_point(const Json& trial, double pixels) {
   Point point = timed_point(trial, "milliseconds", pixels);
   point.note = trial.at("note");
   point.is_default = trial.at("default");
@@ -68,7 +68,7 @@ std::string worth_it(const Group& group, const Json& trials) {
       number(dearest->time_ns / fewest->second->time_ns));
 }
 
-std::vector<std::string> findings(const Group& group, const Json& answer) {
+std::vector<std::string> findings_of_occlusion(const Group& group, const Json& answer) {
   const Point& standard = default_of(group);
   std::vector<std::string> out{fmt::format(
       "A picture without ambient occlusion is off by {:.1f} % of full light on average; {} at half size, blurred, "
@@ -114,7 +114,7 @@ Group occlusion_group(const std::string& answer) {
   const double pixels = read.at("width").get<double>() * read.at("height").get<double>();
   for (const Json& trial : read.at("trials")) {
     if (trial.at("milliseconds").empty()) return left_out("the Vulkan device has no clock");
-    group.points.push_back(point_of(trial, pixels));
+    group.points.push_back(occlusion_point(trial, pixels));
   }
   group.about = fmt::format(
       "One picture of {} x {}, {} pixels of which show a surface, on {}; times are those of the device for the passes "
@@ -125,7 +125,7 @@ Group occlusion_group(const std::string& answer) {
       read.at("width").get<int>(), read.at("height").get<int>(), read.at("pixels").get<std::uint64_t>(),
       read.at("device").get<std::string>(), read.at("radius_m").get<double>());
   mark_pareto_front(group);
-  group.findings = findings(group, read);
+  group.findings = findings_of_occlusion(group, read);
   add_rays_at_vertices(read, group.findings);
   return group;
 }

@@ -8,36 +8,36 @@
 namespace sinew::cost {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kPageTemplate =
 #include "report_page.inc"
     ;
 
-Json point_json(const Group& group, const Point& point) {
-  Json out = {{"name", point.name},
-              {"error", point.error},
-              {"error_unit", group.error_unit},
-              {"time", point.time_ns},
-              {"time_unit", "ns/" + group.item},
-              {"spread", point.spread},
-              {"noisy", point.noisy},
-              {"pareto", point.pareto},
-              {"default", point.is_default},
-              {"other_aim", point.other_aim}};
+OrderedJson point_json(const Group& group, const Point& point) {
+  OrderedJson out = {{"name", point.name},
+                     {"error", point.error},
+                     {"error_unit", group.error_unit},
+                     {"time", point.time_ns},
+                     {"time_unit", "ns/" + group.item},
+                     {"spread", point.spread},
+                     {"noisy", point.noisy},
+                     {"pareto", point.pareto},
+                     {"default", point.is_default},
+                     {"other_aim", point.other_aim}};
   if (point.size) {
     out["size"] = *point.size;
     out["size_unit"] = group.size_unit;
   }
-  out["values"] = Json::array();
+  out["values"] = OrderedJson::array();
   for (const Value& value : point.values)
     out["values"].push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
   out["note"] = point.note;
   return out;
 }
 
-Json group_json(const Group& group) {
-  Json out = {{"name", group.name}, {"title", group.title}, {"question", group.question}};
+OrderedJson group_json(const Group& group) {
+  OrderedJson out = {{"name", group.name}, {"title", group.title}, {"question", group.question}};
   if (!group.left_out.empty()) out["left_out"] = group.left_out;
   out["about"] = group.about;
   out["findings"] = group.findings;
@@ -46,7 +46,7 @@ Json group_json(const Group& group) {
   out["rounding"] = group.rounding;
   out["cost"] = group.size_unit.empty() ? "time" : "size";
   out["cost_unit"] = group.size_unit.empty() ? "ns a " + group.item : group.size_unit;
-  out["points"] = Json::array();
+  out["points"] = OrderedJson::array();
   for (const Point& point : group.points) out["points"].push_back(point_json(group, point));
   return out;
 }
@@ -76,9 +76,9 @@ std::string csv_row(const Group& group, const Point& point) {
 }
 
 /// JSON that is safe inside a script element: it contains no "</script" and no "<!--".
-std::string inside_script(const Json& json) {
+std::string inside_script(const OrderedJson& json) {
   std::string safe;
-  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
+  for (const char c : json.dump(-1, ' ', true, OrderedJson::error_handler_t::replace))
     if (c == '<')
       safe += "\\u003c";
     else
@@ -88,12 +88,12 @@ std::string inside_script(const Json& json) {
 
 }  // namespace
 
-Json report_json(const Report& report) {
-  Json machine = Json::object();
+OrderedJson report_json(const Report& report) {
+  OrderedJson machine = OrderedJson::object();
   for (const auto& [name, value] : report.machine) machine[name] = value;
-  Json out = {
+  OrderedJson out = {
       {"subject", report.subject}, {"machine", machine}, {"command", report.command}, {"noisy_from", kNoisySpread}};
-  out["groups"] = Json::array();
+  out["groups"] = OrderedJson::array();
   for (const Group& group : report.groups) out["groups"].push_back(group_json(group));
   return out;
 }

@@ -135,7 +135,7 @@ void add_copy(Study& study, const std::shared_ptr<Bodies>& bodies, std::span<con
   study.add(std::move(point), {bodies->poses.size() * bodies->source.joint_count(), work});
 }
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_retargeting(const Group& group) {
   const Point &free = default_of(group), *held = find(group, free.name + ", held feet"), *copy = find(group, kCopied);
   return {fmt::format("A pose on another body takes {}, {} times a plain copy of its numbers; holding the feet {}.",
                       time_of(group, free), number(free.time_ns / copy->time_ns), time_beside(group, *held, free)),
@@ -169,7 +169,7 @@ Study study_retargeting(const Subject& subject) {
   for (const Rule& rule : kRules)
     for (const bool held : {false, true}) add_rule(study, bodies, rule, held, moments);
   add_copy(study, bodies, moments);
-  study.findings = findings;
+  study.findings = findings_of_retargeting;
   return study;
 }
 

@@ -36,7 +36,7 @@ Group group_of_normals() {
           .item = "pixel"};
 }
 
-Point point_of(const Json& trial, double pixels) {
+Point filter_point(const Json& trial, double pixels) {
   Point point = timed_point(trial, "milliseconds", pixels);
   point.note = "sinew-viewer --filter " + point.name;
   point.is_default = point.name == kUsual;
@@ -46,7 +46,7 @@ Point point_of(const Json& trial, double pixels) {
   return point;
 }
 
-std::string beside(const Group& group, const char* name, const Point& usual) {
+std::string beside_usual(const Group& group, const char* name, const Point& usual) {
   const Point& other = *find(group, name);
   return fmt::format("{} leaves {:.1f} %, which {}", name, other.error, time_beside(group, other, usual));
 }
@@ -55,11 +55,11 @@ std::vector<std::string> findings_of_filters(const Group& group) {
   const Point& usual = default_of(group);
   const Point& rip = *find(group, "ripmap");
   const std::string
-      others = fmt::format("{}; {}.", beside(group, "trilinear", usual), beside(group, "bilinear", usual)),
+      others = fmt::format("{}; {}.", beside_usual(group, "trilinear", usual), beside_usual(group, "bilinear", usual)),
       of_rip = fmt::format(
           "{}, with {} KiB for a texture that has {} with mip levels; where the texture lies at 45 degrees "
           "it leaves {:.1f} %.",
-          beside(group, "ripmap", usual), number(rip.values[1].value), number(usual.values[1].value),
+          beside_usual(group, "ripmap", usual), number(rip.values[1].value), number(usual.values[1].value),
           rip.values[0].value);
   return {fmt::format("Anisotropic filtering at up to 8 places leaves {:.1f} % of full light and takes {}.",
                       usual.error, time_of(group, usual)),
@@ -106,7 +106,7 @@ Group filter_group(const std::string& measured) {
   if (std::string why = find_document_error(read, "filters"); !why.empty())
     return left_out(group_of_filters(), std::move(why));
   Group group = group_of_filters();
-  for (const Json& trial : read.at("filters")) group.points.push_back(point_of(trial, pixels_of(read)));
+  for (const Json& trial : read.at("filters")) group.points.push_back(filter_point(trial, pixels_of(read)));
   group.about = fmt::format(
       "A plane that reaches the horizon, {} x {} pixels on {}, beside {} x {} samples of each pixel; it does not "
       "depend "

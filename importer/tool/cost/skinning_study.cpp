@@ -93,7 +93,7 @@ constexpr Kind kKinds[] = {
     {"center of rotation", Skinning::center_of_rotation, "blends rotations about centers that are made once"},
 };
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_skinning(const Group& group) {
   const Point& linear = default_of(group);
   std::vector<std::string> out{
       fmt::format("Linear blending takes {} and keeps {} % of the limb bent by 90 degrees, {} % of it twisted by 150.",
@@ -159,7 +159,7 @@ Study study_skinning(const Subject& subject) {
   if (skinner->any_stretch())
     group.about +=
         " Joints of this file stretch: the rigid kinds run their first phase, which rigid joints spare them.";
-  study.findings = findings;
+  study.findings = findings_of_skinning;
   return study;
 }
 

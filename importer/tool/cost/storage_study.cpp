@@ -19,7 +19,7 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kChance = 1.5;  // times the error of unchanged keys, which is rounding
+constexpr double kRoundingOfKeys = 1.5;  // times the error of unchanged keys, which is rounding
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr std::uint32_t kBits[] = {16, 12, 8};
 constexpr double kMostKeys =
@@ -161,7 +161,7 @@ void add_stored(Study& study, const Subject& subject, const std::string& name, C
                                }});
 }
 
-std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
+std::vector<std::string> findings_of_storage(const Group& group, double hardly_seen_mm) {
   const Point& whole = default_of(group);
   std::vector<std::string> out{
       fmt::format("The keys as they are take {} {}; sampling them takes {} and is within {} of the truth.",
@@ -222,8 +222,8 @@ Study study_storage(const Subject& subject) {
     if (fps * subject.animation()->duration_s < kMostKeys)
       add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)),
                  "full floats at even times, linear between them", moments);
-  group.rounding = kChance * default_of(group).error;
-  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
+  group.rounding = kRoundingOfKeys * default_of(group).error;
+  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings_of_storage(g, limit); };
   return study;
 }
 

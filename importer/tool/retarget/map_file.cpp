@@ -14,11 +14,11 @@ namespace sinew::tool {
 namespace {
 
 using nlohmann::json;
-using Outcome = tl::expected<void, std::string>;
+using Applied = tl::expected<void, std::string>;
 
 /// Calls read(joint of the target, text) for each entry of a member of the file; none where it is absent.
 template <class Read>
-Outcome for_each_joint(const json& map, const char* member, const Skeleton& target, const Read& read) {
+Applied for_each_joint(const json& map, const char* member, const Skeleton& target, const Read& read) {
   const json entries = map.value(member, json::object());
   if (!entries.is_object()) return tl::unexpected(in_quotes(member) + " is no list of names");
   for (const auto& [name, text] : entries.items()) {
@@ -30,18 +30,18 @@ Outcome for_each_joint(const json& map, const char* member, const Skeleton& targ
   return {};
 }
 
-Outcome read_map(const json& map, const Skeleton& source, const Skeleton& target, SkeletonMapOptions& options) {
+Applied read_map(const json& map, const Skeleton& source, const Skeleton& target, SkeletonMapOptions& options) {
   for (const auto& [member, value] : map.items())
     if (member != "joints" && member != "translations")
       return tl::unexpected(in_quotes(member) + " is not \"joints\" or \"translations\"");
-  auto done = for_each_joint(map, "joints", target, [&](std::uint32_t joint, const std::string& name) -> Outcome {
+  auto done = for_each_joint(map, "joints", target, [&](std::uint32_t joint, const std::string& name) -> Applied {
     const auto from = source.find(name);
     if (!from) return tl::unexpected("the clips have no joint " + in_quotes(name));
     options.pairs.push_back({*from, joint});
     return {};
   });
   if (!done) return done;
-  return for_each_joint(map, "translations", target, [&](std::uint32_t joint, const std::string& name) -> Outcome {
+  return for_each_joint(map, "translations", target, [&](std::uint32_t joint, const std::string& name) -> Applied {
     const auto rule = translation_rule(name);
     if (!rule) return tl::unexpected(in_quotes(name) + " is no rule: hips-by-height, by-length or keep");
     options.chains.push_back({joint, *rule});

@@ -39,7 +39,7 @@ struct RetargetOptions {
   bool keep_rest = false, hold_feet = false;
 };
 
-std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
+std::string quoted_name(const Skeleton& skeleton, std::uint32_t joint) {
   return skeleton.names[joint].empty() ? fmt::format("node {}", skeleton.node_of_joint[joint])
                                        : in_quotes(skeleton.names[joint]);
 }
@@ -47,7 +47,7 @@ std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
 void print_joints(const char* title, const Skeleton& skeleton, const std::vector<std::uint32_t>& joints) {
   if (joints.empty()) return;
   std::string names;
-  for (const std::uint32_t joint : joints) names += (names.empty() ? "" : ", ") + name_of(skeleton, joint);
+  for (const std::uint32_t joint : joints) names += (names.empty() ? "" : ", ") + quoted_name(skeleton, joint);
   print_result("{}: {}\n", title, names);
 }
 
@@ -61,10 +61,10 @@ void print_map(const SkeletonMap& map, const TwistMap& twists, const Skeleton& s
   print_result("{} by {}, heights {:.4g}\n", counted(map.joints.size(), "joint"),
                map.by_names ? "their names" : "the bones of a human body or the map", map.height_ratio);
   for (const MappedJoint& joint : map.joints)
-    print_result("  {} follows {}\n", name_of(target, joint.target), name_of(source, joint.source));
+    print_result("  {} follows {}\n", quoted_name(target, joint.target), quoted_name(source, joint.source));
   std::vector<std::uint32_t> resting = map.unmapped_target;
   for (const TwistJoint& twist : twists.joints) {
-    print_result("  {} shares the twist of {}\n", name_of(target, twist.joint), name_of(target, twist.driver));
+    print_result("  {} shares the twist of {}\n", quoted_name(target, twist.joint), quoted_name(target, twist.driver));
     std::erase(resting, twist.joint);
   }
   print_joints("joints of the character that rest", target, resting);

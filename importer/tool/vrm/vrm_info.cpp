@@ -18,14 +18,14 @@ const char* word(Kind kind, const char* const (&words)[N]) {
   return words[static_cast<std::size_t>(kind)];
 }
 
-Json node_of(const Scene& scene, std::uint32_t joint) {
+Json node_or_null(const Scene& scene, std::uint32_t joint) {
   return joint < scene.skeleton.node_of_joint.size() ? Json(scene.skeleton.node_of_joint[joint]) : Json(nullptr);
 }
 
 Json expression_json(const VrmExpression& expression, const Scene& scene) {
   Json morphs = Json::array();
   for (const VrmMorphBind& bind : expression.morphs)
-    morphs.push_back({{"node", node_of(scene, scene.instances[bind.instance].joint)},
+    morphs.push_back({{"node", node_or_null(scene, scene.instances[bind.instance].joint)},
                       {"target", bind.target},
                       {"weight", bind.weight}});
   return {{"name", expression.name},
@@ -36,7 +36,7 @@ Json expression_json(const VrmExpression& expression, const Scene& scene) {
 
 Json spring_json(const VrmSpring& spring, const Scene& scene) {
   Json joints = Json::array();
-  for (const VrmSpringJoint& joint : spring.joints) joints.push_back(node_of(scene, joint.joint));
+  for (const VrmSpringJoint& joint : spring.joints) joints.push_back(node_or_null(scene, joint.joint));
   return {{"name", spring.name}, {"nodes", std::move(joints)}, {"colliders", spring.colliders.size()}};
 }
 
@@ -55,16 +55,16 @@ Json vrm_json(const VrmCharacter& vrm, const Scene& scene) {
            {"colliders", Json::array()},
            {"springs", Json::array()},
            {"constraints", Json::array()}};
-  for (const NamedBone& bone : vrm.bones) out["bones"][bone.name] = node_of(scene, bone.joint);
+  for (const NamedBone& bone : vrm.bones) out["bones"][bone.name] = node_or_null(scene, bone.joint);
   for (const auto& expression : vrm.expressions) out["expressions"].push_back(expression_json(expression, scene));
   for (const VrmCollider& collider : vrm.colliders)
-    out["colliders"].push_back({{"node", node_of(scene, collider.joint)},
+    out["colliders"].push_back({{"node", node_or_null(scene, collider.joint)},
                                 {"shape", word(collider.kind, kColliders)},
                                 {"radius_m", collider.radius_m}});
   for (const VrmSpring& spring : vrm.springs) out["springs"].push_back(spring_json(spring, scene));
   for (const VrmConstraint& constraint : vrm.constraints)
-    out["constraints"].push_back({{"node", node_of(scene, constraint.joint)},
-                                  {"source", node_of(scene, constraint.source)},
+    out["constraints"].push_back({{"node", node_or_null(scene, constraint.joint)},
+                                  {"source", node_or_null(scene, constraint.source)},
                                   {"kind", word(constraint.kind, kConstraints)},
                                   {"weight", constraint.weight}});
   return out;

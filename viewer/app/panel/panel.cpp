@@ -10,14 +10,13 @@
 
 #include "viewer/app/keys.h"
 #include "viewer/app/panel/plan_panel.h"
+#include "viewer/app/panel/show_text.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
 namespace {
 
 const ImVec4 kFaultColor(1.0f, 0.5f, 0.4f, 1.0f);
-
-void text(std::string_view line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
 void scene_combo(const PanelFacts& facts, PanelRequests& requests) {
   if (facts.scene_names.size() >= 2) {
@@ -27,20 +26,20 @@ void scene_combo(const PanelFacts& facts, PanelRequests& requests) {
       ImGui::EndCombo();
     }
   } else {
-    text(facts.name);
+    show_text(facts.name);
   }
   if (!facts.reload_fault.empty()) {
     ImGui::PushTextWrapPos(0.0f);
     ImGui::PushStyleColor(ImGuiCol_Text, kFaultColor);
-    text("changed, and shown as before:");
-    text(facts.reload_fault);
+    show_text("changed, and shown as before:");
+    show_text(facts.reload_fault);
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
   }
   if (facts.note.empty()) return;
   ImGui::PushTextWrapPos(0.0f);
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  text(facts.note);
+  show_text(facts.note);
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
 }
@@ -152,13 +151,13 @@ void light_controls(Settings& settings) {
 }
 
 void cache_controls(const CacheFacts& cache, Settings& settings) {
-  text(cache.name);
+  show_text(cache.name);
   ImGui::SliderFloat("cache", &settings.cache_weight, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("0: the pose, 1: the geometry cache");
   ImGui::Text("%u frames of %.1f ms, %zu vertices", cache.frame_count, 1e3 * cache.frame_s, cache.vertex_count);
   ImGui::PushTextWrapPos(0.0f);
-  text(describe_window(cache));
-  text(describe_cost(cache));
+  show_text(describe_window(cache));
+  show_text(describe_cost(cache));
   if (!cache.fault.empty()) ImGui::TextColored(kFaultColor, "%s", std::string(cache.fault).c_str());
   ImGui::PopTextWrapPos();
 }
@@ -237,9 +236,9 @@ void key_help() {
   for (const auto& binding : key_bindings()) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    text(binding.name);
+    show_text(binding.name);
     ImGui::TableNextColumn();
-    text(binding.meaning);
+    show_text(binding.meaning);
   }
   ImGui::EndTable();
 }

@@ -6,15 +6,15 @@
 
 #include <imgui.h>
 
+#include "viewer/app/panel/show_text.h"
+
 namespace sinew::viewer {
 namespace {
-
-void text(std::string_view line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
 void right_aligned(const char* number) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                        std::max(0.0f, ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(number).x));
-  text(number);
+  show_text(number);
 }
 
 void lay_out_row(const PlanRow& row) {
@@ -22,9 +22,9 @@ void lay_out_row(const PlanRow& row) {
   ImGui::TableNextRow();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(row.runs ? ImGuiCol_Text : ImGuiCol_TextDisabled));
   ImGui::TableNextColumn();
-  text(row.stage);
+  show_text(row.stage);
   ImGui::TableNextColumn();
-  text(row.runs ? "on" : "off");
+  show_text(row.runs ? "on" : "off");
   ImGui::TableNextColumn();
   std::snprintf(number, sizeof(number), "%llu", static_cast<unsigned long long>(row.count));
   right_aligned(row.runs ? number : "");
@@ -33,7 +33,7 @@ void lay_out_row(const PlanRow& row) {
   right_aligned(row.timed > 0 ? number : "");
   ImGui::TableNextColumn();
   ImGui::PushTextWrapPos(0.0f);
-  text(row.reason);
+  show_text(row.reason);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
@@ -69,7 +69,7 @@ void lay_out_plan(const PanelFacts& facts, bool& open) {
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("live plan (e hides this)", &open, flags)) {
-    text(facts.device);
+    show_text(facts.device);
     ImGui::Text("%.1f ms from picture to picture", facts.frame_ms);
     ImGui::PushTextWrapPos(0.0f);
     if (facts.resting) ImGui::TextDisabled("nothing moves: no pose is evaluated; times are of the last frames");

@@ -119,21 +119,22 @@ void add_others(Study& study, const PointFrames& truth, double step) {
   }
 }
 
-std::string beside(const Group& group, const char* name, const Point& ours) {
+std::string beside_ours(const Group& group, const char* name, const Point& ours) {
   const Point* other = find(group, name);
   return other == nullptr ? std::string()
                           : fmt::format("{} takes {} times its bytes, and {} to decode", name,
                                         number(*other->size / *ours.size), time_of(group, *other));
 }
 
-std::vector<std::string> findings(const Group& group) {
+std::vector<std::string> findings_of_frames(const Group& group) {
   const Point& ours = default_of(group);
   return {fmt::format("The cache takes {} bytes a point and frame, {} % of floats, and decodes in {}, within {}.",
                       number(*ours.size), number(100.0 * *ours.size / sizeof(glm::vec3)), time_of(group, ours),
                       error_of(group, ours)),
-          fmt::format("Of the same numbers {}; {}.", beside(group, "zstd -19", ours), beside(group, "meshopt", ours)),
-          fmt::format("Of residuals {}; {}.", beside(group, "zstd -19, residuals", ours),
-                      beside(group, "meshopt, residuals", ours))};
+          fmt::format("Of the same numbers {}; {}.", beside_ours(group, "zstd -19", ours),
+                      beside_ours(group, "meshopt", ours)),
+          fmt::format("Of residuals {}; {}.", beside_ours(group, "zstd -19, residuals", ours),
+                      beside_ours(group, "meshopt, residuals", ours))};
 }
 
 void name_group(Group& group) {
@@ -173,7 +174,7 @@ Study study_geometry(GeometryTake take, double budget_m, const Effort& effort) {
     if (const auto baked = bake(take, other_m); baked && baked->point_count() == truth[0].size())
       add_cache(study, baked, other_m, false, in_order_of(*baked, take));
   add_others(study, truth, static_cast<double>(chosen->cache.meshes()[0].streams[0].step));
-  study.findings = findings;
+  study.findings = findings_of_frames;
   return study;
 }
 

@@ -16,14 +16,15 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kChance = 1.5;  // times the error of exact slerp, which is rounding: errors up to it count as equal
+constexpr double kRoundingOfSlerp =
+    1.5;  // times the error of exact slerp, which is rounding: errors up to it count as equal
 constexpr double kFramesPerSecond = 60.0;
 constexpr std::size_t kCrowdJoints = 64;  // timed at least
 constexpr std::size_t kMostFrames = 600;  // of incremental play
 
 using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSpan& pose)>;
 
-struct Variant {
+struct TurnVariant {
   const char* name;
   Interpolation interpolation;  // for which the clip is compiled
   Sampler sample;
@@ -39,7 +40,7 @@ Sampler by(ArcRule rule) {
   return [rule](const Clip& clip, double time_s, const PoseSpan& pose) { sample_rotations(clip, time_s, rule, pose); };
 }
 
-std::vector<Variant> variants() {
+std::vector<TurnVariant> turn_variants() {
   return {
       {"step", Interpolation::step, sample_as_compiled, true, "the key before, as it is"},
       {"nlerp", Interpolation::linear, by(ArcRule::nlerp), false, "right path, uneven speed"},
@@ -79,7 +80,8 @@ struct Truth {
   }
 };
 
-Difference difference_of(const Subject& subject, const Truth& truth, const Animation& turned, const Variant& variant) {
+Difference difference_of(const Subject& subject, const Truth& truth, const Animation& turned,
+                         const TurnVariant& variant) {
   const Clip clip = compile_clip(turned, subject.scene.skeleton, {}, {}, {});
   PoseMemory memory(subject.scene.skeleton.joint_count());
   Difference difference;
@@ -97,7 +99,7 @@ std::size_t copies_of(const Animation& turned) {
   return (kCrowdJoints + turned.bones.size() - 1) / turned.bones.size();
 }
 
-Work timed(const Subject& subject, const Animation& turned, const Variant& variant) {
+Work timed(const Subject& subject, const Animation& turned, const TurnVariant& variant) {
   struct Play {
     Clip clip;
     PoseMemory memory;
@@ -159,7 +161,7 @@ Interpolation usual_interpolation(const Animation& animation) {
       ->first;
 }
 
-std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
+std::vector<std::string> findings_of_rotations(const Group& group, double hardly_seen_mm) {
   const Point& standard = default_of(group);
   constexpr double kDegrees = 57.29577951308232;
   std::vector<std::string> out{sentence(
@@ -196,7 +198,7 @@ Study study_rotation(const Subject& subject) {
     return left_out(std::move(study), fmt::format("{} turns no joint from one key to another", subject.clip_name()));
   const Interpolation usual = usual_interpolation(*subject.animation());
   const Truth truth(subject, telling_moments(*subject.animation(), subject.effort.key_intervals));
-  for (const Variant& variant : variants()) {
+  for (const TurnVariant& variant : turn_variants()) {
     const Animation turned = rotations_only(*subject.animation(), variant.interpolation);
     if (variant.is_exact && variant.interpolation == Interpolation::linear) add_incremental(study, subject, turned);
     Point point = point_of(variant.name, difference_of(subject, truth, turned, variant), variant.note);
@@ -216,8 +218,8 @@ Study study_rotation(const Subject& subject) {
       joints < kCrowdJoints ? fmt::format(", as a crowd of {} to fill the lanes",
                                           copies_of(rotations_only(*subject.animation(), Interpolation::linear)))
                             : "");
-  group.rounding = kChance * default_of(group).error;
-  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
+  group.rounding = kRoundingOfSlerp * default_of(group).error;
+  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings_of_rotations(g, limit); };
   return study;
 }
 
