@@ -250,11 +250,14 @@ VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput&
   const SortedInfluences sorted(influences);
   std::vector<JointSet> sets = find_sets(sorted);
   move_leftovers(sets);
+  std::erase_if(sets, [](const JointSet& set) { return set.lanes.empty(); });
+  std::stable_sort(sets.begin(), sets.end(), [](const JointSet& a, const JointSet& b) {
+    return a.joints.size() != b.joints.size() ? a.joints.size() < b.joints.size() : a.lanes[0] < b.lanes[0];
+  });
   VertexTiles tiles;
   tiles.vertex_count = sorted.vertex_count();
   TileWriter writer(sorted, vertices, tiles);
-  for (const JointSet& set : sets)
-    if (!set.lanes.empty()) writer.add(set);
+  for (const JointSet& set : sets) writer.add(set);
   return tiles;
 }
 

@@ -39,7 +39,7 @@ struct VertexTiles {
   static constexpr std::uint32_t kLanes = 16;
   static constexpr std::uint32_t kNotInARow = 0x7fffffff;
 
-  std::vector<TileRun> runs;            ///< in order of their number of joints
+  std::vector<TileRun> runs;            ///< in order of their number of joints, then of their first vertex
   std::vector<std::uint16_t> joints;    ///< of the runs
   std::vector<TilePlane> positions;     ///< x, y, z and weights of a tile, tile after tile
   std::vector<TilePlane> normals;       ///< x, y, z of a tile; empty = the mesh has none

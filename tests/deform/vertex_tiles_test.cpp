@@ -195,9 +195,10 @@ TEST(vertex_tiles, long_stretches_end_where_their_set_ends) {
   joints.resize(80, {2});
   const VertexTiles tiles = tiles_of(joints);
   ASSERT_EQ(tiles.runs.size(), 3u);
-  EXPECT_EQ(tiles.runs[0].lane_count, 65u);
-  EXPECT_EQ(tiles.runs[0].in_sixteens, 48u) << "from vertex 16 to 64";
-  EXPECT_EQ(tiles.vertices[0], 16u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 5u);
+  EXPECT_EQ(tiles.runs[1].lane_count, 65u);
+  EXPECT_EQ(tiles.runs[1].in_sixteens, 48u) << "from vertex 16 to 64";
+  EXPECT_EQ(tiles.vertices[std::size_t{tiles.runs[1].first_tile} * VertexTiles::kLanes], 16u);
 }
 
 /// The matrix of the last joint of a run is the base of all of its blends, whose rounding grows with it.
