@@ -175,11 +175,11 @@ std::string describe_unknown(std::string_view file) {
   constexpr std::string_view kNext = "; a .gltf starts with { and a .glb with glTF";
   if (is_text(head))
     return "text that is not JSON: it starts with " + in_quotes(head.substr(0, head.find('\n'))) + std::string(kNext);
-  constexpr char kDigits[] = "0123456789abcdef";
+  constexpr char kHexDigits[] = "0123456789abcdef";
   std::string bytes;
   for (const char c : file.substr(0, 8)) {
     const auto byte = static_cast<unsigned char>(c);
-    bytes += {' ', kDigits[byte >> 4], kDigits[byte & 15]};
+    bytes += {' ', kHexDigits[byte >> 4], kDigits[byte & 15]};
   }
   return "binary data of an unknown kind, starting with the bytes" + bytes + std::string(kNext);
 }
