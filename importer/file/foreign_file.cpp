@@ -179,7 +179,7 @@ std::string describe_unknown(std::string_view file) {
   std::string bytes;
   for (const char c : file.substr(0, 8)) {
     const auto byte = static_cast<unsigned char>(c);
-    bytes += {' ', kHexDigits[byte >> 4], kDigits[byte & 15]};
+    bytes += {' ', kHexDigits[byte >> 4], kHexDigits[byte & 15]};
   }
   return "binary data of an unknown kind, starting with the bytes" + bytes + std::string(kNext);
 }
