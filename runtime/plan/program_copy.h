@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/api.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_input.h"
 
@@ -12,7 +13,7 @@ namespace sinew {
 /// A pose program with everything that its indices name, in memory of its own.
 /// owns  copies of all lists, poses, joints and masks, with room for what the plan declares (Needs::in.program).
 ///       Procedures stay the caller's: their context must outlive the frame.
-class ProgramCopy {
+class SINEW_API ProgramCopy {
  public:
   ProgramCopy(const Plan& plan, std::pmr::memory_resource& memory);
 

@@ -50,8 +50,9 @@ def statements(text, begin, end):
         at += 1
 
 def declares(statement):
-    """A function without a body."""
+    """A function without a body; no pointer to one."""
     head = statement.split('(')[0]
+    if '(*' in statement: return False
     if "SINEW_API" in statement or "(" not in statement or SKIP.match(statement) or '=' in head or re.search(r'=\s*(default|delete|0)\s*$', statement): return False
     return '<' not in head.split()[-1] or 'operator<' in head
 
