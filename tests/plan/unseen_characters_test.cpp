@@ -30,8 +30,8 @@ bool is_nothing(const DeformedPrimitive& shape) {
 /// The work counters of vertices and palettes; all others are set to 0.
 WorkCounters mesh_work(WorkCounters work) {
   work.windings_tested = 0;  // the placement and the winding of a mesh are computed even out of view
-  work.tracks_sampled = work.properties_sampled = work.poses_mirrored = work.poses_blended = work.poses_added =
-      work.poses_interpolated = work.poses_compared = work.joints_composed = 0;
+  static_cast<PoseProgramWork&>(work) = {};
+  work.poses_interpolated = work.poses_compared = work.joints_composed = 0;
   return work;
 }
 
