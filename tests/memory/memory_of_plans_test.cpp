@@ -106,7 +106,7 @@ TEST_F(MemoryOfPlans, flags_count_by_the_bit) {
 TEST_F(MemoryOfPlans, arrays_in_arrays) {
   const std::vector<float> five(5);
   const std::size_t of_mask = sizeof five + 5 * sizeof(float);
-  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.masks = {five, five}; }), 2 * of_mask);
+  EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.mask_weights = {five, five}; }), 2 * of_mask);
   EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.needs.in.masks = {five}; }), of_mask);
   EXPECT_EQ(added_by([&](CompiledPlan& plan) { plan.primitive_skinning.at(0).pairs.resize(7); }),
             7 * sizeof(JointPair));
