@@ -90,7 +90,9 @@ TEST(faulty_animations, one_broken_channel_is_left_out_and_the_rest_is_imported)
       EXPECT_THAT(result->scene.animations[0].bones[0].scale.times_s, ElementsAre(0, 2));
       EXPECT_THAT(result->scene.clips, SizeIs(1));
       for (const ImportIssue& issue : result->warnings)
-        if (issue.severity == Severity::error) EXPECT_THAT(issue.detail, HasSubstr("left out"));
+        if (issue.severity == Severity::error) {
+          EXPECT_THAT(issue.detail, HasSubstr("left out"));
+        }
     }
   }
 }
