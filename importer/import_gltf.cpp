@@ -107,7 +107,8 @@ class Import {
     if (options_.thorough) check_declarations(json->root, log_);
     if (!check_entry_bytes(json->root)) return false;
     document_ = read_document(json->root);
-    if (!go_on()) return false;
+    // Where all errors are told, what depends on a malformed entry is still checked for references of its own.
+    if (!options_.collect_all_errors && !go_on()) return false;
     ReferencedEntries referenced;
     check_references(document_, log_, options_.thorough ? &referenced : nullptr);
     if (options_.thorough && log_.error_count() == 0)

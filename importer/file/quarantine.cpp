@@ -70,7 +70,10 @@ std::optional<BrokenPlace> parse_place(std::string_view place) {
   const bool of_mesh = out.list == Quarantine::meshes && parts == "primitives";
   const bool of_animation = out.list == Quarantine::animations && (parts == "channels" || parts == "samplers");
   const auto part = of_mesh || of_animation ? as_index(next_token(place)) : std::nullopt;
-  if (part) out.parts = parts, out.part = *part;
+  if (part) {
+    out.parts = parts;
+    out.part = *part;
+  }
   return out;
 }
 

@@ -27,7 +27,11 @@ class Quarantine {
   bool isolate(JsonTree& document, IssueLog& log);
 
   /// Call after any later step: mark() and then empty_marked().
-  bool isolate(gltf::Document& document, IssueLog& log) { return mark(log) && (empty_marked(document, log), true); }
+  bool isolate(gltf::Document& document, IssueLog& log) {
+    if (!mark(log)) return false;
+    empty_marked(document, log);
+    return true;
+  }
 
   /// Takes the places of the errors since the last call.
   /// out   false if the document as a whole is broken, or there were too many errors

@@ -98,8 +98,10 @@ class SamplerReader {
     if (!check_times(data.times_s)) return std::nullopt;
     data.values = read_floats(document_, sampler_.output);
     if (all_finite(data.values)) cut_times(data, target.property == AnimatedProperty::rotation);
-    if (!all_finite(data.values))
-      return leave_out(Rule::animation_values, "output", "holds NaN or infinity"), std::nullopt;
+    if (!all_finite(data.values)) {
+      leave_out(Rule::animation_values, "output", "holds NaN or infinity");
+      return std::nullopt;
+    }
     if (data.interpolation == Interpolation::cubic_spline && data.times_s.size() == 1) hold_single_key(data);
     if (flag)
       for (float& value : data.values) value = value != 0.0f ? 1.0f : 0.0f;

@@ -2,6 +2,7 @@
 #include "importer/rewrite/compact_views.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>

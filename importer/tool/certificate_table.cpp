@@ -33,9 +33,9 @@ std::string certified_clips_table(std::span<const CertifiedClip> clips, std::spa
     const bool asked = std::isfinite(c.asked_m);
     table.add({std::to_string(clip.number), clip.name.empty() ? "" : in_quotes(clip.name),
                asked ? length_text(c.asked_m) : "-", length_text(c.measured_m),
-               !asked       ? "-"
-               : c.is_met() ? "yes"
-                            : "NO",
+               !asked             ? "-"
+               : keeps_promise(c) ? "yes"
+                                  : "NO",
                joint_text(c.worst_joint, joint_names), fmt::format("{:.4g} s", c.worst_time_s),
                std::to_string(c.kept_keys), std::to_string(c.source_keys), std::to_string(c.bytes),
                std::to_string(c.source_bytes),

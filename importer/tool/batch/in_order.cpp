@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -27,8 +28,11 @@ class WaitingText {
   explicit WaitingText(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   void wait_for_room() {
+    constexpr std::chrono::milliseconds kLongWait{
+        100};  // nobody shows either: this thread has to do it, after its work
     std::unique_lock lock(mutex_);
-    room_.wait(lock, [&] { return bytes_ <= most_bytes_ || working_ == 0; });
+    while (bytes_ > most_bytes_)
+      if (room_.wait_for(lock, kLongWait) == std::cv_status::timeout && working_ == 0) break;
     ++working_;
   }
   void finish(const JobOutcome& outcome) {

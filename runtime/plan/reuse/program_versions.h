@@ -29,7 +29,10 @@ inline bool has_versions(const PoseProgramInputs& inputs, std::span<const Conten
 
 inline void copy_versions(const PoseProgramInputs& inputs, std::span<ContentVersion> versions) noexcept {
   auto next = versions.begin();
-  each_version(inputs, [&](ContentVersion version) { return *next++ = version, true; });
+  each_version(inputs, [&](ContentVersion version) {
+    *next++ = version;
+    return true;
+  });
 }
 
 }  // namespace sinew

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace sinew {
+
+/// An operation on a stack of poses. Each takes its operands from the stack and leaves one pose there. With the pose go
+/// its morph weights and its properties.
+enum class PoseOpKind : std::uint8_t {
+  rest,             ///< pushes the rest pose
+  sample,           ///< pushes clip `index` at `time_s`
+  sample_mirrored,  ///< the same, left and right exchanged
+  rest_mirrored,    ///< the rest pose, left and right exchanged: what a mirrored additive clip is compared with
+  external,         ///< pushes pose `index` of the caller: a ragdoll, the network, another skeleton's motion
+  mean,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
+  overlay,          ///< lays the topmost pose over the one below, by weight and mask
+  overlay_model,    ///< overlay, but rotations are mixed in model space: an aim stays level while the hips sway
+  add_to_rest,      ///< adds the difference of the topmost pose from the rest pose to the pose below
+  add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
+  override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
+  procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
+};
+
+/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
+/// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
+struct PoseOp {
+  double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
+  float weight = 1.0f;  ///< finite, >= 0
+  std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands
+  std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
+  PoseOpKind kind = PoseOpKind::rest;
+
+  static constexpr std::uint8_t kNoMask = 255;
+
+  friend bool operator==(const PoseOp&, const PoseOp&) = default;
+};
+static_assert(sizeof(PoseOp) == 16, "programs are compared, stored and sent as bytes");
+
+/// Poses that an operation takes from the stack.
+constexpr std::size_t operands_of(const PoseOp& op) noexcept {
+  switch (op.kind) {
+    case PoseOpKind::mean: return op.index;
+    case PoseOpKind::overlay:
+    case PoseOpKind::overlay_model:
+    case PoseOpKind::add_to_rest: return 2;
+    case PoseOpKind::add: return 3;
+    case PoseOpKind::override_joints:
+    case PoseOpKind::procedure: return 1;
+    default: return 0;
+  }
+}
+
+}  // namespace sinew
