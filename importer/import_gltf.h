@@ -77,7 +77,8 @@ ExtensionSupport extension_support(std::string_view name) noexcept;
 /// Imports a .gltf or .glb file with its buffers and images; the format is detected from the first bytes. URIs are
 /// relative to the file's folder and cannot leave it. A broken rule that makes data unusable is an error; one with a
 /// safe and common repair is a warning that names the repair. An error that only touches animation channels does not
-/// fail the import: these channels are left out. `sinew check --rules` lists the consequence of every rule. Never throws.
+/// fail the import: these channels are left out. `sinew check --rules` lists the consequence of every rule. Never
+/// throws.
 /// out   the scene, validated by check(Scene)
 /// err   rule identifiers (rules.inc of the importer)
 /// cost  O(file); memory: a small multiple of the file, bounded by the options
