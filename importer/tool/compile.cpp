@@ -36,7 +36,7 @@ struct CompileOptions {
 };
 
 /// The clips that --clip names, each once; without it all clips.
-/// err   a sentence that lists the clips of the file
+/// err   a sentence for the user that lists the clips of the file
 tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::vector<std::string>& names) {
   ClipChoice clips(names.empty() ? scene.animations.size() : 0);
   std::iota(clips.begin(), clips.end(), 0u);
@@ -51,7 +51,7 @@ tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::ve
 }
 
 /// Parses the values of --joint-tolerance.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<std::vector<Length>, std::string> joint_tolerances(const std::vector<std::string>& texts) {
   std::vector<Length> tolerances;
   for (const std::string& text : texts) {

@@ -19,16 +19,16 @@ inline constexpr const char* kLengthHelp =
 
 /// Reads "0.1mm", "2 cm", "5um", "0.001m", a plain number of metres such as "1e-4", or "0.01%" of the model's size. For
 /// a file that is not in metres its own unit takes the place of the metre.
-/// err   a sentence that says what is wrong and what would be right; negative and infinite lengths are refused
+/// err   a sentence for the user that says what is wrong and what would be right; negative and infinite lengths are refused
 tl::expected<Length, std::string> parse_length(std::string_view text);
 
 /// Reads an angle such as "1deg", "0.02rad" or a plain number of degrees.
 /// out   radians, 0 to pi
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<double, std::string> parse_angle(std::string_view text);
 
 /// Reads a number that is not negative, or a percentage of 1: "0.001", "0.1%".
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<double, std::string> parse_ratio(std::string_view text);
 
 /// "0.1 mm": three digits, with the unit that makes the number readable.

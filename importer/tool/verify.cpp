@@ -51,7 +51,7 @@ PoseContent content_of(const PoseSummary& golden, bool exact) {
 
 /// Reads the golden file again, pose by pose, samples the scene at its times and compares.
 /// in    golden  what the file was when it was checked
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<void, std::string> compare_all(const Scene& scene, const VerifyOptions& options, const PoseSummary& golden,
                                             PoseComparison& comparison) {
   PoseSampler sampler(scene, content_of(golden, options.exact));

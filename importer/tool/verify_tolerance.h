@@ -18,7 +18,7 @@ struct ToleranceOptions {
 /// Adds --tolerance and its relatives.
 void add_tolerance_options(Command& command, ToleranceOptions& options);
 
-/// err   a sentence that names the option
+/// err   a sentence for the user that names the option
 tl::expected<PoseTolerance, std::string> parse_tolerance(const ToleranceOptions& options, double model_size_m);
 
 }  // namespace sinew::tool

@@ -28,9 +28,9 @@ SINEW_API sinew_error sinew_run_to_cut(sinew_frame* frame, const sinew_frame_inp
                                        sinew_cut_pose* pose);
 
 /// Runs the second half. The result has the bits that one run with the written pose would have.
-/// in   input  the same as for sinew_run_to_cut
-/// err  those of sinew_run, and SINEW_NO_CUT (no first half), SINEW_NOT_FINITE (a number that the caller wrote). After
-///      an error the frame keeps its cut.
+/// in   input  the input that sinew_run_to_cut got
+/// err  those of sinew_run; SINEW_NO_CUT where sinew_run_to_cut was not called before; SINEW_NOT_FINITE where the caller
+///      wrote NaN or infinity into the pose. After an error the frame waits at its cut, so the call can be made again.
 SINEW_API sinew_error sinew_run_from_cut(sinew_frame* frame, const sinew_frame_input* input);
 
 #ifdef __cplusplus

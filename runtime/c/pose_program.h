@@ -113,8 +113,9 @@ typedef struct sinew_procedure_pose {
   float share;            ///< (0, 1] of the operation; what it means is the procedure's own
 } sinew_procedure_pose;
 
-/// Code of the caller that runs in the middle of a program, on the thread of the frame. Nothing may be thrown or
-/// jumped out of it. The same version and the same pose before it promise the same pose after it.
+/// A function of the caller that changes the pose in the middle of a program. It runs on the thread that runs the
+/// frame, and must return: it must not throw or longjmp. An equal version promises that it makes an equal pose of an
+/// equal one.
 typedef struct sinew_pose_procedure {
   void (*run)(void* context, const sinew_procedure_pose* pose);
   void* context;

@@ -62,8 +62,8 @@ struct OwnProgramRoomOfC {
 /// caller's own memory.
 /// in   given  of this version
 /// out  input  its program and program_inputs: views of `room` and of the caller's memory
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_NOT_IN_NEEDS (more than room), SINEW_SIZE_MISMATCH (a pose
-///      that is not aligned), SINEW_UNSUPPORTED (unknown space)
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_NOT_IN_NEEDS (a list is longer than the needs
+///      declare), SINEW_SIZE_MISMATCH (a pose that is not aligned), SINEW_UNSUPPORTED (unknown space)
 NotRead read_program(const sinew_frame_input& given, const PoseProgramRoom& needs, const ProgramRoom& room,
                      FrameInput& input) noexcept;
 

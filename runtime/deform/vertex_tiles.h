@@ -33,8 +33,8 @@ struct TileRun {
 /// mesh alone: it is made once, and all characters and instruction sets share it.
 ///
 /// Vertices are sorted by the set of their joints, whose order does not matter. If the last ones of a set
-/// fill no vector, they take free lanes of larger sets, with weight 0 for all other joints. Weights are divided by
-/// their sum, so that the last one can be left out.
+/// fill no vector, they take free lanes of larger sets, with weight 0 for all other joints. The weights of a vertex
+/// are divided by their sum. Then the last weight is 1 minus the others, and is not stored.
 struct VertexTiles {
   static constexpr std::uint32_t kLanes = 16;
   static constexpr std::uint32_t kNotInARow = 0x7fffffff;

@@ -22,7 +22,7 @@ SINEW_API ErrorCode run_to_cut(const Plan& plan, const FrameInput& input, FrameB
 /// Runs the second half: the other operations, then all stages that follow a pose. `frame.result()` is whole
 /// afterwards, and has the bits that one run with the written pose would have.
 /// in   input  the same as for run_to_cut
-/// err  no_cut (no first half, or another plan's), not_finite (a number that the caller wrote), and those of the input.
+/// err  no_cut (run_to_cut was not called before with this plan), not_finite (the caller wrote NaN or infinity), and those of the input.
 ///      The frame buffer keeps its cut then
 SINEW_API ErrorCode run_from_cut(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 

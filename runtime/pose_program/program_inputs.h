@@ -56,8 +56,8 @@ struct ProcedurePose {
   float share = 1.0f;           ///< (0, 1] of the operation; what it means is the procedure's own
 };
 
-/// Code of the caller that runs in the middle of a program. It must not throw. The same version and the same pose
-/// before it promise the same pose after it.
+/// A function of the caller that changes the pose in the middle of a program. It must not throw. An equal version
+/// promises that it makes an equal pose of an equal one.
 struct PoseProcedure {
   void (*run)(void* context, const ProcedurePose& pose) = nullptr;
   void* context = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faults that only touch animation channels: the rest of the file is imported, and the fault is an error among the
-// warnings.
+// A file in which only animation channels are broken is imported without these channels. The fault stands among the
+// warnings of the import, with the severity of an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

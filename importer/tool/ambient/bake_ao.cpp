@@ -39,7 +39,7 @@ struct BakeAoOptions {
 };
 
 /// Reads "CLIP@TIME", a single pose.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> one_pose(const std::string& text, const Scene& scene) {
   const std::size_t at = text.rfind('@');
   VertexVisibility visibility;
@@ -55,7 +55,7 @@ tl::expected<VertexVisibility, std::string> one_pose(const std::string& text, co
 }
 
 /// The key poses of a clip; without a choice that is the first.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> key_poses(const BakeAoOptions& options, const Scene& scene) {
   const auto clips = choose_clips(scene, options.clip.value_or("0"));
   if (!clips || clips->front() == kNone)
@@ -72,14 +72,14 @@ tl::expected<VertexVisibility, std::string> key_poses(const BakeAoOptions& optio
 }
 
 /// The poses in which the model is baked, without values yet.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> poses_of(const BakeAoOptions& options, const Scene& scene) {
   if (options.key_poses > 1) return key_poses(options, scene);
   return options.pose ? one_pose(*options.pose, scene) : VertexVisibility();
 }
 
 /// Metres; infinite for "none".
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<double, std::string> distance_of(const std::string& text, const Scene& scene) {
   if (text == "none") return std::numeric_limits<double>::infinity();
   const auto length = parse_length(text);
@@ -90,7 +90,7 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
 }
 
 /// Casts the rays of one pose after another, all within the distance that is asked for or the first pose gives.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
   auto visibility = poses_of(options, scene);
   if (!visibility) return visibility;

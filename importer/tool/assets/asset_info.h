@@ -17,7 +17,7 @@ struct AssetInfo {
 };
 
 /// out   nothing when the file is neither
-/// err   a sentence: rule, block, byte
+/// err   a sentence for the user, with the rule, the block and the byte
 std::optional<tl::expected<AssetInfo, std::string>> asset_info(const std::string& file);
 
 }  // namespace sinew::tool

@@ -99,7 +99,7 @@ class Report {
 };
 
 /// Where the outputs of several files go.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<void, std::string> prepare_outputs(const BatchOutput& output, InputList& list) {
   if (output.folder.empty()) return tl::unexpected(std::string("several files need a folder to write to: -o FOLDER"));
   if (output.folder == kStandardInput)

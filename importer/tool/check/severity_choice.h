@@ -15,7 +15,7 @@ namespace sinew::tool {
 class SeverityChoice {
  public:
   /// in    texts   "weights-sum=error", "unused-object=off"; of several for one rule the last counts
-  /// err   a sentence: no such rule, no such severity
+  /// err   a sentence for the user, if there is no such rule or no such severity
   static tl::expected<SeverityChoice, std::string> parse(const std::vector<std::string>& texts);
 
   /// Gives reports their severity, and leaves out those that are off.

@@ -40,7 +40,7 @@ std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t b
                      100.0 * static_cast<double>(bytes) / static_cast<double>(before));
 }
 
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) {
   auto output = model_output(options.out);
   if (!output) return output;

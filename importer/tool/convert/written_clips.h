@@ -10,7 +10,7 @@
 
 namespace sinew::tool {
 
-/// A model with other keys, and what a reader of it sees.
+/// A model file whose clips were written with new keys, and how far its clips are off when the file is read again.
 struct WrittenClips {
   RewrittenFile file;                ///< a .glb
   RewriteOptions changes;            ///< that made it; its spans are into `keys` and what the caller gave

@@ -21,7 +21,7 @@ struct ModelOutput {
 };
 
 /// The files that OUT stands for.
-/// err   a sentence: OUT is not a stream, and ends neither in .glb nor in .gltf
+/// err   a sentence for the user, if OUT is no stream and ends neither in .glb nor in .gltf
 tl::expected<ModelOutput, std::string> model_output(const std::string& out);
 
 /// As find_output_error(), for both files.

@@ -14,7 +14,7 @@ inline constexpr const char* kTranslationRules[] = {"hips-by-height", "by-length
 ///     {"joints": {"JOINT OF TARGET": "JOINT OF SOURCE", ...}, "translations": {"JOINT OF TARGET": "keep", ...}}
 /// Either member may be absent. `translations` are rules for a joint and all below it.
 /// out   options  pairs, chains
-/// err   a sentence: the file cannot be read, names a joint that is not there, or says something else
+/// err   a sentence for the user, if the file cannot be read, names a joint that is not there, or says something else
 tl::expected<void, std::string> read_map_file(const std::string& file, const Skeleton& source, const Skeleton& target,
                                               SkeletonMapOptions& options);
 

@@ -119,7 +119,7 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
 }
 
 /// The map by names, bones, or the person's own.
-/// err   a sentence
+/// err   what is wrong, as a sentence for the user
 tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const ImportedFile& clips,
                                               const ImportedFile& character) {
   const Skeleton &source = clips.scene.skeleton, &target = character.scene.skeleton;
