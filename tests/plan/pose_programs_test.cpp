@@ -2,6 +2,7 @@
 // Pose programs in frames. The test run_pose_program holds the operations themselves to their equations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -108,6 +109,29 @@ TEST(pose_programs, world_matrices_follow_from_the_local_pose_of_the_result) {
       EXPECT_TRUE(same_bits<Affine>(frame.result().model, model)) << seed;
     }
   }
+}
+
+// A mean of layers rounds joints that no clip moves; the local pose has them at rest, in the first frame and later.
+TEST(pose_programs, the_local_pose_of_mixed_layers_has_unmoved_joints_at_rest_to_the_bit) {
+  std::size_t unmoved = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Scene scene = random_scene(seed);
+    const Plan plan = compile_plan(lend(scene), Needs{});
+    FrameBuffer frame(plan);
+    for (int f = 0; f < 3; ++f) {
+      const ClipLayer layers[] = {{0, 0.1 * f, 0.3f}, {1, 0.2 * f, 0.4f}};
+      ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+      FrameBuffer resting(plan);
+      ASSERT_EQ(run_plan(plan, {}, resting), ErrorCode::ok);
+      const std::span<const std::uint32_t> moved = plan.moved_joints();
+      for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
+        if (std::binary_search(moved.begin(), moved.end(), j)) continue;
+        ++unmoved;
+        EXPECT_TRUE(same_bits(frame.result().local.get(j), resting.result().local.get(j))) << seed << ' ' << f;
+      }
+    }
+  }
+  EXPECT_GT(unmoved, 0u);
 }
 
 TEST(pose_programs, a_pose_and_a_joint_of_the_caller_reach_matrices_weights_and_vertices) {
