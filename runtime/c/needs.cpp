@@ -27,6 +27,7 @@ sinew_error check(const sinew_needs& given, const Scene& scene) noexcept {
   if (given.skinning > SINEW_SKIN_CENTER_OF_ROTATION || given.normal_rule > SINEW_NORMALS_COFACTOR)
     return SINEW_UNSUPPORTED;
   if (given.mask_count > 0 && given.masks == nullptr) return SINEW_NULL_ARGUMENT;
+  if (given.mask_count > PoseOp::kNoMask) return SINEW_UNSUPPORTED;
   for (std::size_t i = 0; i < given.mask_count * joints; ++i)
     if (!std::isfinite(given.masks[i]) || given.masks[i] < 0.0f) return SINEW_NOT_FINITE;
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)

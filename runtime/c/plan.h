@@ -41,12 +41,12 @@ typedef struct sinew_mirror sinew_mirror;
 
 typedef struct sinew_needs {
   size_t struct_size;
-  uint32_t flags;              ///< SINEW_NEED_*
-  uint32_t max_layers;         ///< most layers that blend in one frame, at least 1
-  uint32_t max_adding_layers;  ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
-  uint32_t skinning;           ///< sinew_skinning
-  uint32_t normal_rule;        ///< sinew_normal_rule
-  uint32_t mask_count;
+  uint32_t flags;                          ///< SINEW_NEED_*
+  uint32_t max_layers;                     ///< most layers that blend in one frame, at least 1
+  uint32_t max_adding_layers;              ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
+  uint32_t skinning;                       ///< sinew_skinning
+  uint32_t normal_rule;                    ///< sinew_normal_rule
+  uint32_t mask_count;                     ///< at most 255
   const float* masks;                      ///< [mask_count][joints] weights >= 0, one row after another; copied
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
   const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied

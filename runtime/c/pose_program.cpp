@@ -66,7 +66,7 @@ sinew_error read_numbers(const sinew_program_room* given, PoseProgramRoom& room)
 
 sinew_error c::read_program_room(const sinew_program_room* given, PoseProgramRoom& room) noexcept {
   if (const sinew_error error = read_numbers(given, room); error != SINEW_OK) return error;
-  const bool is_usable = room.ops <= kMostPoseOps && room.slots <= kMostPoseOps && room.masks <= kMostMasks &&
+  const bool is_usable = room.ops <= kMostPoseOps && room.slots <= room.ops && room.masks <= kMostMasks &&
                          room.externals <= kMostEntries && room.overrides <= kMostEntries &&
                          room.procedures <= kMostEntries;
   return is_usable ? SINEW_OK : SINEW_UNSUPPORTED;

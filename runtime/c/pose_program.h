@@ -48,7 +48,7 @@ SINEW_API sinew_pose_op sinew_default_op(uint32_t kind);
 typedef struct sinew_program_room {
   size_t struct_size;
   uint32_t ops;                               ///< at most SINEW_MOST_OPS
-  uint32_t slots;                             ///< poses on the stack at once, at most SINEW_MOST_OPS
+  uint32_t slots;                             ///< poses on the stack at once, at most `ops`
   uint32_t externals, overrides, procedures;  ///< of the caller, at most 65535 of each
   uint32_t masks;                             ///< of sinew_needs and of the caller together, at most 255
   uint32_t overridden_joints;                 ///< of all overrides together

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/plan/check_input.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/base/same_bits.h"
@@ -61,7 +62,8 @@ Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers
     blended += layers[i].weight != 0.0f;
     total_weight += static_cast<double>(layers[i].weight);
   }
-  if (blended > plan.needs.in.max_layers)
+  constexpr std::size_t kMostOfMean = 0xFFFF;  // operands that PoseOp::index can count
+  if (blended > std::min<std::size_t>(plan.needs.in.max_layers, kMostOfMean))
     return {ErrorCode::too_many_layers, nullptr, "more layers blend than the needs declare", list};
   if (plan.sample && !plan.blend && blended > 0 && total_weight < 1.0)
     return {ErrorCode::not_in_needs, nullptr, "a plan of one layer does not blend: the weight must be 1", list};

@@ -201,8 +201,7 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
   const Scene& scene = *shared;
   CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
   CONTRACT(needs.in.max_layers > 0);
-  CONTRACT(clips.size() < 0xFFFF && "operations name clips by 16 bits");
-  CONTRACT(needs.in.masks.size() < PoseOp::kNoMask && needs.in.program.masks < PoseOp::kNoMask);
+  CONTRACT(needs.in.masks.size() <= PoseOp::kNoMask && needs.in.program.masks <= PoseOp::kNoMask);
   CONTRACT(needs.in.program.ops <= kMostPoseOps && needs.in.program.slots <= needs.in.program.ops);
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
   CONTRACT(std::all_of(needs.in.masks.begin(), needs.in.masks.end(),

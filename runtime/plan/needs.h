@@ -43,7 +43,7 @@ struct Inputs {
   std::uint32_t max_additive_layers = 8;  ///< frames with more of them are evaluated anew each time
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
-  std::vector<std::vector<float>> masks = {};    ///< [any][J] joint weights >= 0 that layers may name
+  std::vector<std::vector<float>> masks = {};    ///< [at most 255][J] joint weights >= 0 that layers may name
   /// Mesh instances whose vertices FrameInput::geometry may give, rising.
   std::vector<std::uint32_t> cached_instances = {};
   PoseProgramRoom program = {};  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.

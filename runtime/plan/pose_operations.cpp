@@ -26,7 +26,7 @@ PoseProgramRoom pose_room(const CompiledPlan& plan) noexcept {
 }
 
 PoseProgramLimits program_limits(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {
-  return {.clips = plan.assets.clips.size(),
+  return {.clips = std::min<std::size_t>(plan.assets.clips.size(), kMostClipsOfPrograms),
           .externals = inputs.externals.size(),
           .masks = plan.masks.size() + inputs.masks.size(),
           .overrides = inputs.overrides.size(),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "runtime/base/all_finite.h"
 #include "runtime/pose_program/run_pose_program.h"
 
@@ -108,7 +110,7 @@ ErrorCode check(const PoseProgramJob& job) noexcept {
   if (job.assets == nullptr) return ErrorCode::size_mismatch;
   if (const ErrorCode error = check_assets(*job.assets); error != ErrorCode::ok) return error;
   const PoseProgramInputs& inputs = job.inputs;
-  const PoseProgramLimits limits{.clips = job.assets->clips.size(),
+  const PoseProgramLimits limits{.clips = std::min<std::size_t>(job.assets->clips.size(), kMostClipsOfPrograms),
                                  .externals = inputs.externals.size(),
                                  .masks = job.assets->masks.size() + inputs.masks.size(),
                                  .overrides = inputs.overrides.size(),

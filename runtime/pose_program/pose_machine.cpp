@@ -80,7 +80,8 @@ void PoseMachine::push_external(std::size_t index) noexcept {
 }
 
 void PoseMachine::sample(const PoseOp& op, const PoseSlot& to, bool holds_clip) noexcept {
-  const SampleClipJob sample{.clip = step_.page != nullptr ? step_.page : &assets_.clips[op.index],
+  const std::uint32_t clip = step_.clip != kNone ? step_.clip : op.index;
+  const SampleClipJob sample{.clip = step_.page != nullptr ? step_.page : &assets_.clips[clip],
                              .time_s = op.time_s,
                              .pose = to.pose,
                              .weights = to.weights,
@@ -90,7 +91,7 @@ void PoseMachine::sample(const PoseOp& op, const PoseSlot& to, bool holds_clip) 
   run_unchecked(sample);
   ++work_.clips_sampled;
   if (!assets_.clip_tracks.empty()) {
-    const ClipTracks& tracks = assets_.clip_tracks[op.index];
+    const ClipTracks& tracks = assets_.clip_tracks[clip];
     work_.tracks_sampled += tracks.joints + (to.weights.empty() ? 0 : tracks.weights);
     work_.properties_sampled += to.properties.empty() ? 0 : tracks.properties;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/base/index.h"
 #include "runtime/pose_program/pose_slots.h"
 #include "runtime/pose_program/run_pose_program.h"
 
@@ -10,6 +11,7 @@ class PoseMachine {
  public:
   /// How one operation runs, beside what it says itself.
   struct Step {
+    std::uint32_t clip = kNone;   ///< in place of PoseOp::index, which cannot count as many clips as layers can name
     const Clip* page = nullptr;   ///< as PoseProgramInputs::pages
     bool with_properties = true;  ///< some operation after it reads its properties
     bool holds_clip = false;      ///< as PoseProgramJob::holds_clip

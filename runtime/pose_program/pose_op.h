@@ -51,4 +51,7 @@ constexpr std::size_t operands_of(const PoseOp& op) noexcept {
   }
 }
 
+/// Programs name the first so many clips. Indices from here on are refused (PoseProgram writes 0xFFFF for all of them).
+inline constexpr std::size_t kMostClipsOfPrograms = 0xFFFF;
+
 }  // namespace sinew

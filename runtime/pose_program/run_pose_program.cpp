@@ -25,7 +25,9 @@ void run_unchecked(const PoseProgramJob& job) noexcept {
     if (i < job.first)
       machine.skip(job.program[i]);
     else
-      machine.run(job.program[i], {pages.empty() ? nullptr : pages[i], properties.of(i), job.holds_clip && i == 0});
+      machine.run(job.program[i], {.page = pages.empty() ? nullptr : pages[i],
+                                   .with_properties = properties.of(i),
+                                   .holds_clip = job.holds_clip && i == 0});
   }
 }
 

@@ -229,6 +229,23 @@ TEST_F(c_pose_programs, rooms_that_no_program_can_use_are_refused) {
     EXPECT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_UNSUPPORTED);
   }
   room_ = good;
+  room_.slots = room_.ops + 1;  // no program leaves more poses than it has operations
+  EXPECT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_UNSUPPORTED);
+  room_ = good;
+  room_.masks = 255;
+  ASSERT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_OK);
+  sinew_plan_destroy(plan);
+  plan = nullptr;
+  const std::vector<float> masks(256 * joints(), 1.0f);
+  sinew_needs masked = needs;
+  masked.masks = masks.data();
+  masked.mask_count = 256;
+  EXPECT_EQ(sinew_plan_create(&scene_, &masked, &plan), SINEW_UNSUPPORTED);
+  masked.mask_count = 255;
+  ASSERT_EQ(sinew_plan_create(&scene_, &masked, &plan), SINEW_OK);
+  sinew_plan_destroy(plan);
+  plan = nullptr;
+  room_ = good;
   room_.struct_size = 3;
   EXPECT_EQ(sinew_plan_create(&scene_, &needs, &plan), SINEW_WRONG_STRUCT_SIZE);
   EXPECT_EQ(plan, nullptr);

@@ -93,6 +93,41 @@ TEST(pose_programs, layers_give_the_bits_of_the_program_that_they_stand_for) {
   }
 }
 
+// Operations count clips by 16 bits. Layers name clips beyond that all the same.
+TEST(pose_programs, layers_name_more_clips_than_operations_can) {
+  const Actor actor(4);
+  std::vector<Clip> clips(70'000, actor.scene.clips[0]);
+  clips.back() = actor.scene.clips[1];
+  const auto last = static_cast<std::uint32_t>(clips.size() - 1);
+  const Plan few = compile_plan(lend(actor.scene), actor.plan.needs());
+  const Plan many = compile_plan(lend(actor.scene), clips, actor.plan.needs());
+  FrameBuffer of_few(few), of_many(many);
+  for (const LayerKind kind : {LayerKind::blend, LayerKind::add_to_rest, LayerKind::add_to_start}) {
+    const ClipLayer expected{1, 0.3, 1.0f, kNone, kind}, named{last, 0.3, 1.0f, kNone, kind};
+    ASSERT_EQ(run_plan(few, {.layers = {&expected, 1}, .weights = {}, .root = {}}, of_few), ErrorCode::ok);
+    ASSERT_EQ(run_plan(many, {.layers = {&named, 1}, .weights = {}, .root = {}}, of_many), ErrorCode::ok);
+    EXPECT_TRUE(same_bits<Affine>(of_few.result().model, of_many.result().model));
+  }
+  EXPECT_EQ(run_plan(many, actor.input(PoseProgram().sample(65'534, 0.1)), of_many), ErrorCode::ok);
+  for (const std::uint32_t beyond : {65'535u, 65'536u, last})
+    EXPECT_EQ(run_plan(many, actor.input(PoseProgram().sample(beyond, 0.1)), of_many), ErrorCode::index_out_of_range);
+}
+
+TEST(pose_programs, a_plan_has_up_to_255_masks) {
+  const Actor actor(4);
+  Needs needs = actor.plan.needs();
+  needs.in.masks.assign(255, std::vector<float>(actor.scene.skeleton.joint_count(), 0.0f));
+  needs.in.masks.back().assign(actor.scene.skeleton.joint_count(), 1.0f);
+  const Plan plan = compile_plan(lend(actor.scene), needs);
+  FrameBuffer masked(plan), unmasked(plan);
+  const ClipLayer last{0, 0.3, 1.0f, 254}, none{0, 0.3, 1.0f};
+  ASSERT_EQ(run_plan(plan, {.layers = {&last, 1}, .weights = {}, .root = {}}, masked), ErrorCode::ok);
+  ASSERT_EQ(run_plan(plan, {.layers = {&none, 1}, .weights = {}, .root = {}}, unmasked), ErrorCode::ok);
+  for (std::size_t j = 0; j < actor.scene.skeleton.joint_count(); ++j)
+    EXPECT_LT(glm::distance(masked.result().local.get(j).translation, unmasked.result().local.get(j).translation),
+              1e-5f);
+}
+
 TEST(pose_programs, world_matrices_follow_from_the_local_pose_of_the_result) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Actor actor(seed);
@@ -115,7 +150,8 @@ TEST(pose_programs, world_matrices_follow_from_the_local_pose_of_the_result) {
 TEST(pose_programs, the_local_pose_of_mixed_layers_has_unmoved_joints_at_rest_to_the_bit) {
   std::size_t unmoved = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const Scene scene = random_scene(seed);
+    Scene scene = random_scene(seed);
+    move_few_joints(scene);
     const Plan plan = compile_plan(lend(scene), Needs{});
     FrameBuffer frame(plan);
     for (int f = 0; f < 3; ++f) {

@@ -48,10 +48,10 @@ PoseSpan show_rest(const CompiledPlan& plan, const PoseStep& step) noexcept {
   return step.memory.of(plan.layout.rest_pose);
 }
 
+/// The clip goes beside it.
 PoseOp sample_of(const ClipLayer& layer) noexcept {
   return {.time_s = layer.time_s,
           .weight = layer.weight,
-          .index = static_cast<std::uint16_t>(layer.clip),
           .mask = layer.mask == kNone ? PoseOp::kNoMask : static_cast<std::uint8_t>(layer.mask),
           .kind = layer.mirrored ? PoseOpKind::sample_mirrored : PoseOpKind::sample};
 }
@@ -63,13 +63,13 @@ bool takes_part(const ClipLayer& layer, bool adds) noexcept {
 /// Adds the difference of a layer from its reference. Properties are not added.
 void add(PoseMachine& machine, const ClipLayer& layer) noexcept {
   constexpr PoseMachine::Step kWithoutProperties{.with_properties = false};
-  machine.run(sample_of(layer), {.page = layer.page, .with_properties = false});
+  machine.run(sample_of(layer), {.clip = layer.clip, .page = layer.page, .with_properties = false});
   if (layer.kind == LayerKind::add_to_rest && !layer.mirrored)
     return machine.run({.kind = PoseOpKind::add_to_rest}, kWithoutProperties);
   if (layer.kind == LayerKind::add_to_rest)
     machine.run({.kind = PoseOpKind::rest_mirrored}, kWithoutProperties);
   else
-    machine.run(sample_of({.clip = layer.clip, .mirrored = layer.mirrored}), kWithoutProperties);
+    machine.run(sample_of({.mirrored = layer.mirrored}), {.clip = layer.clip, .with_properties = false});
   machine.run({.kind = PoseOpKind::add}, kWithoutProperties);
 }
 
@@ -84,7 +84,7 @@ PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> la
   bool plays_alone = false;  // the mean of one pose of full weight is that pose, to the bit
   for (const ClipLayer& layer : layers) {
     if (!takes_part(layer, false)) continue;
-    machine.run(sample_of(layer), {.page = layer.page, .holds_clip = step.has_base});
+    machine.run(sample_of(layer), {.clip = layer.clip, .page = layer.page, .holds_clip = step.has_base});
     plays_alone = ++blended == 1 && layer.weight >= 1.0f && layer.mask == kNone;
   }
   if (blended != 1 || !plays_alone) machine.run({.time_s = 1.0, .index = blended, .kind = PoseOpKind::mean}, {});
