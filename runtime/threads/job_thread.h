@@ -83,7 +83,7 @@ class SINEW_API JobThread {
   /// One run of characters of a frame; a value of two words.
   class SINEW_API Task {
    public:
-    Task() = default;  ///< not to be called
+    Task() = default;  ///< an empty task, which must not be run
     /// Runs the characters. Each task is called exactly once, on any thread; a frame is done when its last task is.
     void operator()() const noexcept;
 
