@@ -15,16 +15,19 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
+template <DeltaFrame kFrame>
 HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, const TransformLanes& reference,
                              Lanes weight) {
   const Floats d;
   const Lanes one = hn::Set(d, 1.0f);
-  const Rotations delta = product({layer.rx, layer.ry, layer.rz, layer.rw},
-                                  {hn::Neg(reference.rx), hn::Neg(reference.ry), hn::Neg(reference.rz), reference.rw});
+  const Rotations to{layer.rx, layer.ry, layer.rz, layer.rw};
+  const Rotations back{hn::Neg(reference.rx), hn::Neg(reference.ry), hn::Neg(reference.rz), reference.rw};
+  const Rotations delta = kFrame == DeltaFrame::parent ? product(to, back) : product(back, to);
   const Lanes side = hn::IfThenElse(hn::Lt(delta.w, hn::Zero(d)), hn::Neg(weight), weight);
   const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z),
                        hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
-  const Rotations q = normalised(product(part, {pose.rx, pose.ry, pose.rz, pose.rw}));
+  const Rotations before{pose.rx, pose.ry, pose.rz, pose.rw};
+  const Rotations q = normalised(kFrame == DeltaFrame::parent ? product(part, before) : product(before, part));
   pose.rx = q.x;
   pose.ry = q.y;
   pose.rz = q.z;
@@ -43,6 +46,7 @@ HWY_INLINE auto same_rotation(const TransformLanes& a, const TransformLanes& b) 
 }
 
 /// Adds the layer for one vector of joints, starting at joint `j`.
+template <DeltaFrame kFrame>
 HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
   const Floats d;
   const TransformLanes pose = load(job.pose, j), layer = load(job.layer, j), reference = load(job.reference, j);
@@ -51,7 +55,7 @@ HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
   sum.tx = add_product(pose.tx, hn::Sub(layer.tx, reference.tx), weight);
   sum.ty = add_product(pose.ty, hn::Sub(layer.ty, reference.ty), weight);
   sum.tz = add_product(pose.tz, hn::Sub(layer.tz, reference.tz), weight);
-  add_rotation(sum, layer, reference, weight);
+  add_rotation<kFrame>(sum, layer, reference, weight);
   const auto still = same_rotation(layer, reference);
   sum.rx = hn::IfThenElse(still, pose.rx, sum.rx);
   sum.ry = hn::IfThenElse(still, pose.ry, sum.ry);
@@ -63,8 +67,13 @@ HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
   store(choose(hn::Eq(weight, hn::Zero(d)), pose, sum), job.pose, j);
 }
 
+template <DeltaFrame kFrame>
+void add_in_frame(const AddPoseJob& job) {
+  for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) add_lanes<kFrame>(job, j);
+}
+
 void add_all(const AddPoseJob& job) {
-  for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) add_lanes(job, j);
+  job.frame == DeltaFrame::parent ? add_in_frame<DeltaFrame::parent>(job) : add_in_frame<DeltaFrame::joint>(job);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <span>
 
 #include "runtime/base/api.h"
@@ -8,8 +9,15 @@
 
 namespace sinew {
 
+/// The frame in which an additive layer turns joints.
+enum class DeltaFrame : std::uint8_t {
+  parent,  ///< a nod stays a nod in the parent's axes, however far the joint has turned
+  joint    ///< the layer turns about the joint's own axes, as Unreal and Maya do: a twist stays a twist
+};
+
 /// Adds an additive layer (breathing, aiming, a limp) to a pose. The delta is the layer minus its reference pose.
-/// eq   t' = t + w (t_l - t_r);  q' = normalise(((1 - w) 1 + w d) q), d = q_l conj(q_r), negated where its w < 0;
+/// eq   t' = t + w (t_l - t_r);  q' = normalise(p q), p = (1 - w) 1 + w d, d = q_l conj(q_r), negated where its w < 0;
+///      in the joint's frame q' = normalise(q p), d = conj(q_r) q_l;
 ///      s' = s (1 + w (s_l / s_r - 1)), per component, s_l / s_r = 1 where s_r = 0
 /// in   layer, reference  poses of the same joints as `pose`;   weight  finite, >= 0; 1 adds the whole delta
 ///      joint_weights[J]  multiply `weight` per joint; empty = all ones
@@ -20,6 +28,7 @@ struct AddPoseJob {
   float weight = 1.0f;
   std::span<const float> joint_weights;
   PoseSpan pose;
+  DeltaFrame frame = DeltaFrame::parent;
 };
 
 SINEW_API ErrorCode check(const AddPoseJob& job) noexcept;

@@ -24,6 +24,8 @@ void copy_or_rest(std::span<const float> from, std::span<const float> rest, std:
   std::copy_n(source.begin(), to.size(), to.begin());
 }
 
+DeltaFrame frame_of(const PoseOp& op) noexcept { return static_cast<DeltaFrame>(op.index); }
+
 void mix_numbers(std::span<const float> above, float w, std::span<float> below) noexcept {
   for (std::size_t i = 0; i < below.size(); ++i)
     below[i] = w < 1.0f ? flushed(below[i] * (1.0f - w) + above[i] * w) : above[i];
@@ -42,8 +44,8 @@ void PoseMachine::run(const PoseOp& op, const Step& step) noexcept {
     case PoseOpKind::mean: mean(op.index, op.time_s); break;
     case PoseOpKind::overlay: overlay(false); break;
     case PoseOpKind::overlay_model: overlay(true); break;
-    case PoseOpKind::add_to_rest: add_to_rest(); break;
-    case PoseOpKind::add: add_to_reference(); break;
+    case PoseOpKind::add_to_rest: add_to_rest(frame_of(op)); break;
+    case PoseOpKind::add: add_to_reference(frame_of(op)); break;
     case PoseOpKind::override_joints: override_top(op); break;
     case PoseOpKind::procedure: run_procedure(op); break;
   }
@@ -162,13 +164,14 @@ void PoseMachine::overlay(bool in_model_space) noexcept {
 }
 
 void PoseMachine::add(const PoseSlot& layer, const PoseShare& share, const PoseSpan& reference,
-                      std::span<const float> reference_weights) noexcept {
+                      std::span<const float> reference_weights, DeltaFrame frame) noexcept {
   const PoseSlot base = slots_.slot(depth_ - 1);
   const AddPoseJob added{.layer = layer.pose,
                          .reference = reference,
                          .weight = share.weight,
                          .joint_weights = mask(share.mask),
-                         .pose = base.pose};
+                         .pose = base.pose,
+                         .frame = frame};
   assert(check(added) == ErrorCode::ok);
   run_unchecked(added);
   for (std::size_t i = 0; i < base.weights.size(); ++i)
@@ -177,15 +180,15 @@ void PoseMachine::add(const PoseSlot& layer, const PoseShare& share, const PoseS
   ended(PosePhase::add);
 }
 
-void PoseMachine::add_to_rest() noexcept {
+void PoseMachine::add_to_rest(DeltaFrame frame) noexcept {
   --depth_;
-  add(slots_.slot(depth_), slots_.share(depth_), rest_, assets_.rest_weights);
+  add(slots_.slot(depth_), slots_.share(depth_), rest_, assets_.rest_weights, frame);
 }
 
-void PoseMachine::add_to_reference() noexcept {
+void PoseMachine::add_to_reference(DeltaFrame frame) noexcept {
   depth_ -= 2;
   const PoseSlot reference = slots_.slot(depth_ + 1);
-  add(slots_.slot(depth_), slots_.share(depth_), reference.pose, reference.weights);
+  add(slots_.slot(depth_), slots_.share(depth_), reference.pose, reference.weights, frame);
 }
 
 void PoseMachine::override_top(const PoseOp& op) noexcept {

@@ -50,10 +50,10 @@ class PoseMachine {
   void mirror(const PoseSpan& from, std::span<const float> weights, const PoseSlot& to) noexcept;
   void mean(std::size_t operands, double threshold) noexcept;
   void overlay(bool in_model_space) noexcept;
-  void add_to_rest() noexcept;
-  void add_to_reference() noexcept;
+  void add_to_rest(DeltaFrame frame) noexcept;
+  void add_to_reference(DeltaFrame frame) noexcept;
   void add(const PoseSlot& layer, const PoseShare& share, const PoseSpan& reference,
-           std::span<const float> reference_weights) noexcept;
+           std::span<const float> reference_weights, DeltaFrame frame) noexcept;
   void override_top(const PoseOp& op) noexcept;
   void run_procedure(const PoseOp& op) noexcept;
 

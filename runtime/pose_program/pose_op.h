@@ -27,7 +27,8 @@ enum class PoseOpKind : std::uint8_t {
 struct PoseOp {
   double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
   float weight = 1.0f;  ///< finite, >= 0
-  std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands
+  std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands;
+                                ///< additions: DeltaFrame
   std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
   PoseOpKind kind = PoseOpKind::rest;
 

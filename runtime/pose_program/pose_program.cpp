@@ -25,6 +25,7 @@ constexpr Rule kKept{ErrorCode::ok, ""};
 Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   const bool samples = op.kind == PoseOpKind::sample || op.kind == PoseOpKind::sample_mirrored;
   const bool mirrors = op.kind == PoseOpKind::sample_mirrored || op.kind == PoseOpKind::rest_mirrored;
+  const bool adds = op.kind == PoseOpKind::add || op.kind == PoseOpKind::add_to_rest;
   const bool has_share = op.kind == PoseOpKind::override_joints || op.kind == PoseOpKind::procedure;
   if (!is_kind(op.kind)) return {ErrorCode::unsupported, "the kind of operation is not known"};
   if (!std::isfinite(op.weight)) return {ErrorCode::not_finite, "its weight is not finite"};
@@ -41,6 +42,8 @@ Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
     return {ErrorCode::index_out_of_range, "there is no procedure of that index"};
   if (has_share && !(op.time_s >= 0.0 && op.time_s <= 1.0))
     return {ErrorCode::not_a_fraction, "its share lies in [0, 1]"};
+  if (adds && op.index > static_cast<std::uint16_t>(DeltaFrame::joint))
+    return {ErrorCode::unsupported, "an addition is in the parent's frame or the joint's"};
   if (mirrors && !limits.mirror) return {ErrorCode::not_in_needs, "nothing says how the skeleton is mirrored"};
   if (op.kind == PoseOpKind::overlay_model && !limits.overlays_in_model_space)
     return {ErrorCode::not_in_needs, "the memory has no room for rotations in model space"};

@@ -8,6 +8,7 @@
 
 #include "runtime/base/api.h"
 #include "runtime/base/result.h"
+#include "runtime/pose/add_pose.h"
 #include "runtime/pose_program/pose_op.h"
 
 namespace sinew {
@@ -101,10 +102,12 @@ class PoseProgram {
   PoseProgram& overlay_model(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
     return push({.weight = weight, .mask = mask, .kind = PoseOpKind::overlay_model});
   }
-  PoseProgram& add_to_rest(float weight = 1.0f) noexcept {
-    return push({.weight = weight, .kind = PoseOpKind::add_to_rest});
+  PoseProgram& add_to_rest(float weight = 1.0f, DeltaFrame frame = DeltaFrame::parent) noexcept {
+    return push({.weight = weight, .index = index_of(std::size_t(frame)), .kind = PoseOpKind::add_to_rest});
   }
-  PoseProgram& add(float weight = 1.0f) noexcept { return push({.weight = weight, .kind = PoseOpKind::add}); }
+  PoseProgram& add(float weight = 1.0f, DeltaFrame frame = DeltaFrame::parent) noexcept {
+    return push({.weight = weight, .index = index_of(std::size_t(frame)), .kind = PoseOpKind::add});
+  }
   PoseProgram& override_joints(std::uint32_t joints, double share = 1.0, float weight = 1.0f) noexcept {
     return push({share, weight, index_of(joints), PoseOp::kNoMask, PoseOpKind::override_joints});
   }

@@ -37,12 +37,16 @@ Transformd as_double(const Transform& t) {
 }
 
 /// The equations of add_pose.h, in double.
-Transformd truth(const Transform& base, const Transform& layer, const Transform& reference, double w) {
+Transformd truth(const Transform& base, const Transform& layer, const Transform& reference, double w,
+                 DeltaFrame frame) {
   const Transformd b = as_double(base), l = as_double(layer), r = as_double(reference);
-  Quat<double> delta = l.rotation * quat_conjugate(r.rotation);
+  const bool in_parent = frame == DeltaFrame::parent;
+  const Quat<double> back = quat_conjugate(r.rotation);
+  Quat<double> delta = in_parent ? l.rotation * back : back * l.rotation;
   if (delta.w < 0) delta = -delta;
   const Quat<double> part = quat_xyzw(w * delta.x, w * delta.y, w * delta.z, 1 - w + w * delta.w);
-  return {b.translation + w * (l.translation - r.translation), normalised(part * b.rotation),
+  return {b.translation + w * (l.translation - r.translation),
+          normalised(in_parent ? part * b.rotation : b.rotation * part),
           b.scale * (1.0 + w * (l.scale / r.scale - 1.0))};
 }
 
@@ -62,12 +66,14 @@ TEST(add_pose, rejects_other_joint_counts_and_weights_that_are_none) {
 
 TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_the_same_bits) {
   for (const float weight : {0.0f, 0.3f, 1.0f, 1.5f})
-    for (const bool masked : {false, true}) {
+    for (const auto& [masked, frame] : {std::pair(false, DeltaFrame::parent), std::pair(true, DeltaFrame::parent),
+                                        std::pair(true, DeltaFrame::joint)}) {
       std::vector<Transform> first;
       for (const std::int64_t target : test::simd_targets()) {
         const test::OnlyTarget only(target);
         Poses p(7), untouched(7);
         AddPoseJob job = p.job(weight);
+        job.frame = frame;
         if (masked) job.joint_weights = p.mask;
         EXPECT_EQ(run(job), ErrorCode::ok);
         std::vector<Transform> found;
@@ -75,7 +81,7 @@ TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_th
           found.push_back(p.base.span().get(j));
           const double w = static_cast<double>(weight * (masked ? p.mask[j] : 1.0f));
           const Transformd expected =
-              truth(untouched.base.span().get(j), p.layer.span().get(j), p.reference.span().get(j), w);
+              truth(untouched.base.span().get(j), p.layer.span().get(j), p.reference.span().get(j), w, frame);
           EXPECT_TRUE(test::is_near(Vec3<double>(found[j].translation), expected.translation, 1e-6)) << j;
           EXPECT_NEAR(std::abs(quat_dot(quat_cast<double>(found[j].rotation), expected.rotation)), 1.0, 1e-6) << j;
           EXPECT_TRUE(test::is_near(Vec3<double>(found[j].scale), expected.scale, 4e-6)) << j;

@@ -52,6 +52,8 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
       {of().rest().procedure(0), ErrorCode::index_out_of_range, "operation 1 (procedure): there is no procedure"},
       {of().rest().mean(2), ErrorCode::size_mismatch, "operation 1 (mean): it takes more poses"},
       {of().rest().overlay(), ErrorCode::size_mismatch, "operation 1 (overlay): it takes more poses"},
+      {of().rest().rest().add_to_rest(1.0f, static_cast<DeltaFrame>(2)), ErrorCode::unsupported,
+       "operation 2 (add_to_rest): an addition is in the parent's frame"},
       {of().rest().rest().add(), ErrorCode::size_mismatch, "operation 2 (add): it takes more poses"},
       {of().rest().rest().rest().rest().mean(4), ErrorCode::size_mismatch, "operation 3 (rest): the memory has room"},
       {of().push({.kind = static_cast<PoseOpKind>(99)}), ErrorCode::unsupported, "operation 0 (kind 99)"},

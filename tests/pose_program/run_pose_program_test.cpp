@@ -68,7 +68,8 @@ class RandomProgram {
       program_.mean(count, weight, threshold, mask);
       depth_ -= count - 1;
     } else {
-      kind == 4 ? program_.overlay(weight, mask) : program_.add_to_rest(0.1f * weight);
+      const auto frame = random_.below(2) == 0 ? DeltaFrame::parent : DeltaFrame::joint;
+      kind == 4 ? program_.overlay(weight, mask) : program_.add_to_rest(0.1f * weight, frame);
       --depth_;
     }
   }
@@ -344,6 +345,31 @@ TEST(run_pose_program, an_addition_takes_base_layer_and_reference_in_this_order)
   ASSERT_EQ(run(job), ErrorCode::ok);
   EXPECT_LT(test::distance(stage.result.span().get(1).translation, glm::vec3(1.5f, 0.0f, 0.0f)), 1e-6);
   EXPECT_EQ(stage.weights, std::vector<float>(stage.weights.size(), 1.5f));
+}
+
+/// A base turned about x, and a layer that turns about z: in the joint's frame that z is turned along.
+TEST(run_pose_program, an_addition_in_the_joints_frame_turns_about_the_joints_own_axes) {
+  Stage stage(16);
+  const auto about = [](const glm::vec3& axis) {
+    return quat_cast<float>(quat_from_axis_angle(Vec3<double>(axis), 1.2));
+  };
+  const Quat<float> base = about({1, 0, 0}), layer = about({0, 0, 1});
+  std::vector<PoseMemory> poses;
+  std::vector<ExternalPose> externals;
+  for (const Quat<float>& q : {base, layer, quat_identity<float>()}) {
+    poses.emplace_back(stage.joints());
+    for (std::size_t j = 0; j < stage.joints(); ++j) poses.back().span().set(j, {.rotation = q});
+    externals.push_back({poses.back().span(), stage.weights, {}, 0});
+  }
+  for (const bool in_joint : {false, true}) {
+    const PoseProgram program =
+        PoseProgram().external(0).external(1).external(2).add(1.0f, in_joint ? DeltaFrame::joint : DeltaFrame::parent);
+    PoseProgramJob job = stage.job(program.ops());
+    job.inputs.externals = externals;
+    ASSERT_EQ(run(job), ErrorCode::ok);
+    const Quat<float> expected = in_joint ? base * layer : layer * base;
+    EXPECT_NEAR(std::abs(quat_dot(stage.result.span().get(1).rotation, expected)), 1.0f, 1e-6f) << in_joint;
+  }
 }
 
 }  // namespace

@@ -58,12 +58,12 @@ class SlowProgram {
       case PoseOpKind::overlay_model: return overlaid(true);
       case PoseOpKind::add_to_rest: {
         const Entry layer = popped();
-        return added(popped().pose, layer, rest_);
+        return added(popped().pose, layer, rest_, op.index == 1);
       }
       case PoseOpKind::add: {
         const SlowPose reference = popped().pose;
         const Entry layer = popped();
-        return added(popped().pose, layer, reference);
+        return added(popped().pose, layer, reference, op.index == 1);
       }
       case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index].joints, op.time_s);
       default: return rest_;
@@ -165,15 +165,17 @@ class SlowProgram {
     return out;
   }
 
-  SlowPose added(SlowPose base, const Entry& layer, const SlowPose& reference) const {
+  SlowPose added(SlowPose base, const Entry& layer, const SlowPose& reference, bool in_joint_frame) const {
     const Quat<double> one = quat_identity<double>();
     for (std::size_t j = 0; j < base.joints.size(); ++j) {
       const double w = share(layer, j);
       const Transformd &l = layer.pose.joints[j], &r = reference.joints[j];
       Transformd& x = base.joints[j];
       x.translation += (l.translation - r.translation) * w;
-      const Quat<double> d = aligned_with(one, l.rotation * quat_conjugate(r.rotation));
-      x.rotation = normalised((one * (1.0 - w) + d * w) * x.rotation);
+      const Quat<double> back = quat_conjugate(r.rotation);
+      const Quat<double> d = aligned_with(one, in_joint_frame ? back * l.rotation : l.rotation * back);
+      const Quat<double> part = one * (1.0 - w) + d * w;
+      x.rotation = normalised(in_joint_frame ? x.rotation * part : part * x.rotation);
       for (int c = 0; c < 3; ++c) x.scale[c] *= 1.0 + w * ((r.scale[c] == 0.0 ? 1.0 : l.scale[c] / r.scale[c]) - 1.0);
     }
     for (std::size_t i = 0; i < base.weights.size(); ++i)
