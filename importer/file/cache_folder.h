@@ -5,8 +5,8 @@
 
 namespace sinew {
 
-/// Folder for caches of expensive results: the value of the environment variable SINEW_CACHE, else the folder sinew in
-/// XDG_CACHE_HOME or in .cache of the home folder. On Windows it lies in LOCALAPPDATA.
+/// Folder for caches of expensive results: the value of the environment variable SINEW_CACHE. Without it, the folder
+/// sinew in XDG_CACHE_HOME, else in .cache of the home folder. On Windows it lies in LOCALAPPDATA.
 /// out  empty = no caching: SINEW_CACHE is "none", or there is no such folder
 std::filesystem::path default_cache_folder();
 
