@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-const unsigned char* data_of(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
+const unsigned char* jpeg_data(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
 
 /// Owns a libjpeg-turbo decompressor.
 class Jpeg {
@@ -19,9 +19,9 @@ class Jpeg {
 
   std::optional<ImageHeader> size() const {
     int width = 0, height = 0, subsampling = 0, colors = 0;
-    if (!handle_ || encoded_.size() < 2 || data_of(encoded_)[0] != 0xff || data_of(encoded_)[1] != 0xd8)
+    if (!handle_ || encoded_.size() < 2 || jpeg_data(encoded_)[0] != 0xff || jpeg_data(encoded_)[1] != 0xd8)
       return std::nullopt;
-    if (tjDecompressHeader3(handle_.get(), data_of(encoded_), encoded_.size(), &width, &height, &subsampling,
+    if (tjDecompressHeader3(handle_.get(), jpeg_data(encoded_), encoded_.size(), &width, &height, &subsampling,
                             &colors) != 0)
       return std::nullopt;
     return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/jpeg"};
@@ -31,7 +31,7 @@ class Jpeg {
   tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageHeader& size) const {
     std::vector<std::uint8_t> rgba(4 * size.pixels());
     const int failed =
-        tjDecompress2(handle_.get(), data_of(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
+        tjDecompress2(handle_.get(), jpeg_data(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
                       static_cast<int>(size.height), TJPF_RGBA, TJFLAG_LIMITSCANS);
     if (failed != 0 && tjGetErrorCode(handle_.get()) == TJERR_FATAL)
       return tl::make_unexpected(std::string("cannot be decoded: ") + tjGetErrorStr2(handle_.get()));
