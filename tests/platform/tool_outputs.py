@@ -26,13 +26,14 @@ class Runs:
         self.command, self.folder, self.faults, self.hashes = command, folder, [], {}
 
     def run(self, *words, status=0, text=None):
-        """Stdout, after the status was checked and the text searched for in stderr."""
+        """Stdout, after the status was checked and the text searched for in all that was printed."""
         done = subprocess.run([*self.command, *words], cwd=self.folder, capture_output=True, timeout=120)
         messages = done.stderr.decode('utf-8', 'replace')
         if done.returncode != status:
             self.faults.append(f'sinew {" ".join(words)}: status {done.returncode}, not {status}: {messages[:500]}')
-        if text is not None and text not in messages:
-            self.faults.append(f'sinew {" ".join(words)}: says {messages[:500]!r}, without {text!r}')
+        said = done.stdout.decode('utf-8', 'replace') + messages
+        if text is not None and text not in said:
+            self.faults.append(f'sinew {" ".join(words)}: says {said[:500]!r}, without {text!r}')
         return done.stdout
 
     def hold(self, name, content):
