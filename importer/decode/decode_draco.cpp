@@ -214,17 +214,6 @@ class DracoDecoder {
   std::set<std::uint32_t> taken_;  ///< accessors used so far
 };
 
-/// Removes min and max of accessors that could not be decoded, so that they are not checked.
-void forget_bounds(gltf::Document& document, const gltf::Primitive& primitive) {
-  const auto forget = [&](std::uint32_t accessor) {
-    if (accessor == kNone || document.accessors[accessor].buffer_view != kNone) return;
-    document.accessors[accessor].min.clear();
-    document.accessors[accessor].max.clear();
-  };
-  forget(primitive.indices);
-  for (const auto& [semantic, accessor] : primitive.attributes) forget(accessor);
-}
-
 }  // namespace
 
 void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log) {

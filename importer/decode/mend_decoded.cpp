@@ -95,4 +95,14 @@ void mend_decoded(gltf::Document& document, const gltf::Primitive& primitive, co
                    std::to_string(sums) + " vertices are divided by their sum");
 }
 
+void forget_bounds(gltf::Document& document, const gltf::Primitive& primitive) {
+  const auto forget = [&](std::uint32_t accessor) {
+    if (accessor == kNone || document.accessors[accessor].buffer_view != kNone) return;
+    document.accessors[accessor].min.clear();
+    document.accessors[accessor].max.clear();
+  };
+  forget(primitive.indices);
+  for (const auto& [semantic, accessor] : primitive.attributes) forget(accessor);
+}
+
 }  // namespace sinew

@@ -15,4 +15,7 @@ namespace sinew {
 void mend_decoded(gltf::Document& document, const gltf::Primitive& primitive, const gltf::Json& decoded,
                   const std::string& place, IssueLog& log);
 
+/// Removes min and max of accessors that could not be decoded, so that they are not checked.
+void forget_bounds(gltf::Document& document, const gltf::Primitive& primitive);
+
 }  // namespace sinew

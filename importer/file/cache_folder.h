@@ -5,9 +5,9 @@
 
 namespace sinew {
 
-/// Folder for caches of expensive results: the value of the environment variable SINEW_CACHE, else
-/// XDG_CACHE_HOME/sinew, else .cache/sinew in the home folder.
-/// out  empty = no caching: SINEW_CACHE is "none", or there is no home folder
+/// Folder for caches of expensive results: the value of the environment variable SINEW_CACHE. Without it, the folder
+/// sinew in XDG_CACHE_HOME, else in .cache of the home folder. On Windows it lies in LOCALAPPDATA.
+/// out  empty = no caching: SINEW_CACHE is "none", or there is no such folder
 std::filesystem::path default_cache_folder();
 
 /// The folder for the value of a command-line option.   in   name  "none" = no caching, "" = the default

@@ -9,7 +9,7 @@
 #include <utility>
 
 /// Calls of the operating system about files: files_posix.cpp, and its twin files_windows.cpp. Files are descriptors of
-/// the C library, as zlib takes them. Where a call fails, errno says why.
+/// the C library, as zlib takes them; none translates ends of lines. Where a call fails, errno says why.
 namespace sinew::platform {
 
 /// Names a file on the disk, whatever its path: device and number of its entry.
@@ -20,16 +20,29 @@ int open_to_read(const std::filesystem::path& path) noexcept;
 
 /// Fails where the file exists.   out   a descriptor, or -1
 int create_new(const std::filesystem::path& path) noexcept;
+/// Opens what is there already: a pipe, a terminal, a device.   out   a descriptor, or -1
+int open_to_write(const std::filesystem::path& path) noexcept;
+/// A file without a name, which goes with its descriptor.   out   a descriptor, or -1
+int open_temporary();
+/// A second descriptor of the same file and place.   out   a descriptor, or -1
+int duplicate(int descriptor) noexcept;
 void close(int descriptor) noexcept;
 
 /// Nothing for folders, pipes and devices.
 std::optional<std::uint64_t> regular_size(int descriptor) noexcept;
 FileIdentity identity_of(int descriptor) noexcept;
+/// Nothing where no file has this name.
+std::optional<FileIdentity> identity_at(const std::filesystem::path& path) noexcept;
 
 /// Fills `out` from where the last call ended.   out   false where the file ends early
 bool read_all(int descriptor, std::span<std::byte> out) noexcept;
-/// Writes all bytes, and waits until the disk has them.
-bool write_to_disk(int descriptor, std::span<const std::byte> bytes) noexcept;
+/// Reads once.   out   bytes read, 0 at the end, nothing on failure
+std::optional<std::size_t> read_some(int descriptor, std::span<std::byte> out) noexcept;
+bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept;
+/// Waits until the disk has all bytes that were written.
+bool flush_to_disk(int descriptor) noexcept;
+/// The next call reads or writes at this place.
+bool seek(int descriptor, std::uint64_t place) noexcept;
 
 bool remove(const std::filesystem::path& path) noexcept;
 /// Gives a file another name, in place of the file that has it.

@@ -14,6 +14,7 @@ struct ImageHeader {
   std::uint32_t width = 0, height = 0;
   const char* mime_type = "";
   bool is_decoded = true;  ///< decode_image() supports this format
+  bool left_out = false;   ///< other builds support it; its size is not known
 
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };

@@ -82,11 +82,18 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
+/// A command that other builds have.
+struct LeftOutCommand {
+  std::string name;
+  std::string reason;  ///< "it was made without Embree"
+};
+
 /// The program: options and texts of its own, and its commands.
 struct Program {
   Command self;
   std::string version, ending;
   std::vector<Command> commands;
+  std::vector<LeftOutCommand> left_out;
 };
 
 }  // namespace sinew::tool

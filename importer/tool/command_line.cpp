@@ -114,6 +114,14 @@ const Command* chosen_command(const CLI::App& app, const Program& program) {
   return nullptr;
 }
 
+/// The command that was asked for, if this build left it out; else null.
+const LeftOutCommand* left_out_command(const CLI::App& app, const Program& program) {
+  const Words unknown = app.remaining();
+  for (const LeftOutCommand& command : program.left_out)
+    if (!unknown.empty() && unknown.front() == command.name) return &command;
+  return nullptr;
+}
+
 /// The fault of a command line, and the help that explains it: of the command if one is named, else of the program.
 std::string usage_message(const CLI::App& app, const Command* command, const CLI::ParseError& error) {
   if (command != nullptr) return fmt::format("{} (see `sinew {} --help`)", error.what(), command->name);
@@ -148,6 +156,9 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     print(command != nullptr ? help_text(*command) : help_text(program));
     return ExitCode::done;
   } catch (const CLI::ParseError& error) {
+    if (const LeftOutCommand* command = left_out_command(app, program))
+      return fail_with(ExitCode::machine_lacks,
+                       fmt::format("this build of sinew has no `{}`: {}", command->name, command->reason));
     return fail_with(ExitCode::wrong_usage, usage_message(app, chosen_command(app, program), error));
   }
   return chosen_command(app, program)->run();

@@ -15,7 +15,7 @@ Command retarget_command();
 Command compile_command();
 Command bake_command();
 Command bake_ao_command();  ///< In builds with Embree.
-Command cost_command();
+Command cost_command();     ///< In builds with SINEW_COST.
 
 /// The program with all its commands.
 Program make_program();

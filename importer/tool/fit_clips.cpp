@@ -5,26 +5,24 @@
 #include <mutex>
 #include <numbers>
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "importer/tool/progress_line.h"
 #include "runtime/base/contract.h"
 #include "runtime/compress/virtual_vertices.h"
 #include "runtime/lod/clip_bounds.h"
+#include "runtime/threads/default_executor.h"
 
 namespace sinew::tool {
 namespace {
 
-/// Calls `work(i)` for every clip, several at a time, and shows how many are done. Isolated: a thread that waits for
-/// parts of one clip must not begin another clip, since the samples of each take memory.
+/// Calls `work(i)` for every clip, several at a time, and shows how many are done. A thread that waits for parts of one
+/// clip begins no other clip, since run_in_parallel() keeps to its own loop: the samples of each take memory.
 template <class Work>
 void for_each_clip(const char* what, std::size_t count, const Work& work) {
   ProgressLine progress;
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    tbb::this_task_arena::isolate([&] { work(i); });
+  run_in_parallel(count, [&](std::size_t i) {
+    work(i);
     const std::lock_guard lock(mutex);
     progress.show(what, static_cast<double>(++done) / static_cast<double>(count));
   });
@@ -53,7 +51,7 @@ VirtualVertices vertices_with_aims(const Scene& scene, double budget_m) {
 ClipWithin fit_clip(const Scene& scene, const Animation& animation, const VirtualVertices& vertices, double budget_m) {
   if (budget_m == 0.0) return compile_clip_within(scene, animation, vertices, budget_m);
   ClipSearch search(scene, animation, vertices, budget_m);
-  tbb::parallel_for(std::size_t{0}, ClipSearch::kParts, [&](std::size_t part) { search.run(part); });
+  run_in_parallel(ClipSearch::kParts, [&](std::size_t part) { search.run(part); });
   return search.take();
 }
 

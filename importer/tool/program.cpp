@@ -31,15 +31,30 @@ constexpr MakeCommand kCommands[] = {
 #ifdef SINEW_WITH_RAYS
     bake_ao_command,
 #endif
+#ifdef SINEW_WITH_COST
     cost_command,
+#endif
 };
+
+std::vector<LeftOutCommand> left_out_commands() {
+  std::vector<LeftOutCommand> out;
+#ifndef SINEW_WITH_RAYS
+  out.push_back({"bake-ao", "it was made without Embree"});
+#endif
+#ifndef SINEW_WITH_COST
+  out.push_back({"cost", "it was made without the option SINEW_COST"});
+#endif
+  return out;
+}
 
 }  // namespace
 
 Program make_program() {
-  Program program{Command("", kAbout), std::string("sinew ") + SINEW_VERSION, kEnding, {}};
+  Program program{Command("", kAbout), std::string("sinew ") + SINEW_VERSION, kEnding, {}, left_out_commands()};
   program.self.option("--version", "", {}, "Print the version and exit");
   for (const MakeCommand make : kCommands) program.commands.push_back(make());
+  for (const LeftOutCommand& command : program.left_out)
+    program.ending += "\n\nThis build has no `sinew " + command.name + "`: " + command.reason + '.';
   return program;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/progress_line.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include <fmt/core.h>
 
+#include "importer/platform/program.h"
 #include "importer/tool/batch/captured_output.h"
 
 namespace sinew::tool {
@@ -17,7 +16,8 @@ constexpr std::chrono::milliseconds kInterval{100};
 }  // namespace
 
 ProgressLine::ProgressLine()
-    : terminal_(CapturedOutput::current() == nullptr && isatty(STDERR_FILENO) == 1), next_(Clock::now() + kQuiet) {}
+    : terminal_(CapturedOutput::current() == nullptr && platform::is_terminal(platform::kStandardError)),
+      next_(Clock::now() + kQuiet) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 

@@ -27,7 +27,9 @@ class TemporaryFile {
 
   bool opened() const noexcept { return descriptor_ >= 0; }
 
-  bool write(std::span<const std::byte> bytes) const { return platform::write_to_disk(descriptor_, bytes); }
+  bool write(std::span<const std::byte> bytes) const {
+    return platform::write_all(descriptor_, bytes) && platform::flush_to_disk(descriptor_);
+  }
 
   /// Windows renames no file that is open.
   bool rename_to(const fs::path& target) {

@@ -6,15 +6,19 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$here/../../build/mingw-packages"
 cd "$here/../../build/mingw-packages"
-[ ! -e done ] || exit 0
+# Filled once, and again where the list of packages has changed.
+list=$(cat "$here"/get_packages.sh "$here"/packages/CMakeLists.txt "$here"/toolchain.cmake | sha256sum)
+[ "$(cat done 2> /dev/null)" != "$list" ] || exit 0
+rm -f done
 
-for package in libglm-dev libexpected-dev libeigen3-dev libxxhash-dev nlohmann-json3-dev; do
+headers=(libglm-dev libexpected-dev libeigen3-dev libxxhash-dev nlohmann-json3-dev rapidjson-dev libtinygltf-dev libstb-dev libcli11-dev)
+for package in "${headers[@]}"; do
   dpkg -L "$package" | grep -E '^/usr/(include|share/(cmake|eigen3)|lib/.*/cmake)/' | grep -v -- '-none.cmake$' |
     while read -r file; do [ -d "$file" ] || cp --parents "$file" .; done
 done
 
 # A list of sources of its own, from where the machine has its packages: the machine's lists stay as they are.
-sources=(highway libzstd)
+sources=(highway libzstd zlib openmesh meshoptimizer fmtlib)
 mkdir -p lists/partial cache/archives/partial src
 . /etc/os-release
 site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' "Release: $VERSION_CODENAME" 'Component: main' | head -n 1)
@@ -33,4 +37,4 @@ cmake -S "$here/packages" -B build -G Ninja -DCMAKE_TOOLCHAIN_FILE="$here/toolch
   -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" -DCMAKE_C_COMPILER_LAUNCHER="$launcher" -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
   -DCMAKE_C_FLAGS_RELEASE=-O1 -DSOURCES="$PWD/src" -DCMAKE_INSTALL_PREFIX="$PWD" > /dev/null
 cmake --build build --target install > build/log || { cat build/log >&2; exit 1; }
-touch done
+echo "$list" > done

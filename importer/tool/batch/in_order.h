@@ -20,6 +20,10 @@ inline constexpr std::size_t kWaitingPerJob = 1024;
 /// No further work begins while outcomes that wait hold more text than this.
 inline constexpr std::size_t kMostWaitingBytes = std::size_t{16} << 20;
 
+/// How many jobs keep this machine busy.
+std::size_t cores_to_use();
+
+/// By oneTBB (in_order_tbb.cpp), or by threads of our own where the build has no oneTBB (in_order_threads.cpp).
 /// Calls work(0), work(1), ... on up to `jobs` threads, and show() with each outcome in that order, as early as
 /// possible.
 /// in    work   is called on any thread, several at a time; show is called by one thread at a time

@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/batch/output_folder.h"
 
-#include <sys/stat.h>
-
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 #include <system_error>
-#include <utility>
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
+
 namespace sinew::tool {
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Names a file on the disk whatever its path; nothing where there is none.
-using Identity = std::pair<dev_t, ino_t>;
-
-std::optional<Identity> identity_of(const std::string& file) {
-  struct stat status {};
-  if (stat(file.c_str(), &status) != 0) return std::nullopt;
-  return Identity{status.st_dev, status.st_ino};
-}
-
-}  // namespace
 
 tl::expected<void, std::string> name_outputs(InputList& list, const std::string& folder, const std::string& extension) {
   std::map<std::string, std::string> input_of;
-  std::set<Identity> inputs;
+  std::set<platform::FileIdentity> inputs;
   for (Input& input : list.inputs) {
     if (!input.remark.empty()) continue;
     if (input.path == kStandardInput) return tl::unexpected(std::string("-: has no name for its output"));
@@ -39,10 +24,10 @@ tl::expected<void, std::string> name_outputs(InputList& list, const std::string&
     if (!fresh)
       return tl::unexpected(
           fmt::format("{} would be written for {} and for {}", input.output, other->second, input.path));
-    if (const auto identity = identity_of(input.path)) inputs.insert(*identity);
+    if (const auto identity = platform::identity_at(input.path)) inputs.insert(*identity);
   }
   for (const auto& [output, input] : input_of) {
-    if (const auto identity = identity_of(output); identity && inputs.contains(*identity))
+    if (const auto identity = platform::identity_at(output); identity && inputs.contains(*identity))
       return tl::unexpected(output + " is read; it is left as it is");
     std::error_code error;
     fs::create_directories(fs::path(output).parent_path(), error);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/batch/read_input.h"
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "importer/platform/files.h"
+#include "importer/platform/program.h"
 #include "importer/tool/batch/input_list.h"
 
 namespace sinew::tool {
@@ -22,12 +22,10 @@ std::optional<std::vector<std::byte>> read_standard_input(std::uint64_t most) {
   while (bytes.size() <= most) {
     const std::size_t before = bytes.size();
     bytes.resize(before + kPiece);
-    ssize_t count = 0;
-    do count = ::read(STDIN_FILENO, bytes.data() + before, kPiece);
-    while (count < 0 && errno == EINTR);
-    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0) return std::nullopt;
-    if (count == 0) break;
+    const auto count = platform::read_some(platform::kStandardInput, std::span(bytes).subspan(before));
+    bytes.resize(before + count.value_or(0));
+    if (!count) return std::nullopt;
+    if (*count == 0) break;
   }
   return bytes;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/batch/run_batch.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -12,8 +10,8 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <tbb/info.h>
 
+#include "importer/platform/program.h"
 #include "importer/tool/batch/batch_progress.h"
 #include "importer/tool/batch/captured_output.h"
 #include "importer/tool/batch/in_order.h"
@@ -93,7 +91,7 @@ class Report {
  private:
   const InputList& list_;
   BatchProgress progress_;
-  const bool results_on_terminal_ = isatty(STDOUT_FILENO) == 1;
+  const bool results_on_terminal_ = platform::is_terminal(platform::kStandardOutput);
   ExitCode code_ = ExitCode::done;
   std::size_t done_ = 0, failed_ = 0;
 };
@@ -126,10 +124,9 @@ ExitCode run_batch(const BatchOptions& options, const BatchWork& work) {
   if (work.output)
     if (const auto prepared = prepare_outputs(*work.output, list); !prepared)
       return fail_with(ExitCode::wrong_usage, prepared.error());
-  const std::size_t cores = static_cast<std::size_t>(tbb::info::default_concurrency());
   Report report(list);
   run_in_order(
-      list.inputs.size(), options.jobs > 0 ? options.jobs : cores,
+      list.inputs.size(), options.jobs > 0 ? options.jobs : cores_to_use(),
       [&](std::size_t i) { return outcome_of(list.inputs[i], options, work); },
       [&](std::size_t i, JobOutcome&& outcome) { report.show(i, outcome); });
   const std::string summary = report.summary(work.totals ? work.totals() : std::string());

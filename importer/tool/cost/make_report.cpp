@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/cost/make_report.h"
 
-#include <sys/utsname.h>
-
-#include <cstdlib>
-#include <ctime>
-#include <fstream>
+#include <chrono>
 #include <iterator>
 #include <thread>
 #include <utility>
@@ -13,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/platform/program.h"
 #include "importer/tool/cost/instruction_sets.h"
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/studies.h"
@@ -22,28 +19,10 @@ namespace {
 
 constexpr double kShareOfErrors = 0.3;  // of the whole time; the errors are computed before the times are measured
 
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-std::string system_name() {
-  utsname name{};
-  return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
-}
-
-std::string load_now() {
-  double load = 0.0;
-  return getloadavg(&load, 1) == 1 ? fmt::format("{:.1f}", load) : "unknown";
-}
-
 std::string date_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  return fmt::format("{:04}-{:02}-{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
+  const std::chrono::year_month_day day(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
 }
 
 std::string compiler() {
@@ -57,10 +36,10 @@ std::string compiler() {
 /// The facts of the machine and the build on which times depend, as names and values.
 std::vector<std::pair<std::string, std::string>> describe_machine() {
   const InstructionSet best = instruction_sets().front();
-  return {{"processor", processor()},
+  return {{"processor", platform::processor_name()},
           {"cores", std::to_string(std::thread::hardware_concurrency())},
-          {"load while measuring", load_now()},
-          {"system", system_name()},
+          {"load while measuring", platform::load_average()},
+          {"system", platform::system_name()},
           {"compiler", compiler()},
           {"build", SINEW_BUILD_TYPE},
           {"instructions", fmt::format("{}, {} floats wide", best.name, best.float_lanes)},

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/cost/write_report.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <string_view>
 
 #include <fmt/core.h>
 
+#include "importer/platform/program.h"
 #include "importer/tool/cost/report_json.h"
 #include "importer/tool/files/output.h"
 #include "importer/visible_text.h"
@@ -23,7 +22,7 @@ constexpr std::string_view kFiles[] = {"report.json", "report.csv", "report.html
 fs::path without_slash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
 fs::path beside(const fs::path& folder, std::string_view ending) {
-  return folder.string() + fmt::format(".{}.{}", ::getpid(), ending);
+  return folder.string() + fmt::format(".{}.{}", platform::process_number(), ending);
 }
 
 std::optional<std::string> write_file(const fs::path& file, const std::string& text) {

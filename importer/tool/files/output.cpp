@@ -7,6 +7,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "importer/platform/files.h"
 #include "importer/tool/messages.h"
 #include "importer/write/replace_file.h"
 
@@ -18,12 +19,17 @@ namespace {
 /// out   nothing, or the error
 std::optional<std::string> write_stream(const fs::path& output, std::span<const std::byte> bytes) {
   errno = 0;
-  std::FILE* file = is_standard_output(output) ? stdout : std::fopen(output.c_str(), "wb");
-  if (file == nullptr) return std::strerror(errno);
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-  std::string error = written ? "" : std::strerror(errno);
-  if (file != stdout && std::fclose(file) != 0 && written) error = std::strerror(errno);
-  return error.empty() ? std::nullopt : std::optional(error);
+  if (is_standard_output(output)) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0)
+      return std::nullopt;
+    return std::strerror(errno);
+  }
+  const int file = platform::open_to_write(output);
+  if (file < 0) return std::strerror(errno);
+  const std::optional<std::string> fault =
+      platform::write_all(file, bytes) ? std::nullopt : std::optional<std::string>(std::strerror(errno));
+  platform::close(file);
+  return fault;
 }
 
 }  // namespace

@@ -1,46 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/files/streamed_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <span>
 #include <system_error>
 #include <utility>
 
+#include "importer/platform/files.h"
+#include "importer/platform/program.h"
 #include "importer/tool/files/output.h"
 
 namespace sinew::tool {
 
 StreamedFile::StreamedFile(const std::string& file_or_empty) {
   if (file_or_empty.empty()) {
-    file_ = gzdopen(dup(STDOUT_FILENO), "wbT");
+    file_ = gzdopen(platform::duplicate(platform::kStandardOutput), "wbT");
     return;
   }
   const bool compressed = file_or_empty.ends_with(".gz");
   if (is_stream(file_or_empty)) {
-    const int stream = open(file_or_empty.c_str(), O_WRONLY | O_CLOEXEC);
+    const int stream = platform::open_to_write(file_or_empty);
     if (stream >= 0) file_ = gzdopen(stream, compressed ? "wb6" : "wbT");
     return;
   }
   std::error_code error;
   target_ = std::filesystem::canonical(file_or_empty, error);
   if (error) target_ = file_or_empty;  // a new file
-  unfinished_ = target_.string() + "." + std::to_string(getpid()) + ".tmp";
-  const int file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  unfinished_ = platform::temporary_beside(target_);
+  const int file = platform::create_new(unfinished_);
   if (file < 0) return;
   file_ = gzdopen(file, compressed ? "wb6" : "wbT");
   if (!compressed) placed_ = file;
 }
 
 StreamedFile::~StreamedFile() {
-  if (waiting_ != nullptr) std::fclose(waiting_);
+  if (waiting_ >= 0) platform::close(waiting_);
   if (file_ == nullptr) return;
   gzclose(static_cast<gzFile>(file_));
-  if (!unfinished_.empty()) unlink(unfinished_.c_str());
+  if (!unfinished_.empty()) platform::remove(unfinished_);
 }
 
 void StreamedFile::write(std::string_view bytes) {
@@ -54,29 +55,23 @@ void StreamedFile::write(std::string_view bytes) {
 
 void StreamedFile::write_at(std::uint64_t place, std::string_view bytes) {
   if (placed_ < 0) {
-    waiting_ = std::tmpfile();
-    note(waiting_ == nullptr);
-    placed_ = failed_ ? -1 : fileno(waiting_);
+    placed_ = waiting_ = platform::open_temporary();
+    note(waiting_ < 0);
   }
-  while (!failed_ && !bytes.empty()) {
-    const ssize_t count = pwrite(placed_, bytes.data(), bytes.size(), static_cast<off_t>(place));
-    note(count <= 0);
-    if (failed_) return;
-    place += static_cast<std::uint64_t>(count);
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
+  if (failed_) return;
+  note(!platform::seek(placed_, place) || !platform::write_all(placed_, std::as_bytes(std::span(bytes))));
 }
 
 /// Writes what waits.
 void StreamedFile::copy_placed() {
   std::array<char, std::size_t{1} << 16> block;
-  std::rewind(waiting_);
+  note(!platform::seek(waiting_, 0));
   while (!failed_) {
-    const std::size_t count = std::fread(block.data(), 1, block.size(), waiting_);
-    if (count == 0) break;
-    write({block.data(), count});
+    const auto count = platform::read_some(waiting_, std::as_writable_bytes(std::span(block)));
+    note(!count);
+    if (!count || *count == 0) break;
+    write({block.data(), *count});
   }
-  note(std::ferror(waiting_) != 0);
 }
 
 void StreamedFile::note(bool failed) {
@@ -84,11 +79,11 @@ void StreamedFile::note(bool failed) {
 }
 
 bool StreamedFile::finish() {
-  if (waiting_ != nullptr) copy_placed();
+  if (waiting_ >= 0) copy_placed();
   note(gzclose(static_cast<gzFile>(std::exchange(file_, nullptr))) != Z_OK);
   if (!unfinished_.empty()) {
-    note(!failed_ && rename(unfinished_.c_str(), target_.c_str()) != 0);
-    if (failed_) unlink(unfinished_.c_str());
+    note(!failed_ && !platform::rename_over(unfinished_, target_));
+    if (failed_) platform::remove(unfinished_);
   }
   errno = reason_;
   return !failed_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -38,7 +37,7 @@ class StreamedFile {
   std::filesystem::path target_, unfinished_;  // Empty for a stream.
   void* file_ = nullptr;                       // gzFile
   int placed_ = -1;                            // where write_at() writes: the file itself, or the one of waiting_
-  std::FILE* waiting_ = nullptr;
+  int waiting_ = -1;                           // a temporary file
   bool failed_ = false;
   int reason_ = 0;  ///< errno of the first failure
 };

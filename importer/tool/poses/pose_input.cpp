@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/poses/pose_input.h"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ class UnpackedText {
 
   /// `file` stays open during the life of this object.
   UnpackedText(const RegularFile& file, std::uint64_t most_bytes)
-      : file_(gzdopen(dup(file.descriptor()), "rb")), left_(most_bytes) {
+      : file_(gzdopen(platform::duplicate(file.descriptor()), "rb")), left_(most_bytes) {
     if (file_ == nullptr) fault_ = std::strerror(errno);
     fill();
   }

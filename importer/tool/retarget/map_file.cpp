@@ -60,7 +60,7 @@ std::optional<TranslationRule> translation_rule(const std::string& name) {
 tl::expected<void, std::string> read_map_file(const std::string& file, const Skeleton& source, const Skeleton& target,
                                               SkeletonMapOptions& options) {
   if (!std::filesystem::is_regular_file(file)) return tl::unexpected(file + ": is no file");
-  std::ifstream stream(file);
+  std::ifstream stream{std::filesystem::path(file)};
   const json map = json::parse(stream, nullptr, false);
   if (!map.is_object() || map.empty())
     return tl::unexpected(file + ": is no JSON of the form {\"joints\": {\"TARGET NAME\": \"SOURCE NAME\"}}");

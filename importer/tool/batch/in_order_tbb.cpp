@@ -2,6 +2,7 @@
 #include "importer/tool/batch/in_order.h"
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -55,6 +56,8 @@ class WaitingText {
 };
 
 }  // namespace
+
+std::size_t cores_to_use() { return static_cast<std::size_t>(tbb::info::default_concurrency()); }
 
 void run_in_order(std::size_t count, std::size_t jobs, const std::function<JobOutcome(std::size_t)>& work,
                   const std::function<void(std::size_t, JobOutcome&&)>& show, std::size_t most_waiting_bytes) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+/// Calls of the operating system about this process and its machine: program_posix.cpp, and its twin
+/// program_windows.cpp. All texts are UTF-8.
+namespace sinew::platform {
+
+inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2;  ///< descriptors
+
+/// Prepares the standard streams for bytes and UTF-8. Windows would add a carriage return to each end of line and show
+/// text in the code page of the console. Call it once, before anything is printed.
+void prepare_standard_streams();
+
+/// The words of the command line.   in   argc, argv   of main(), which Windows gives in the code page of the system
+std::vector<std::string> arguments_of(int argc, const char* const* argv);
+
+/// A variable of the environment; empty where it is not set.
+std::string environment_variable(const char* name);
+
+/// True for a terminal that takes escape sequences. False for files, pipes and other devices.
+bool is_terminal(int descriptor) noexcept;
+
+std::uint64_t process_number() noexcept;
+
+/// The user's folder for what programs may make again; empty where there is none.
+std::filesystem::path user_cache_folder();
+
+/// The folder of the running program; empty where the system does not tell.
+std::filesystem::path program_folder();
+
+/// The name of the file that holds a program: with .exe on Windows.
+std::string program_file(const std::string& name);
+
+/// Runs a program and waits for its end. It inherits the environment; its stderr is discarded.
+/// out  its stdout
+/// err  a sentence for the user, where it cannot be started or does not end with status 0
+tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
+                                                 const std::vector<std::string>& arguments);
+
+// Facts that reports show; "unknown" where the system does not tell.
+std::string processor_name();
+std::string system_name();
+std::string load_average();
+
+}  // namespace sinew::platform
