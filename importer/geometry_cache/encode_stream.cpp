@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "importer/geometry_cache/code_residuals.h"
 #include "importer/geometry_cache/fit_block.h"
 #include "importer/geometry_cache/order_points.h"
 #include "importer/geometry_cache/unique_points.h"
@@ -18,20 +19,42 @@
 namespace sinew {
 namespace {
 
-/// Appends the residuals of a block: for each axis 64 numbers of `width` bits, lowest bits first.
+/// Appends the packed bits of a block: for each axis 64 numbers of `width` bits, lowest bits first.
 void pack(const FittedBlock& block, std::vector<std::uint8_t>& out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const unsigned width = block.motion.width[axis];
     std::uint64_t waiting = 0;
     unsigned have = 0;
     for (std::size_t i = 0; i < kBlockPoints && width > 0; ++i) {
-      waiting |= std::uint64_t{zigzag(block.residuals[axis * kBlockPoints + i])} << have;
+      const std::uint64_t lower = zigzag(block.residuals[axis * kBlockPoints + i]) & ((std::uint64_t{1} << width) - 1);
+      waiting |= lower << have;
       for (have += width; have >= 8; have -= 8) {
         out.push_back(static_cast<std::uint8_t>(waiting));
         waiting >>= 8;
       }
     }
   }
+}
+
+struct StoredFrame {
+  std::vector<std::byte> bytes;
+  std::uint32_t payload = 0;  // bytes before zstd
+};
+
+StoredFrame store(std::span<const FittedBlock> blocks) {
+  std::vector<BlockMotion> motions;
+  std::vector<std::uint8_t> payload;
+  for (const FittedBlock& block : blocks) {
+    motions.push_back(block.motion);
+    pack(block, payload);
+  }
+  const BlockHeaderBytes heads = write_block_headers(motions);
+  StoredFrame out{std::vector<std::byte>(kSectionHeads), static_cast<std::uint32_t>(payload.size())};
+  const std::uint32_t sizes[kSections] = {store_bytes(heads.coarse, out.bytes), store_bytes(heads.fine, out.bytes),
+                                          store_bytes(payload, out.bytes),
+                                          store_bytes(write_codes(blocks), out.bytes)};
+  std::memcpy(out.bytes.data(), sizes, sizeof(sizes));
+  return out;
 }
 
 /// Encodes the frames of one stream one after another.
@@ -46,21 +69,18 @@ class StreamEncoder {
         x2_(x1_) {}
 
   void add_frame(std::span<const glm::vec3> frame, std::uint32_t from_key) {
-    std::vector<BlockMotion> motions;
-    std::vector<std::uint8_t> payload;
+    std::vector<FittedBlock> blocks;
     for (std::size_t b = 0; b < x1_.size(); ++b) {
-      const FittedBlock block = fit(frame, b, from_key);
-      motions.push_back(block.motion);
-      pack(block, payload);
+      blocks.push_back(fit(frame, b, from_key));
       x2_[b] = x1_[b];
-      x1_[b] = block.state;
+      x1_[b] = blocks[b].state;
     }
-    const BlockHeaderBytes heads = write_block_headers(motions);
-    std::vector<std::byte>& bytes = out_.frames.emplace_back(kSectionHeads);
-    const std::uint32_t sizes[kSections] = {store_bytes(heads.coarse, bytes), store_bytes(heads.fine, bytes),
-                                            store_bytes(payload, bytes)};
-    std::memcpy(bytes.data(), sizes, sizeof(sizes));
-    out_.info.most_payload = std::max(out_.info.most_payload, static_cast<std::uint32_t>(payload.size()));
+    StoredFrame packed = store(blocks);
+    for (FittedBlock& block : blocks) choose_codes(block);
+    StoredFrame coded = store(blocks);
+    StoredFrame& smaller = coded.bytes.size() < packed.bytes.size() ? coded : packed;
+    out_.frames.push_back(std::move(smaller.bytes));
+    out_.info.most_payload = std::max(out_.info.most_payload, smaller.payload);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <cstdlib>
 #include <vector>
 
 namespace sinew {
@@ -17,25 +18,39 @@ using Affine4 = std::array<std::array<double, 3>, 4>;
 std::int32_t wrapped(std::uint32_t number) { return static_cast<std::int32_t>(number); }
 std::uint32_t bits(std::int32_t number) { return static_cast<std::uint32_t>(number); }
 
-/// Estimated bits of a residual after packing and compression.
-double residual_bits(std::int32_t residual) {
-  static const std::vector<double> table = [] {
-    std::vector<double> t{0.8};
-    for (int i = 1; i < 1024; ++i) t.push_back(1.5 + 1.6 * std::log2(i + 1.0));
-    return t;
-  }();
-  const std::uint32_t size = residual < 0 ? 0u - bits(residual) : bits(residual);
-  return size < table.size() ? table[size] : 1.5 + 1.6 * std::log2(size + 1.0);
-}
+/// Residuals of an axis are coded for the size that they have on average (residual_code.h).
+/// eq   p(r) = (1 - q) / (1 + q) q^|r|, with q such that |r| is `mean` on average
+struct ResidualCost {
+  double zero = 0.0;  ///< bits of a residual of 0
+  double unit = 0.0;  ///< bits more for each step of its size
+
+  explicit ResidualCost(double mean = 1.0) {
+    const double m = std::max(mean, kLeastMean), q = (std::sqrt(1.0 + m * m) - 1.0) / m;
+    zero = std::log2((1.0 + q) / (1.0 - q));
+    unit = -std::log2(q);
+  }
+
+ private:
+  static constexpr double kLeastMean = 0.01;
+};
+using AxisCosts = std::array<ResidualCost, 3>;
+
+double size_of(std::int32_t residual) { return std::abs(static_cast<double>(residual)); }
 
 /// Estimated bits of a number in a block's header.
 double head_bits(std::int32_t number) {
   return 0.6 * (1.0 + 2.0 * std::log2(1.0 + std::abs(static_cast<double>(number))));
 }
 
+/// Bits that a point is worth for being a step nearer: what is far from its value disturbs the frames that follow.
+#ifndef NEARER
+#define NEARER 1.0
+#endif
+double kNearer = std::getenv("NEARER") ? std::atof(std::getenv("NEARER")) : 1.0;
+
 /// The grid point within `reach` of the value whose residual needs the fewest bits. Any point within the error budget
 /// (a ball) is acceptable, and the ball usually contains several grid points.
-Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, double reach) {
+Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, double reach, const AxisCosts& costs) {
   Vec3i low, best{};
   for (std::size_t a = 0; a < 3; ++a) low[a] = static_cast<std::int32_t>(std::floor(value[a]));
   double fewest = std::numeric_limits<double>::infinity();
@@ -48,10 +63,10 @@ Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, do
       const double off = at[a] - value[a];
       distance += off * off;
       nearest = nearest && std::abs(off) <= 0.5;
-      cost += residual_bits(wrapped(bits(at[a]) - bits(predicted[a])));
+      cost += costs[a].unit * size_of(wrapped(bits(at[a]) - bits(predicted[a])));
     }
     if (distance > reach * reach && !nearest) continue;
-    cost += distance;  // tie-break: the nearer point
+    cost += kNearer * distance;
     if (cost < fewest) {
       fewest = cost;
       best = at;
@@ -95,7 +110,7 @@ Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, st
 /// Quantizes the points of a block one after another. Padding points beyond `count` take their predicted values.
 template <class Predict>
 void settle(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, double reach,
-            const Predict& predict, FittedBlock& out) {
+            const AxisCosts& costs, const Predict& predict, FittedBlock& out) {
   const bool spreads = out.motion.spreads || out.motion.base == BlockBase::space;
   BlockState missed{};  // residuals of the motion alone
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
@@ -105,7 +120,7 @@ void settle(const BlockValues& values, std::size_t count, std::span<const std::u
       const Vec3i from = spread_from(corners, missed, i);
       for (std::size_t a = 0; a < 3; ++a) predicted[a] = wrapped(bits(moved[a]) + bits(from[a]));
     }
-    const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach) : predicted;
+    const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach, costs) : predicted;
     for (std::size_t a = 0; a < 3; ++a) {
       out.state[a * kBlockPoints + i] = chosen[a];
       out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
@@ -113,6 +128,24 @@ void settle(const BlockValues& values, std::size_t count, std::span<const std::u
     }
   }
   set_widths(out);
+}
+
+AxisCosts costs_of(const FittedBlock& block) {
+  AxisCosts out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kBlockPoints; ++i) sum += size_of(block.residuals[a * kBlockPoints + i]);
+    out[a] = ResidualCost(sum / kBlockPoints);
+  }
+  return out;
+}
+
+/// Quantizes twice: first for costs that are guessed, then for those of the residuals that this leaves.
+template <class Predict>
+void settle_twice(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, double reach,
+                  const Predict& predict, FittedBlock& out) {
+  settle(values, count, corners, reach, AxisCosts{}, predict, out);
+  settle(values, count, corners, reach, costs_of(out), predict, out);
 }
 
 /// The prediction of a motion for one point, before residuals: the equation of BlockMotion.
@@ -245,23 +278,38 @@ class MotionSearch {
     if (motion.turns)
       for (const std::int16_t x : motion.matrix) head += head_bits(x);
     BlockState missed;
-    for (std::size_t i = 0; i < count_ && head + std::min(alone, spread) < fewest_; ++i) {
+    std::array<double, 3> alone_sizes{}, spread_sizes{};
+    for (std::size_t i = 0; i < count_; ++i) {
       const Vec3i predicted = predict(motion, x1_, x2_, i), from = spread_from(corners_, missed, i);
       for (std::size_t a = 0; a < 3; ++a) {
         const auto value = static_cast<std::int32_t>(std::lround(values_[a * kBlockPoints + i]));
         const std::int32_t residual = wrapped(bits(value) - bits(predicted[a]));
         missed[a * kBlockPoints + i] = residual;
-        alone += residual_bits(residual);
-        spread += i > 0 ? residual_bits(wrapped(bits(residual) - bits(from[a])))
-                        : head_bits(wrapped(bits(motion.offset[a]) + bits(residual)));
+        alone_sizes[a] += size_of(residual);
+        if (i > 0)
+          spread_sizes[a] += size_of(wrapped(bits(residual) - bits(from[a])));
+        else
+          spread += head_bits(wrapped(bits(motion.offset[a]) + bits(residual)));
       }
     }
+    alone += bits_of(alone_sizes);
+    spread += bits_of(spread_sizes);
     if (head + std::min(alone, spread) >= fewest_) return;
     fewest_ = head + std::min(alone, spread);
     best_ = motion;
     best_.spreads = spread < alone;
     for (std::size_t a = 0; a < 3 && best_.spreads; ++a)
       best_.offset[a] = wrapped(bits(motion.offset[a]) + bits(missed[a * kBlockPoints]));
+  }
+
+  /// Estimated bits of residuals whose sizes have these sums.
+  double bits_of(const std::array<double, 3>& sizes) const {
+    double sum = 0.0;
+    for (const double size : sizes) {
+      const ResidualCost cost(size / static_cast<double>(count_));
+      sum += static_cast<double>(count_) * cost.zero + cost.unit * size;
+    }
+    return sum;
   }
 
   const BlockValues& values_;
@@ -282,7 +330,7 @@ FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span
   out.motion.base = BlockBase::space;
   for (std::size_t a = 0; a < 3; ++a)
     out.motion.offset[a] = static_cast<std::int32_t>(std::lround(values[a * kBlockPoints]));
-  settle(
+  settle_twice(
       values, count, corners, reach, [&](std::size_t) { return out.motion.offset; }, out);
   return out;
 }
@@ -297,7 +345,7 @@ FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<
   }
   FittedBlock out;
   out.motion = search.best();
-  settle(
+  settle_twice(
       values, count, corners, reach, [&](std::size_t i) { return predict(out.motion, x1, x2, i); }, out);
   return out;
 }

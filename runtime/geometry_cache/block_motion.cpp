@@ -22,20 +22,22 @@ using Floats = hn::CappedTag<float, 16>;
 
 constexpr std::size_t kLanes = hn::MaxLanes(Ints());
 
-/// Unpacks eight residuals of `width` bits, which take `width` bytes.
-HWY_INLINE void unpack_wide(const std::uint8_t* from, unsigned width, std::int32_t* out) {
+/// Unpacks eight residuals of `width` bits, which take `width` bytes. `uppers` may be null.
+HWY_INLINE void unpack_wide(const std::uint8_t* from, unsigned width, const std::uint8_t* uppers, std::int32_t* out) {
   const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
   for (unsigned i = 0; i < 8; ++i) {
     std::uint64_t bits;
     std::memcpy(&bits, from + i * width / 8, sizeof(bits));
-    out[i] = unzigzag(static_cast<std::uint32_t>(bits >> (i * width % 8) & mask));
+    const std::uint64_t upper = uppers == nullptr ? 0 : std::uint64_t{uppers[i]} << width;
+    out[i] = unzigzag(static_cast<std::uint32_t>((bits >> (i * width % 8) & mask) | upper));
   }
 }
 
 #if HWY_TARGET == HWY_SCALAR
 
-HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* out) {
-  for (std::size_t first = 0; first < kBlockPoints; first += 8, from += width) unpack_wide(from, width, out + first);
+HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, const std::uint8_t* uppers, std::int32_t* out) {
+  for (std::size_t first = 0; first < kBlockPoints; first += 8, from += width)
+    unpack_wide(from, width, uppers == nullptr ? nullptr : uppers + first, out + first);
 }
 
 #else
@@ -60,12 +62,10 @@ constexpr UnpackTables make_tables() {
 }
 constexpr UnpackTables kTables = make_tables();
 
-/// Unpacks 64 residuals.
-HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* out) {
-  if (HWY_UNLIKELY(width > kTableWidths)) {
-    for (std::size_t first = 0; first < kBlockPoints; first += 8, from += width) unpack_wide(from, width, out + first);
-    return;
-  }
+/// Unpacks 64 residuals of up to 16 packed bits.
+template <bool kCoded>
+HWY_INLINE void unpack_narrow(const std::uint8_t* from, unsigned width, [[maybe_unused]] const std::uint8_t* uppers,
+                              std::int32_t* out) {
   const hn::CappedTag<std::uint32_t, 8> d;
   const hn::Repartition<std::uint8_t, decltype(d)> bytes;
   const hn::RebindToSigned<decltype(d)> ints;
@@ -76,10 +76,27 @@ HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* o
     const auto packed = hn::LoadDup128(bytes, from);
     for (std::size_t i = 0; i < 8; i += kStep) {
       const auto words = hn::BitCast(d, hn::TableLookupBytes(packed, hn::Load(bytes, table.bytes + 4 * i)));
-      const auto turned = hn::And(hn::Shr(words, hn::Load(d, table.drop + i)), mask);
+      auto turned = hn::And(hn::Shr(words, hn::Load(d, table.drop + i)), mask);
+      if constexpr (kCoded) {
+        const hn::Rebind<std::uint8_t, decltype(d)> few;
+        const auto upper = hn::PromoteTo(d, hn::LoadU(few, uppers + first + i));
+        turned = hn::Or(turned, hn::ShiftLeftSame(upper, static_cast<int>(width)));
+      }
       const auto sign = hn::Sub(hn::Zero(d), hn::And(turned, one));
       hn::Store(hn::BitCast(ints, hn::Xor(hn::ShiftRight<1>(turned), sign)), ints, out + first + i);
     }
+  }
+}
+
+/// Unpacks 64 residuals. `uppers` is null if they have no code.
+HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, const std::uint8_t* uppers, std::int32_t* out) {
+  if (HWY_UNLIKELY(width > kTableWidths)) {
+    for (std::size_t first = 0; first < kBlockPoints; first += 8, from += width)
+      unpack_wide(from, width, uppers == nullptr ? nullptr : uppers + first, out + first);
+  } else if (uppers == nullptr) {
+    unpack_narrow<false>(from, width, uppers, out);
+  } else {
+    unpack_narrow<true>(from, width, uppers, out);
   }
 }
 
@@ -192,7 +209,9 @@ void move_blocks(const MoveBlocksJob& job) {
   for (std::size_t b = 0; b < job.blocks.size(); ++b) {
     const BlockMotion& motion = job.blocks[b];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      unpack(from, motion.width[axis], residuals + axis * kBlockPoints);
+      const std::size_t first = b * kBlockNumbers + axis * kBlockPoints;
+      const std::uint8_t* uppers = motion.code[axis] == 0 ? nullptr : job.uppers.data() + first;
+      unpack(from, motion.width[axis], uppers, residuals + axis * kBlockPoints);
       from += std::size_t{8} * motion.width[axis];
     }
     const std::size_t at = b * kBlockNumbers;
@@ -248,11 +267,16 @@ ErrorCode check(const MoveBlocksJob& job) noexcept {
   const std::size_t numbers = job.blocks.size() * kBlockNumbers;
   if (job.x1.size() != numbers || job.x2.size() != numbers || job.x.size() != numbers || job.corners.size() != numbers)
     return ErrorCode::size_mismatch;
-  if (!have_memory(job.blocks, job.payload, job.corners, job.x1, job.x2, job.x)) return ErrorCode::size_mismatch;
+  if (!job.uppers.empty() && job.uppers.size() != numbers) return ErrorCode::size_mismatch;
+  if (!have_memory(job.blocks, job.payload, job.uppers, job.corners, job.x1, job.x2, job.x))
+    return ErrorCode::size_mismatch;
   std::size_t bytes = kPayloadPadding;
   for (const BlockMotion& block : job.blocks)
-    for (const std::uint8_t width : block.width) {
-      if (width > kMaxWidth) return ErrorCode::index_out_of_range;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint8_t width = block.width[axis], code = block.code[axis];
+      if (code > kResidualCodes || width > (code == 0 ? kMaxWidth : kMaxCodedWidth))
+        return ErrorCode::index_out_of_range;
+      if (code > 0 && job.uppers.empty()) return ErrorCode::size_mismatch;
       bytes += kBlockPoints / 8 * std::size_t{width};
     }
   return job.payload.size() < bytes ? ErrorCode::size_mismatch : ErrorCode::ok;

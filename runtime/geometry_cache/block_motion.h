@@ -18,6 +18,8 @@ inline constexpr std::size_t kBlockPoints = 64;
 /// Integers of one block: the x of all its points, then y, then z.
 inline constexpr std::size_t kBlockNumbers = 3 * kBlockPoints;
 inline constexpr std::uint8_t kMaxWidth = 32;
+/// Prefix codes (residual_code.h), and the widths of lower bits that may be beside them.
+inline constexpr std::uint8_t kResidualCodes = 9, kMaxCodedWidth = 23;
 /// Bytes after the last packed residual that SIMD loads may read.
 inline constexpr std::size_t kPayloadPadding = 16;
 /// Stands for a missing corner of a parallelogram.
@@ -39,7 +41,8 @@ struct BlockMotion {
   bool turns = false;                    ///< M is present: the block also turns, stretches and shears
   bool spreads = false;                  ///< residuals are predicted from neighbours, as in `space`
   std::uint8_t shift = 0;                ///< [0, 30]
-  std::array<std::uint8_t, 3> width{};   ///< bits of each residual along x, y, z
+  std::array<std::uint8_t, 3> width{};   ///< packed bits of each residual along x, y, z
+  std::array<std::uint8_t, 3> code{};    ///< of the bits above them, [1, kResidualCodes]; 0 = there are none
   std::array<std::int16_t, 9> matrix{};  ///< column by column
   std::array<std::int32_t, 3> offset{};
 };
@@ -49,6 +52,7 @@ struct BlockMotion {
 struct MoveBlocksJob {
   std::span<const BlockMotion> blocks;
   std::span<const std::uint8_t> payload;  ///< packed zigzag residuals: 8 * width bytes per block and axis, then padding
+  std::span<const std::uint8_t> uppers;   ///< [192 * blocks] bits above the packed ones; may be empty if no block has a code
   std::span<const std::uint8_t> corners;  ///< [3 * 64 * blocks] a, b, c of each point, below 64, or kNoCorner
   std::span<const std::int32_t> x1, x2;   ///< [192 * blocks]
   std::span<std::int32_t> x;              ///< [192 * blocks] may be x2

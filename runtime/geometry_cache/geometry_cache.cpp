@@ -177,7 +177,8 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
   if (!looks_like_geometry_cache(head)) return refuse("cache-magic", 0, "this is no geometry cache");
   if (head.size() < kGeometryFileHead) return refuse("cache-size", head.size(), "the file ends inside of its head");
   ByteReader in(head, sizeof(kGeometryMagic));
-  if (in.number<std::uint32_t>() != kGeometryFileVersion)
+  const auto version = in.number<std::uint32_t>();
+  if (version == 0 || version > kGeometryFileVersion)
     return refuse("cache-version", 8, "baked by another version of the library: bake it again");
   if (in.number<std::uint32_t>() != 0) return refuse("cache-value", 12, "reserved bytes are not 0");
   const auto size = in.number<std::uint64_t>();
@@ -192,6 +193,7 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
   GeometryCache cache;
   cache.file_bytes_ = file_size;
   cache.content_ = content;
+  cache.version_ = version;
   GeometryHeadReader reader(head);
   reader.read(cache);
   if (!reader.ok()) return tl::unexpected(reader.error());
