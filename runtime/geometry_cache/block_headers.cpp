@@ -89,8 +89,8 @@ BlockHeaderBytes write_block_headers(std::span<const BlockMotion> blocks) {
   const unsigned offset_planes = all >= 1u << 24 ? 3 : all >= 1u << 16 ? 2 : all >= 1u << 8 ? 1 : 0;
   put(out.coarse, offset_planes);
   for (const BlockMotion& block : blocks)
-    put(out.coarse,
-        static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u) | (block.spreads ? kSpreadsBit : 0u));
+    put(out.coarse, static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u) |
+                        (block.spreads ? kSpreadsBit : 0u) | (block.means ? kMeansBit : 0u));
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const BlockMotion& block : blocks) put(out.coarse, width_byte(block.code[axis], block.width[axis]));
   for (unsigned byte = offset_planes; byte > 0; --byte)
@@ -122,7 +122,8 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
     block.base = static_cast<BlockBase>(kind & 3u);
     block.turns = (kind & kTurnsBit) != 0;
     block.spreads = (kind & kSpreadsBit) != 0;
-    sound = sound && kind < 2 * kSpreadsBit && may_follow(place, block.base) &&
+    block.means = (kind & kMeansBit) != 0;
+    sound = sound && kind < 2 * kMeansBit && may_follow(place, block.base) && (block.spreads || !block.means) &&
             !((block.turns || block.spreads) && block.base == BlockBase::space);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       sound = read_width(planes.widths[axis * blocks.size() + b], block, axis) && sound;

@@ -36,6 +36,7 @@ enum class GeometryKind : std::uint8_t { positions, normals, colors };
 /// One attribute of a mesh over time. Vertices whose values are equal in all frames share one point.
 struct GeometryStream {
   GeometryKind kind = GeometryKind::positions;
+  bool centred = false;                        ///< x, y and z of a value are all even or all odd multiples of the step
   float step = 0.0f;                           ///< quantisation step: values are integer multiples of it
   std::uint32_t point_count = 0;               ///< number of points in the file
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices] the point of each vertex of the mesh

@@ -57,8 +57,8 @@ struct GeometryDecoder::Memory {
   }
 
   std::size_t bytes() const noexcept {
-    return coarse.size() + fine.size() + payload.size() + codes.size() + uppers.size() + blocks.size() * sizeof(BlockMotion) +
-           points.size() * sizeof(glm::vec3) + unpacker.memory_bytes();
+    return coarse.size() + fine.size() + payload.size() + codes.size() + uppers.size() +
+           blocks.size() * sizeof(BlockMotion) + points.size() * sizeof(glm::vec3) + unpacker.memory_bytes();
   }
 };
 
@@ -138,7 +138,8 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
                                 .corners = stream.info->corners,
                                 .x1 = stream.before,
                                 .x2 = stream.now,
-                                .x = stream.now});
+                                .x = stream.now,
+                                .centred = stream.info->centred});
   }
   return sections.ended();
 }

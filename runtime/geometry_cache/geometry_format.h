@@ -29,8 +29,12 @@ inline constexpr std::size_t kSections = 4;
 constexpr std::size_t section_count(std::uint32_t version) noexcept { return version == 1 ? 3 : kSections; }
 inline constexpr std::size_t kSectionHeads = kSections * sizeof(std::uint32_t);
 
-/// A block's kind is one byte: its BlockBase, a bit for the matrix and a bit for spreading residuals.
-inline constexpr std::uint8_t kTurnsBit = 4, kSpreadsBit = 8;
+/// Bit of a stream's kind, of version 2: its grid is centred.
+inline constexpr std::uint8_t kCentredBit = 0x80;
+
+/// A block's kind is one byte: its BlockBase, a bit for the matrix, one for spreading residuals and one for their
+/// means.
+inline constexpr std::uint8_t kTurnsBit = 4, kSpreadsBit = 8, kMeansBit = 16;
 
 /// Byte planes of the offsets above the lowest byte. The first byte of the coarse section says how many there are.
 inline constexpr unsigned kMaxOffsetPlanes = 3;

@@ -13,7 +13,8 @@ constexpr std::size_t kPairs = std::size_t{kWordUppers} * kWordUppers, kSymbols 
 constexpr std::size_t kEscape = kPairs, kEntries = std::size_t{1} << kMaxWordBits;
 constexpr std::uint32_t kEntryEscapes = 1u << 8;
 
-/// w(u + 1) / w(u) in 65536ths. The first codes are for small residuals: there zigzag pairs 1, 2 and 3, 4 weigh the same.
+/// w(u + 1) / w(u) in 65536ths. The first codes are for small residuals: there zigzag pairs 1, 2 and 3, 4 weigh the
+/// same.
 struct Shape {
   std::uint32_t ratio;
   bool in_steps;
