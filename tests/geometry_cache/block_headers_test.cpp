@@ -173,7 +173,7 @@ TEST(block_headers, limits_are_inside) {
     } else {
       fine.resize(3);
     }
-    EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 15) << int{kind};
+    EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 31) << int{kind};
   }
   std::vector<std::uint8_t> coarse(1 + 4 + 3 * 4, 0);
   coarse[0] = 4;  // number of planes, one more than allowed
