@@ -131,23 +131,26 @@ HWY_INLINE void spread(const std::uint8_t* corners, const std::int32_t* residual
   for (std::size_t i = 0; i < kBlockPoints; i += 4) {
     const auto axis = [&](const std::int32_t* of, std::size_t a) { return hn::LoadU(d, of + a * kBlockPoints + i); };
     const auto twice = [](Point v) { return kCentred ? hn::Add(v, v) : v; };
-    hn::StoreInterleaved4(axis(x, 0), axis(x, 1), axis(x, 2), hn::Zero(d), d, moved + 4 * i);
+    if constexpr (kCentred) hn::StoreInterleaved4(axis(x, 0), axis(x, 1), axis(x, 2), hn::Zero(d), d, moved + 4 * i);
     hn::StoreInterleaved4(axis(residuals, 0), twice(axis(residuals, 1)), twice(axis(residuals, 2)), hn::Zero(d), d,
                           added + 4 * i);
   }
   alignas(16) constexpr std::int32_t kParity[4] = {0, 1, 1, 0};
-  const Point parity = hn::Load(d, kParity);
+  [[maybe_unused]] const Point parity = hn::Load(d, kParity);
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
     const std::uint8_t* at = corners + 3 * i;
     const auto from = [&](std::uint8_t corner) { return hn::Load(d, r + 4 * std::size_t{corner}); };
-    Point p = hn::Load(d, moved + 4 * i);
+    Point around;
     if constexpr (kMeans)
-      p = hn::Add(p, hn::ShiftRight<1>(hn::Add(from(at[0]), from(at[1] == kNoCorner ? at[0] : at[1]))));
+      around = hn::ShiftRight<1>(hn::Add(from(at[0]), from(at[1] == kNoCorner ? at[0] : at[1])));
     else
-      p = hn::Add(p, hn::Add(from(at[0]), hn::Sub(from(at[1]), from(at[2]))));
-    Point now = hn::Add(p, hn::Load(d, added + 4 * i));
-    if constexpr (kCentred) now = hn::Add(now, hn::And(hn::Xor(p, hn::Broadcast<0>(now)), parity));
-    hn::Store(hn::Sub(now, hn::Load(d, moved + 4 * i)), d, r + 4 * i);
+      around = hn::Add(from(at[0]), hn::Sub(from(at[1]), from(at[2])));
+    Point missed = hn::Add(around, hn::Load(d, added + 4 * i));
+    if constexpr (kCentred) {
+      const Point motion = hn::Load(d, moved + 4 * i), p = hn::Add(around, motion);
+      missed = hn::Add(missed, hn::And(hn::Xor(p, hn::Broadcast<0>(hn::Add(missed, motion))), parity));
+    }
+    hn::Store(missed, d, r + 4 * i);
   }
   for (std::size_t i = 0; i < kBlockPoints; i += 4) {
     Point rx, ry, rz, none;

@@ -153,19 +153,19 @@ struct BitReader {
   const std::uint8_t* end() const noexcept { return at - have / 8; }
 };
 
-/// One axis of a block. No code reads no bits: its one entry is a pair of zeros.
+/// Entries of no code: pairs of zeros that take no bits.
+constexpr std::array<std::uint32_t, kEntries> kZeros{};
+
+/// One axis of a block.
 struct AxisReader {
   BitReader in;
   const std::uint32_t* entries = nullptr;
-  std::uint64_t mask = 0;
 
   void use(std::uint8_t code, const std::array<Code, kResidualCodes>& all) noexcept {
-    static constexpr std::uint32_t kZeros = 0;
-    entries = code == 0 ? &kZeros : all[code - 1u].entries.data();
-    mask = code == 0 ? 0 : kEntries - 1;
+    entries = code == 0 ? kZeros.data() : all[code - 1u].entries.data();
   }
   void read_pair(std::uint8_t* out) noexcept {
-    const std::uint32_t entry = entries[in.bits & mask];
+    const std::uint32_t entry = entries[in.bits & (kEntries - 1)];
     in.bits >>= entry & 63u;
     in.have -= entry & 63u;
     auto pair = static_cast<std::uint16_t>(entry >> 16);
