@@ -22,7 +22,7 @@ inline std::uint32_t packed_value(std::span<const std::uint8_t> bytes, unsigned 
   return value;
 }
 
-/// What a motion alone makes of coordinate `axis` of point i.
+/// Coordinate `axis` of point i as the motion alone moves it.
 inline std::int64_t moved_alone(const BlockMotion& motion, std::span<const std::int32_t> x1,
                                 std::span<const std::int32_t> x2, std::size_t axis, std::size_t i) {
   std::int64_t sum = motion.offset[axis];
@@ -41,7 +41,7 @@ inline std::int64_t moved_alone(const BlockMotion& motion, std::span<const std::
   return cut(sum + (whole >= 0 ? whole / unit : -((unit - 1 - whole) / unit)));
 }
 
-/// What misses of earlier points say of point i along one axis.
+/// The part of point i's miss that the misses of earlier points predict, along one axis.
 inline std::int64_t spread_to(const BlockMotion& motion, std::span<const std::uint8_t> corners,
                               std::span<const std::int64_t> missed, std::size_t i) {
   if (!motion.spreads && motion.base != BlockBase::space) return 0;
