@@ -38,7 +38,8 @@ void choose_codes(FittedBlock& block) {
       sum += z;
       all |= z;
     }
-    const int packed = std::bit_width(all), middle = std::bit_width(sum / kBlockPoints);
+    const auto packed = static_cast<int>(std::bit_width(all));
+    const auto middle = static_cast<int>(std::bit_width(sum / kBlockPoints));
     std::size_t fewest = kBlockPoints * static_cast<std::size_t>(packed);
     for (int width = std::max({middle - 3, packed - 8, 0}); width <= std::min<int>(middle, kMaxCodedWidth); ++width)
       for (std::uint8_t code = 1; code <= kResidualCodes; ++code) {
