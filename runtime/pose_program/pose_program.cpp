@@ -15,14 +15,14 @@ constexpr std::size_t kKinds = std::size(kNames);
 
 bool is_kind(PoseOpKind kind) noexcept { return static_cast<std::size_t>(kind) < kKinds; }
 
-struct Rule {
+struct BrokenRule {
   ErrorCode code;
   const char* text;
 };
-constexpr Rule kKept{ErrorCode::ok, ""};
+constexpr BrokenRule kKept{ErrorCode::ok, ""};
 
 /// The rule that an operation breaks by itself, whatever lies on the stack.
-Rule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
+BrokenRule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   const bool samples = op.kind == PoseOpKind::sample || op.kind == PoseOpKind::sample_mirrored;
   const bool mirrors = op.kind == PoseOpKind::sample_mirrored || op.kind == PoseOpKind::rest_mirrored;
   const bool has_share = op.kind == PoseOpKind::override_joints || op.kind == PoseOpKind::procedure;
@@ -94,7 +94,8 @@ PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& li
     return {ErrorCode::size_mismatch, program.size(), "a program has at most 255 operations"};
   std::size_t depth = 0;
   for (std::size_t i = 0; i < program.size(); ++i) {
-    if (const Rule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok) return {rule.code, i, rule.text};
+    if (const BrokenRule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok)
+      return {rule.code, i, rule.text};
     const std::size_t taken = operands_of(program[i]);
     if (taken > depth) return {ErrorCode::size_mismatch, i, "it takes more poses than those before it leave"};
     depth = depth - taken + 1;

@@ -15,7 +15,7 @@ namespace sinew {
 namespace {
 
 CrowdOptions crowd_options(const JobThreadOptions& options) {
-  CONTRACT(options.frame_buffers == 2 || options.frame_buffers == 3);
+  CONTRACT(check(options) == ErrorCode::ok && "a character has 2 or 3 frame buffers");
   return {.inline_below_bytes = options.inline_below_bytes,
           .part_bytes = options.part_bytes,
           .frame_buffers = options.frame_buffers,
@@ -149,6 +149,10 @@ void JobThread::State::wait_until(std::unique_lock<std::mutex>& lock, const Cond
       changed.wait(lock);
     }
   }
+}
+
+ErrorCode check(const JobThreadOptions& options) noexcept {
+  return options.frame_buffers == 2 || options.frame_buffers == 3 ? ErrorCode::ok : ErrorCode::unsupported;
 }
 
 JobThread::JobThread(JobThreadOptions options) : state_(std::make_unique<State>(options)) {}

@@ -42,6 +42,9 @@ struct JobThreadOptions {
   std::uint8_t frame_buffers = 3;
 };
 
+/// err  unsupported (frame_buffers is neither 2 nor 3). A job thread of such options breaks a contract.
+SINEW_API ErrorCode check(const JobThreadOptions& options) noexcept;
+
 /// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
 /// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the
 /// worker unless it calls wait().
