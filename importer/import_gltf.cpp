@@ -137,8 +137,9 @@ class Import {
            (options_.collect_all_errors || quarantine_.holds_only_animations_and_data());
   }
 
-  /// Called after each step; removes the broken parts. True if there is no error, if the errors touch only animation
-  /// channels, or if all errors are collected. A document that is carried along must stay whole.
+  /// Called after each step; removes the broken parts. True if there is no error, or if the import can go on without
+  /// these parts: they are animation channels, or all errors are collected. False if there are too many errors, or the
+  /// document as a whole is broken. A document that is carried along must stay whole.
   bool go_on() {
     if (log_.error_count() == 0 && quarantine_.empty()) return true;
     if (!quarantine_.mark(log_)) return false;

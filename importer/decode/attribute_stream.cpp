@@ -32,7 +32,6 @@ using Plane = std::array<std::uint8_t, kMostElements>;  ///< one byte position o
 
 unsigned number(std::byte b) noexcept { return std::to_integer<unsigned>(b); }
 
-/// A forward reader with bounds checks.
 class Reader {
  public:
   explicit Reader(Bytes bytes) : rest_(bytes) {}

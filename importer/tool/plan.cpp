@@ -52,7 +52,8 @@ const std::map<std::string, bool& (*)(Needs&)> kNeeds = {
     {"tangents", out<&Outputs::tangents>},       {"palettes", out<&Outputs::palettes>},
     {"bounds", out<&Outputs::bounds>},           {"properties", out<&Outputs::properties>},
     {"additive", in<&Inputs::additive>},         {"hidden-meshes", out<&Outputs::hidden_meshes>},
-    {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>}};
+    {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>},
+    {"local-pose", out<&Outputs::local_pose>}};
 constexpr const char* kMasks = "masks";
 
 const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear},

@@ -70,8 +70,8 @@ HalfEdgeMesh build_mesh(const Adjacency& a, std::vector<std::uint32_t>& triangle
   const auto vertex = [&](std::size_t c) { return HalfEdgeMesh::VertexHandle(static_cast<int>(a.corner_vertex[c])); };
   for (std::size_t f = 0; f < a.face_count(); ++f) {
     if (a.corner_vertex[3 * f] == kNone) continue;
-    // Always succeeds: every vertex is a single fan, and only the two ends of a fan can share a cut edge, in opposite
-    // directions. So no half-edge is used twice.
+    // Always succeeds. The faces at each vertex are one fan with at most two border edges, of opposite directions.
+    // Even if both lie on the same cut edge of the input, they use different half-edges.
     const auto face = mesh.add_face(vertex(3 * f), vertex(3 * f + 1), vertex(3 * f + 2));
     CONTRACT(face.is_valid());
     triangle_of_face.push_back(static_cast<std::uint32_t>(f));

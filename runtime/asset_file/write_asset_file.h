@@ -27,7 +27,7 @@ struct AssetFileOptions {
 };
 
 /// Writes a scene as an asset file (asset_file.h). Every stored field keeps its bits. Clips are written as they are:
-/// for small files replace them by those of compile_clip_within, and leave `animations` as the authoring form.
+/// for a small file, first replace Scene::clips by those of compile_clip_within. Scene::animations need not change.
 /// in    scene  must have passed check(Scene)
 /// cost  O(bytes), allocates about twice the size of the file
 SINEW_API std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptions& options = {});

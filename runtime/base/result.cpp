@@ -29,6 +29,8 @@ std::string_view describe(ErrorCode code) noexcept {
     case ErrorCode::not_a_fraction: return "a number is outside [0, 1]";
     case ErrorCode::two_times: return "one vertex source is asked for two times in one frame";
     case ErrorCode::no_cut: return "no first half of a frame was run, which the second half could follow";
+    case ErrorCode::unknown_character: return "the job thread has no such character, or it was removed";
+    case ErrorCode::follows_itself: return "a character would follow itself, directly or by way of others";
     case ErrorCode::too_large: return "a number is so large that results could overflow";
   }
   return "unknown error";

@@ -39,6 +39,8 @@ enum class ErrorCode {
   two_times,             ///< one vertex source is asked for two times in one frame
   too_large,             ///< a finite number is so large that results could overflow
   no_cut,                ///< no first half of a frame was run, which the second half could follow
+  unknown_character,     ///< the job thread has no such character, or it was removed
+  follows_itself,        ///< a character would follow itself, directly or by way of others
 };
 
 /// One sentence per code, for logs.

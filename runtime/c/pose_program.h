@@ -125,7 +125,7 @@ typedef struct sinew_pose_procedure {
 /// The keys of a clip for one time (pages.h).
 typedef struct sinew_page sinew_page;
 
-/// The lists of a program.
+/// The tables that operations of a program refer to by index, and the keys of clips that lie in pages.
 typedef struct sinew_program_inputs {
   size_t struct_size;
   const sinew_external_pose* externals;

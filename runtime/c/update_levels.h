@@ -66,7 +66,8 @@ SINEW_API sinew_error sinew_interpolated_input_create(const sinew_plan* plan, si
 SINEW_API void sinew_interpolated_input_destroy(sinew_interpolated_input* interpolated);
 
 /// The input to run in this frame.
-/// in   ahead[ahead_count]  layers of the frame that is sinew_frames_to_update from now
+/// in   ahead[ahead_count]  layers of the next frame in which the character is due: sinew_frames_to_update() frames
+///      after this one
 /// out, err  as sinew_held_input_next, and SINEW_UNSUPPORTED where the input has pages
 SINEW_API sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated,
                                                     const sinew_frame_input* now, const sinew_layer* ahead,

@@ -29,11 +29,12 @@ SINEW_API std::vector<double> times_to_check(const Animation& truth, std::size_t
 inline constexpr std::size_t kMaxJointTimes = 10'000'000;
 
 /// Samples a clip in float, as a frame does, and compares it in double with BoneAnimation::interpolate. Both
-/// hierarchies are evaluated in double, so that only the clip's own error counts. For several forms of a clip, each
-/// error is the largest.
-/// eq   of_joint[j] = max |M'[j] c - M[j] c| over the times of `truth` and corners c
+/// hierarchies are evaluated in double, so that only the clip's own error counts.
+/// eq   of_joint[j] = max |M'[j] c - M[j] c| over the times of `truth` and the corners c of VirtualVertices::boxes[j];
+///      M' and M are model matrices of the clip and of `truth`
 ///      weights = max sum |w' - w| metres_per_weight stretch
-/// in   forms  of the clip, compiled for this scene
+/// in   forms  the same clip in several forms (packed, unpacked), compiled for this scene
+/// out  each error is the largest of all forms
 /// cost O(times x J x forms), allocates
 SINEW_API ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);
 

@@ -30,8 +30,8 @@ struct FileBytes {
 };
 SINEW_API std::uint64_t bytes_in_file(const Animation& animation);
 
-/// Measures the keys of a file as a reader plays them: in double, by the equations of glTF (clip_error.h has the
-/// times).
+/// Measures the keys of a file as a reader plays them: in double, by the equations of glTF, at times_to_check(truth).
+/// in   written  the keys of the file;   truth  all original keys;   asked_m  the budget, stored in the certificate
 /// out  a certificate. Its bytes are those of bytes_in_file(). Keys that equal those of `truth` have an error of 0.
 /// cost O(times x J), allocates
 SINEW_API ClipCertificate measure_keys(const Scene& scene, const Animation& written, const Animation& truth,

@@ -17,7 +17,7 @@ using BoxCorners = std::array<std::array<double, 8>, 3>;
 /// eq   M c for each corner c of corners_of(box); the same bits as transform_point
 SINEW_API BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 
-/// The authoring form of a clip at one time, in the form that compiled clips are compared with.
+/// The exact values of an animation at one time, which samples of compiled clips are compared with.
 struct TruthSample {
   std::vector<BoxCorners> corners;  ///< [J] of the virtual vertices, model space
   std::vector<double> weights;      ///< values of the weight tracks, one track after the other.

@@ -13,7 +13,7 @@ namespace sinew {
 /// vertex can have a larger error than the worst corner. All other joints get a cube of half-width kShell. Unlike one
 /// or two points, a box shows errors along all three axes.
 struct VirtualVertices {
-  static constexpr float kShell = 0.03f;  ///< in the file's units
+  static constexpr float kShell = 0.03f;  ///< half-width of the cube of a joint without vertices, in the file's units
 
   std::vector<Aabb> boxes;           ///< [J] never empty
   std::vector<bool> moves_vertices;  ///< [J] the box contains vertices of a mesh

@@ -307,9 +307,12 @@ void skin_linear(const SkinLinearJob& job) {
   const AttributesPresent wanted = present(job.vertices, job.out);
   const NonTemporalStores streamed(job.out, wanted, job.past_caches);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
-    for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_row<count>(job.influences, group, job.vertices, job.out,
-                          SkinRow<count, normals, tangents, cofactor>{PaletteBases(job.palette.data())}, streamed);
+    for_each_group(job.influences, [&](const InfluenceGroup& group, auto each_count) {
+      // Rare combinations have one kernel for all counts: each kernel is half a second of compile time.
+      constexpr bool kRare = cofactor || (tangents && !normals);
+      constexpr int kCount = kRare ? 0 : each_count;
+      for_each_row<kCount>(job.influences, group, job.vertices, job.out,
+                           SkinRow<kCount, normals, tangents, cofactor>{PaletteBases(job.palette.data())}, streamed);
     });
   };
   with_attributes(wanted, [&](auto normals, auto tangents) {

@@ -41,7 +41,7 @@ struct TileInputs {
   const TilePlane* tangents;
 };
 
-/// Packed vertices of a vector of lanes on their way to places that are not in a row, or past the caches.
+/// A buffer for one vector of skinned vertices that are then copied to scattered places, or stored past the caches.
 struct KeptVertices {
   HWY_ALIGN glm::vec3 positions[kTileSize];
   HWY_ALIGN glm::vec3 normals[kTileSize];

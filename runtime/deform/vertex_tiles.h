@@ -53,8 +53,8 @@ struct VertexTiles {
   std::size_t tile_count() const noexcept { return vertices.size() / kLanes; }
   static constexpr double kMostCost = 1.6;  ///< with a larger relative_cost(), SkinLinearJob is as fast or faster
 
-  /// Time of skinning, over the time that the vertices take in full vectors in a row. Measured on AVX2: vectors that
-  /// are not in a row take 1.8 of it, and the start of a run takes the time of one vector.
+  /// Estimated time of skinning, relative to the best case: full vectors of consecutive vertices. Measured on AVX2: a
+  /// vector of scattered vertices takes 1.8 times as long, and each run takes the time of one more vector.
   SINEW_API double relative_cost() const noexcept;
 };
 

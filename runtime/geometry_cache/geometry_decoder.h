@@ -61,8 +61,8 @@ class SINEW_API GeometryDecoder {
   /// The first frame whose bytes decode(frame) needs: for FrameWindow::prefetch.
   std::uint32_t next_for(std::uint32_t frame) const noexcept;
 
-  /// The next frame whose bytes decode_time(time_s) needs, or the frame after it if `time_s` can be shown already.
-  /// After the last frame comes the first one, as in a loop.
+  /// The next frame whose bytes decode_time(time_s) needs, for FrameWindow::prefetch. If it needs no more bytes: the
+  /// frame after those that it shows. The first frame follows the last one, as in a loop.
   std::uint32_t next_for_time(double time_s) const noexcept;
 
   /// The held frame; kNone = none.

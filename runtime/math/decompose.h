@@ -11,7 +11,7 @@ namespace sinew {
 /// Result of a decomposition. The returned parts are usable in every case.
 enum class DecomposeStatus : std::uint8_t {
   ok,
-  mirrored,    ///< negative determinant: the stretch is negative, or scale.x is
+  mirrored,    ///< negative determinant: decompose_polar makes S negative definite, decompose_trs makes scale.x < 0
   sheared,     ///< decompose_trs only: the columns are not perpendicular, so T * R * S differs from the matrix
   singular,    ///< rank below 3 within rounding: part of the rotation is arbitrary
   not_finite,  ///< NaN or infinite entries: the identity is returned

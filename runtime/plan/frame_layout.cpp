@@ -28,7 +28,7 @@ class MemoryLayout {
   std::size_t end_ = 0;
 };
 
-/// Poses of a plan are of one size.
+/// Takes memory for poses, morph weights and properties. All poses of a plan have the same size.
 class PoseMaker {
  public:
   PoseMaker(const CompiledPlan& plan, MemoryLayout& memory)

@@ -78,15 +78,16 @@ struct WorkCounters : PoseProgramWork {
 /// The result of one frame of one character. Its views point into the frame buffer, and are valid until that buffer
 /// runs again.
 struct FrameResult {
-  std::uint64_t frame = 0;                ///< counts up by one per run of the character
-  std::uint64_t since_frame = 0;          ///< all frames from this number on had the same input, and so the same result
-  PoseSpan local;                         ///< [K] local transforms that `model` is composed of; not to be written
-  std::span<const Affine> model;          ///< [J] world matrix of every joint, or [K] of those that the plan keeps
-                                          ///< (Needs::out.skeleton_lod; world_of in compile_plan.h)
-  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with what
-                                          ///< correctives add where the plan runs them
-  std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
-  std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
+  std::uint64_t frame = 0;            ///< counts up by one per run of the character
+  std::uint64_t since_frame = 0;      ///< all frames from this number on had the same input, and so the same result
+  PoseSpan local;                     ///< [K] local transforms that `model` is composed of; not to be written; empty
+                                      ///< unless Needs::out.local_pose
+  std::span<const Affine> model;      ///< [J] world matrix of every joint, or [K] of those that the plan keeps
+                                      ///< (Needs::out.skeleton_lod; world_of in compile_plan.h)
+  std::span<const float> weights;     ///< [W] morph weights of all mesh instances (Scene::first_weight), with what
+                                      ///< correctives add where the plan runs them
+  std::span<const float> properties;  ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
+  std::span<const bool> hidden;       ///< [J] joints not shown; empty when nothing of the scene is ever hidden
   std::span<const SkinPalette> palettes;  ///< [skins]; empty unless Needs::out.palettes
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;

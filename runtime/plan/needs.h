@@ -18,8 +18,9 @@ enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation
 
 /// Parts of the result that a consumer wants from each frame.
 struct Outputs {
-  bool joints = true;     ///< world matrices of the joints that `skeleton_lod` keeps
-  bool positions = true;  ///< deformed vertex positions
+  bool joints = true;      ///< world matrices of the joints that `skeleton_lod` keeps
+  bool local_pose = true;  ///< FrameResult::local
+  bool positions = true;   ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;          ///< of primitives that have a normal map in some variant, or no material
   bool tangents_of_all = false;  ///< tangents of all primitives, for consumers with materials of their own

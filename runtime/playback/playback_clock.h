@@ -18,8 +18,9 @@ enum class PlayMode : std::uint8_t {
   once,       ///< as clamp, and finished() is true at the end until a seek or a change of direction
 };
 
-/// The time that one call of advance played, for EventCursor and root_motion. Phases are clip times; in ping-pong they
-/// run on to 2 * duration for the way back. Whole periods are counted separately, so hours of play lose no digits.
+/// The time that one call of advance played, for EventCursor and root_motion. `from_s` and `to_s` are clip times; in
+/// ping-pong they run on to 2 * duration_s on the way back. `from_turns` and `to_turns` count whole periods, so hours
+/// of play lose no digits.
 struct PlaybackStep {
   PlayMode mode = PlayMode::loop;
   double duration_s = 0.0;

@@ -41,7 +41,7 @@ struct FeetMap {
   std::uint32_t hips = kNone;  ///< joint of the target above all legs; kNone = no mapped joint is
 };
 
-/// Joint indices of one leg.
+/// The joints at the hip, the knee, the ankle and the ball of the foot of one leg. `toes` may be kNone.
 struct LegJoints {
   std::uint32_t upper = kNone, lower = kNone, foot = kNone, toes = kNone;
 };

@@ -77,14 +77,14 @@ SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& sou
 /// The map carries rotations relative to the rest pose, in model space. Notation: W rest rotations and G pose rotations
 /// in model space, m the nearest mapped ancestor of j, Q = G_m^-1 G_j the rotation of j relative to m (over all joints
 /// between). Primes mark the target, and P' is the parent of j'.
-/// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = (W'_P'^-1 W'_m C'_m^-1 W_m) Q (W_j^-1 C'_j)
-///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1 (VRMC_vrm_animation, "humanoid"). It holds for any
-///      bone axes and roll, and for joints that only one skeleton has.
+/// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = B Q A,  B = W'_P'^-1 W'_m C'_m^-1 W_m,  A = W_j^-1 C'_j
+///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local rest rotation (VRMC_vrm_animation,
+///      "humanoid"). It holds for any bone axes and roll, and for joints that only one skeleton has.
 ///      R_j aligns limbs: for upper and lower arms and legs it is the shortest arc from the target's limb to the
 ///      source's limb in the rest poses. Hands and fingers use the R of the lower arm. All other joints use the
-///      identity.
-///      t' = r' + k R (p - p_rest), p the place of j relative to m, k by TranslationRule. Scales of parents are divided
-///      out.
+///      identity, as do all joints with LimbDirections::of_rest or if the map is by names.
+///      t' = t'_rest + k B (p - p_rest), p the place of j relative to m, k by TranslationRule. Scales of parents are
+///      divided out.
 /// in   skeletons  rest rotations unit;   options  that check accepts
 /// cost O(J log J), allocates
 SINEW_API SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target,

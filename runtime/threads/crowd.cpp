@@ -12,59 +12,51 @@ namespace {
 constexpr std::size_t kLooksAhead = 4;  // characters, whose state arrives while as many inputs are looked at
 constexpr std::size_t kPastCachesBytes = std::size_t{16} << 20;  // frames of all characters that no caches hold
 
+/// The input of an entry. A follower's root is relative to the joint of its leader.
+FrameInput input_of(const Roster& roster, const Roster::Entry& entry) noexcept {
+  FrameInput input = entry.input->view();
+  if (!entry.follows()) return input;
+  const Character& leader = *roster.entries[entry.leader].character;
+  input.root = world_of(leader.plan, leader.last_good->result().model, entry.joint) * input.root;
+  return input;
+}
+
+/// False for a follower whose leader has never shown its joints, or is out of view.
+bool has_input(const Roster& roster, const Roster::Entry& entry) noexcept {
+  if (entry.input == nullptr) return false;
+  if (!entry.follows()) return true;
+  const FrameBuffer* leader = roster.entries[entry.leader].character->last_good;
+  return leader != nullptr && !leader->result().model.empty();
+}
+
+void look_at_input(const Roster& roster, const Roster::Entry& entry) noexcept {
+  Character& character = *entry.character;
+  character.is_to_run = has_input(roster, entry) && (character.last_good == nullptr ||
+                                                     !holds_result_of(*character.last_good, input_of(roster, entry)));
+  if (character.is_to_run) character.slots.prepare_to_write();
+  character.error = ErrorCode::ok;
+}
+
+void run_character(const Roster& roster, const Roster::Entry& entry, std::uint64_t number) noexcept {
+  Character& character = *entry.character;
+  FrameBuffer& buffer = character.to_write();
+  buffer.count_from(number - 1);
+  buffer.write_past_caches(roster.bytes >= kPastCachesBytes);
+  if (character.last_good != nullptr) buffer.follow(*character.last_good);
+  character.error = run_plan(character.plan, input_of(roster, entry), buffer);
+  if (character.error == ErrorCode::ok) character.last_good = &buffer;
+}
+
 }  // namespace
 
-struct Crowd::Character {
-  Character(const Plan& shown, const CrowdOptions& options) : plan(shown), slots(options.frame_buffers) {
-    for (std::uint8_t b = 0; b < options.frame_buffers; ++b) buffers.emplace_back(shown, *options.memory);
-  }
-
-  FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
-
-  Plan plan;
-  std::vector<FrameBuffer> buffers;
-  TripleSlots slots;
-  const FrameBuffer* last_good = nullptr;
-  ErrorCode error = ErrorCode::ok;  // of the frame that has just run
-  bool is_to_run = false;           // its input is not that of the last good frame
-};
-
-Crowd::Crowd(const CrowdOptions& options) : options_(options) {}
-Crowd::~Crowd() = default;
-
-void Crowd::add(const Plan& plan) {
-  auto character = std::make_unique<Character>(plan, options_);
-  InputCopy input(plan, *options_.memory), other_input(plan, *options_.memory);
-  const std::size_t count = characters_.size() + 1;
-  characters_.reserve(count);
-  part_end_.reserve(count);
+void Crowd::make_room(std::size_t count) {
   queued_.reserve(count);
-  running_.reserve(count);  // from here on nothing throws
-  characters_.push_back(std::move(character));
-  queued_.push_back(std::move(input));
-  running_.push_back(std::move(other_input));
-  if (part_end_.empty() || last_part_bytes_ >= options_.part_bytes) {
-    part_end_.push_back(0);
-    last_part_bytes_ = 0;
-  }
-  part_end_.back() = count;
-  bytes_ += plan.frame_bytes();
-  last_part_bytes_ += plan.frame_bytes();
+  spare_.reserve(count);
 }
 
-ErrorCode Crowd::check(std::span<const FrameInput> inputs) const noexcept {
-  if (inputs.size() != characters_.size()) return ErrorCode::size_mismatch;
-  for (std::size_t c = 0; c < inputs.size(); ++c)
-    if (const ErrorCode error = queued_[c].check_room(inputs[c]); error != ErrorCode::ok) return error;
-  return ErrorCode::ok;
-}
-
-bool Crowd::can_write() const noexcept {
-  return std::all_of(characters_.begin(), characters_.end(), [](const auto& c) { return c->slots.can_write(); });
-}
-
-void Crowd::queue(std::span<const FrameInput> inputs) {
-  for (std::size_t c = 0; c < inputs.size(); ++c) queued_[c].assign(inputs[c]);
+void Crowd::queue(const Roster& roster) {
+  if (!queued_.has_room_for(roster)) std::swap(queued_, spare_);
+  queued_ = roster;
 }
 
 void Crowd::start(std::uint64_t number) noexcept {
@@ -74,7 +66,7 @@ void Crowd::start(std::uint64_t number) noexcept {
 }
 
 std::size_t Crowd::task_count() const noexcept {
-  return part_end_.size() < 2 || bytes_ < options_.inline_below_bytes ? 1 : part_end_.size();
+  return running_.part_end.size() < 2 || running_.bytes < inline_below_bytes_ ? 1 : running_.part_end.size();
 }
 
 bool Crowd::run_task(std::size_t task) noexcept {
@@ -82,60 +74,44 @@ bool Crowd::run_task(std::size_t task) noexcept {
   if (count > 1)
     run_part(task);
   else
-    for (std::size_t p = 0; p < part_end_.size(); ++p) run_part(p);
+    for (std::size_t p = 0; p < running_.part_end.size(); ++p) run_part(p);
   return tasks_run_.fetch_add(1, std::memory_order_acq_rel) + 1 == count;
 }
 
 /// Memory of a crowd has left the caches when its turn comes. Looking at all inputs of a part first lets their
-/// characters arrive together, and tells whose frame to ask for while the one before it runs.
+/// characters arrive together, and tells whose frame to ask for while the one before it runs. Followers are looked at
+/// when their turn comes, since their leader has to run first.
 void Crowd::run_part(std::size_t part) noexcept {
   const std::uint64_t number = started_.load(std::memory_order_acquire);
-  const std::size_t first = part == 0 ? 0 : part_end_[part - 1], end = part_end_[part];
+  const std::vector<Roster::Entry>& entries = running_.entries;
+  const std::size_t first = part == 0 ? 0 : running_.part_end[part - 1], end = running_.part_end[part];
   for (std::size_t c = first; c < end; ++c) {
-    if (c + kLooksAhead < characters_.size()) prefetch(characters_[c + kLooksAhead].get(), sizeof(Character));
-    look_at_input(c);
+    if (c + kLooksAhead < entries.size()) {
+      entries[c + kLooksAhead].character->prefetch();
+      prefetch(entries[c + kLooksAhead].input, sizeof(InputCopy));
+    }
+    if (!entries[c].follows()) look_at_input(running_, entries[c]);
   }
   const auto next_to_run = [&](std::size_t c) {
-    while (c < end && !characters_[c]->is_to_run) ++c;
+    while (c < end && !entries[c].follows() && !entries[c].character->is_to_run) ++c;
     return c;
   };
   for (std::size_t c = next_to_run(first), next = end; c < end; c = next) {
     next = next_to_run(c + 1);
-    if (next < end) characters_[next]->to_write().prefetch();
-    run_character(c, number);
+    if (next < end && !entries[next].follows()) entries[next].character->to_write().prefetch();
+    if (entries[c].follows()) look_at_input(running_, entries[c]);
+    if (entries[c].character->is_to_run) run_character(running_, entries[c], number);
   }
-}
-
-void Crowd::look_at_input(std::size_t c) noexcept {
-  Character& character = *characters_[c];
-  character.is_to_run = character.last_good == nullptr || !holds_result_of(*character.last_good, running_[c].view());
-  if (character.is_to_run) character.slots.prepare_to_write();
-  character.error = ErrorCode::ok;
-}
-
-void Crowd::run_character(std::size_t c, std::uint64_t number) noexcept {
-  Character& character = *characters_[c];
-  FrameBuffer& buffer = character.to_write();
-  buffer.count_from(number - 1);
-  buffer.write_past_caches(bytes_ >= kPastCachesBytes);
-  if (character.last_good != nullptr) buffer.follow(*character.last_good);
-  character.error = run_plan(character.plan, running_[c].view(), buffer);
-  if (character.error == ErrorCode::ok) character.last_good = &buffer;
 }
 
 ErrorCode Crowd::publish() noexcept {
   ErrorCode first = ErrorCode::ok;
-  for (const auto& character : characters_) {
-    if (character->is_to_run && character->error == ErrorCode::ok) character->slots.publish();
-    if (first == ErrorCode::ok) first = character->error;
+  for (const Roster::Entry& entry : running_.entries) {
+    Character& character = *entry.character;
+    if (character.is_to_run && character.error == ErrorCode::ok) character.slots.publish();
+    if (first == ErrorCode::ok) first = character.error;
   }
   return first;
-}
-
-const FrameResult* Crowd::latest(std::size_t character) noexcept {
-  Character& shown = *characters_[character];
-  shown.slots.take_newest();
-  return shown.slots.ever_read() ? &shown.buffers[shown.slots.reading()].result() : nullptr;
 }
 
 }  // namespace sinew

@@ -3,30 +3,33 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <memory_resource>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "runtime/base/contract.h"
+#include "runtime/threads/character_registry.h"
 #include "runtime/threads/crowd.h"
 #include "runtime/threads/default_executor.h"
 
 namespace sinew {
 namespace {
 
-CrowdOptions crowd_options(const JobThreadOptions& options) {
+CharacterRegistry registry_for(const JobThreadOptions& options) {
   CONTRACT(check(options) == ErrorCode::ok && "a character has 2 or 3 frame buffers");
-  return {.inline_below_bytes = options.inline_below_bytes,
-          .part_bytes = options.part_bytes,
-          .frame_buffers = options.frame_buffers,
-          .memory = options.frame_memory != nullptr ? options.frame_memory : std::pmr::new_delete_resource()};
+  return CharacterRegistry(options.frame_buffers, options.part_bytes,
+                           options.frame_memory != nullptr ? *options.frame_memory : *std::pmr::new_delete_resource());
 }
 
 }  // namespace
 
 struct JobThread::State {
   explicit State(const JobThreadOptions& options)
-      : executor(options.executor), double_buffered(options.frame_buffers == 2), crowd(crowd_options(options)) {
+      : executor(options.executor),
+        double_buffered(options.frame_buffers == 2),
+        registry(registry_for(options)),
+        crowd(options.inline_below_bytes) {
     if (!options.own_thread) {
       run_one = [this](std::size_t) { run_next_task(); };
       return;
@@ -37,7 +40,6 @@ struct JobThread::State {
   }
 
   bool has_own_thread() const noexcept { return worker.joinable(); }
-  bool idle() const noexcept { return !has_queued && !in_flight; }
   bool has_task() const noexcept { return in_flight ? next_task < crowd.task_count() : has_queued; }
 
   void work() noexcept;
@@ -47,12 +49,15 @@ struct JobThread::State {
   bool run_next_task() noexcept;
   std::optional<std::size_t> take_task() noexcept;
   bool poll();
+  template <class Id, class Input>
+  Result<Ticket> submit(std::size_t count, const Id& id, const Input& input);
   template <class Condition>
   void wait_until(std::unique_lock<std::mutex>& lock, const Condition& holds);
 
   Executor executor;
   std::function<void(std::size_t)> run_one;
   const bool double_buffered;
+  CharacterRegistry registry;  // of the thread that submits
   Crowd crowd;
 
   std::mutex mutex;
@@ -137,6 +142,27 @@ bool JobThread::State::poll() {
   return true;
 }
 
+/// in   id, input  of the i-th of `count` characters whose input is new
+template <class Id, class Input>
+Result<Ticket> JobThread::State::submit(std::size_t count, const Id& id, const Input& input) {
+  Ticket ticket = 0;
+  {
+    const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < count; ++i)
+      if (const ErrorCode code = registry.check_input(id(i), input(i)); code != ErrorCode::ok)
+        return tl::unexpected(code);
+    if (has_queued || (double_buffered && (in_flight || !registry.can_write()))) return tl::unexpected(ErrorCode::busy);
+    ticket = last_submitted + 1;
+    registry.begin_frame(ticket, finished.load(std::memory_order_acquire));
+    for (std::size_t i = 0; i < count; ++i) registry.assign_input(id(i), input(i));
+    crowd.queue(registry.roster());
+    last_submitted = ticket;
+    has_queued = true;
+  }
+  changed.notify_all();
+  return ticket;
+}
+
 /// With a thread of its own this waits, otherwise it works as well.
 template <class Condition>
 void JobThread::State::wait_until(std::unique_lock<std::mutex>& lock, const Condition& holds) {
@@ -170,27 +196,40 @@ JobThread::~JobThread() {
 
 JobThread::Character JobThread::add_character(const Plan& plan) {
   CONTRACT(plan.is_compiled() && "a character needs a plan that compile_plan made");
-  std::unique_lock lock(state_->mutex);
-  state_->wait_until(lock, [this] { return state_->idle(); });
-  state_->crowd.add(plan);
-  return static_cast<Character>(state_->crowd.size() - 1);
-}
-
-std::size_t JobThread::character_count() const noexcept { return state_->crowd.size(); }
-
-Result<Ticket> JobThread::submit(std::span<const FrameInput> inputs) {
-  Ticket ticket = 0;
   {
     const std::lock_guard lock(state_->mutex);
-    if (const ErrorCode error = state_->crowd.check(inputs); error != ErrorCode::ok) return tl::unexpected(error);
-    if (state_->has_queued || (state_->double_buffered && (state_->in_flight || !state_->crowd.can_write())))
-      return tl::unexpected(ErrorCode::busy);
-    state_->crowd.queue(inputs);
-    ticket = ++state_->last_submitted;
-    state_->has_queued = true;
+    state_->crowd.make_room(character_count() + 1);
   }
-  state_->changed.notify_all();
-  return ticket;
+  return state_->registry.add(plan);
+}
+
+ErrorCode JobThread::remove_character(Character character) { return state_->registry.remove(character); }
+
+ErrorCode JobThread::replace_plan(Character character, const Plan& plan) {
+  CONTRACT(plan.is_compiled() && "a character needs a plan that compile_plan made");
+  return state_->registry.replace(character, plan);
+}
+
+ErrorCode JobThread::follow(Character follower, Character leader, std::uint32_t joint) {
+  return state_->registry.follow(follower, leader, joint);
+}
+
+ErrorCode JobThread::stop_following(Character follower) { return state_->registry.stop_following(follower); }
+
+std::span<const JobThread::Character> JobThread::characters() const noexcept { return state_->registry.ids(); }
+
+Result<Ticket> JobThread::submit(std::span<const FrameInput> inputs) {
+  const std::span<const Character> ids = characters();
+  if (inputs.size() != ids.size()) return tl::unexpected(ErrorCode::size_mismatch);
+  return state_->submit(
+      inputs.size(), [&](std::size_t i) { return ids[i]; },
+      [&](std::size_t i) -> const FrameInput& { return inputs[i]; });
+}
+
+Result<Ticket> JobThread::submit(std::span<const CharacterInput> changed) {
+  return state_->submit(
+      changed.size(), [&](std::size_t i) { return changed[i].character; },
+      [&](std::size_t i) -> const FrameInput& { return changed[i].input; });
 }
 
 Ticket JobThread::last_submitted() const noexcept {
@@ -221,8 +260,8 @@ std::optional<JobThread::Task> JobThread::take_task() noexcept {
 bool JobThread::poll() { return !state_->has_own_thread() && state_->poll(); }
 
 const FrameResult* JobThread::latest(Character character) noexcept {
-  CONTRACT(character < state_->crowd.size() && "latest() is asked for a character that add_character() returned");
-  return state_->crowd.latest(character);
+  CONTRACT(state_->registry.was_given(character) && "latest() is asked for a character that add_character() returned");
+  return state_->registry.latest(character);
 }
 
 ErrorCode JobThread::last_error() const noexcept { return state_->error.load(std::memory_order_acquire); }

@@ -32,10 +32,10 @@ struct JobThreadOptions {
   /// A frame is one task, and is not handed to the executor, if the sum of Plan::frame_bytes() of all characters is
   /// below this. That sum grows with the work. Waking sleeping threads takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;
-  std::size_t part_bytes = std::size_t{1} << 17;      ///< consecutive characters that are one task: at least so much
-  std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new.
-                                                      ///< Must outlive the job thread. Asked by add_character and the
-                                                      ///< destructor only
+  std::size_t part_bytes = std::size_t{1} << 17;  ///< consecutive characters that are one task: at least so much
+  /// Of frame buffers and copies of inputs; null = operator new. Must outlive the job thread. Only the thread that
+  /// submits asks it: when characters are added or replaced, in the submit after one has left, and in the destructor.
+  std::pmr::memory_resource* frame_memory = nullptr;
   bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
   /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame
   /// before is finished and latest() has taken its result of every character.
@@ -51,14 +51,24 @@ SINEW_API ErrorCode check(const JobThreadOptions& options) noexcept;
 ///
 /// Without a thread of its own a submitted frame waits for the engine. This is for engines whose jobs are fibres, or
 /// that have only one thread. poll() runs the frame, or take_task() hands it out in pieces for any threads or fibres.
-/// The last task to end publishes the results. No call but wait(), add_character() and the destructor blocks.
-/// owns  one worker thread unless own_thread is false, the frame buffers of all characters added
-/// thread-safe  submit and latest from one thread; poll, take_task and tasks from any
+/// The last task to end publishes the results. No call but wait() and the destructor blocks.
+///
+/// Characters join, leave, and change their plans at any time. The next submit takes that up; frames that are queued or
+/// run already are not touched.
+/// owns  one worker thread unless own_thread is false, the frame buffers of all characters
+/// thread-safe  poll, take_task, tasks, done and wait from any thread; all else from one
 class SINEW_API JobThread {
   struct State;
 
  public:
+  /// Names a character. No id is used for two characters. They count from 0 until one is removed.
   using Character = std::uint32_t;
+
+  /// The input of one character.
+  struct CharacterInput {
+    Character character = 0;
+    FrameInput input;
+  };
 
   explicit JobThread(JobThreadOptions options = {});
   /// Finishes the frame in flight and drops the queued one. Without a thread of its own: drops what has not been
@@ -67,15 +77,36 @@ class SINEW_API JobThread {
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
 
-  /// Adds a character that runs `plan`, which must be a compiled one, and shares it. Waits for frames in flight and
-  /// queued.
+  /// Adds a character that runs `plan`, which must be a compiled one, and shares it.
   Character add_character(const Plan& plan);
-  std::size_t character_count() const noexcept;
+  /// Removes a character. What latest() gave for it stays until the next submit. Its followers follow nobody from then
+  /// on.
+  /// err  unknown_character
+  ErrorCode remove_character(Character character);
+  /// Gives a character another plan, for example of another level of detail or outfit. It keeps its input, if the plan
+  /// has room for it, and shows its last result until the first frame of the new plan is done.
+  /// err  unknown_character, index_out_of_range and not_in_needs (followers need a joint that the plan does not show)
+  ErrorCode replace_plan(Character character, const Plan& plan);
+  /// From the next frame on the root of a character's input is relative to a joint of another, in the same frame: a
+  /// rider on a horse, a prop in a hand. While the leader is out of view, its followers are not run.
+  /// eq   root' = M_joint root,   M_joint the world matrix of the leader's joint
+  /// err  unknown_character, follows_itself (the leader follows the character, by any number of steps),
+  ///      index_out_of_range (joint), not_in_needs (the leader's plan has no Needs::out.joints)
+  ErrorCode follow(Character follower, Character leader, std::uint32_t joint);
+  /// err  unknown_character
+  ErrorCode stop_following(Character follower);
+  /// All characters, in the order in which they were added; valid until one is added or removed.
+  std::span<const Character> characters() const noexcept;
+  std::size_t character_count() const noexcept { return characters().size(); }
 
-  /// Queues one frame: inputs[c] is what character c shows. Inputs are copied; nothing is allocated.
+  /// Queues one frame: inputs[i] is what characters()[i] shows. Inputs are copied; nothing is allocated.
   /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
   ///      too_many_layers (more than Needs::in.layer_room), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
+  /// Queues one frame in which these inputs are new. All other characters keep theirs; one that never had an input is
+  /// not run.
+  /// err  those above, unknown_character
+  Result<Ticket> submit(std::span<const CharacterInput> changed);
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet
   bool done(Ticket ticket) const noexcept;
@@ -86,7 +117,7 @@ class SINEW_API JobThread {
   /// One run of characters of a frame; a value of two words.
   class SINEW_API Task {
    public:
-    Task() = default;  ///< not to be called
+    Task() = default;  ///< an empty task, which must not be run
     /// Runs the characters. Each task is called exactly once, on any thread; a frame is done when its last task is.
     void operator()() const noexcept;
 
@@ -108,10 +139,10 @@ class SINEW_API JobThread {
   /// Newest finished frame of a character of this job thread; stays valid and unchanged until the next call of latest()
   /// for that character. A character whose input is unchanged is not run: it keeps its result, with the number of the
   /// frame that made it. So characters that rest or are held (update_rate.h) cost nothing. Null before the first frame
-  /// is done.
+  /// is done, and for characters that were removed.
   const FrameResult* latest(Character character) noexcept;
 
-  /// First error of the last finished frame in the order of characters, ok if none. A character that failed keeps
+  /// An error of a character in the last finished frame, ok if none. A character that failed keeps
   /// showing its last good frame.
   ErrorCode last_error() const noexcept;
 

@@ -14,7 +14,7 @@ struct SourceFile {
   bool in(const std::string& folder) const { return path.starts_with(folder + "/"); }
 };
 
-/// Every .h and .cpp file of the five folders, sorted by path.
+/// Every .h and .cpp file of runtime, importer, viewer, tests and samples, sorted by path.
 std::vector<SourceFile> source_tree();
 
 /// Lines of a text, without line ends.

@@ -200,7 +200,7 @@ void add_crowd_of_frames(const std::shared_ptr<const Scene>& scene, const Needs&
 /// half of the joints. A third case interpolates between two earlier poses.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   Needs needs;
-  needs.out.positions = needs.out.normals = needs.out.tangents = false;
+  needs.out.positions = needs.out.normals = needs.out.tangents = needs.out.local_pose = false;
   needs.out.palettes = true;
   const auto add_level = [&](const std::string& level, const Needs& of_level) {
     const auto frames = std::make_shared<PlannedFrames>(*scene, of_level);
@@ -246,7 +246,7 @@ bool morphs(const Scene& scene) {
 void add_frame(std::size_t most_vertices) {
   const auto biped = std::make_shared<const Scene>(character(scenes::biped(), 3'273));
   Needs needs;
-  needs.out.tangents = false;
+  needs.out.tangents = needs.out.local_pose = false;
   add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
   add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
   add_levels(biped, "biped");

@@ -27,7 +27,7 @@ bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, i
   return true;
 }
 
-/// std::nullopt if tinygltf refuses the file.
+/// Reads a file by tinygltf without our checks, and without decoding images. std::nullopt if tinygltf refuses it.
 std::optional<tinygltf::Model> read_alone(std::span<const std::byte> bytes, const std::string& folder) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(leave_image, nullptr);

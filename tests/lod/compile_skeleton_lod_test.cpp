@@ -110,7 +110,7 @@ TEST(compile_skeleton_lod, what_it_says_was_measured_is_what_another_look_finds_
   EXPECT_GT(measured, 2);
 }
 
-/// The arm with a clip that holds the lower joint at an angle different from its rest angle.
+/// The arm with one clip that rotates only the lower joint, with one of the keys at each second.
 Scene clenched_scene(const std::vector<glm::quat>& keys) {
   Scene scene = arm_scene();
   std::vector<float> times;

@@ -170,6 +170,26 @@ TEST(pose_programs, the_local_pose_of_mixed_layers_has_unmoved_joints_at_rest_to
   EXPECT_GT(unmoved, 0u);
 }
 
+TEST(pose_programs, frames_whose_local_pose_nobody_needs_have_the_same_bits) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Scene scene = random_scene(seed);
+    move_few_joints(scene);
+    const Plan with = compile_plan(lend(scene), {}),
+               without = compile_plan(lend(scene), {.out = {.local_pose = false}});
+    FrameBuffer shown(with), hidden(without);
+    for (int f = 0; f < 4; ++f) {
+      const ClipLayer layers[] = {{0, 0.1 * f, 0.3f}, {1, 0.2 * f, 0.4f}};
+      FrameInput input{.layers = layers};
+      if (f == 2) input.root.row[0].w = 1.0f;  // all matrices are made again
+      ASSERT_EQ(run_plan(with, input, shown), ErrorCode::ok);
+      ASSERT_EQ(run_plan(without, input, hidden), ErrorCode::ok);
+      EXPECT_EQ(first_difference(shown.result(), hidden.result()), "") << seed << ' ' << f;
+      EXPECT_EQ(hidden.result().local.planes, nullptr);
+      EXPECT_NE(shown.result().local.planes, nullptr);
+    }
+  }
+}
+
 TEST(pose_programs, a_pose_and_a_joint_of_the_caller_reach_matrices_weights_and_vertices) {
   const Actor actor(3);
   FrameBuffer frame(actor.plan);

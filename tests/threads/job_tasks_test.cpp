@@ -206,17 +206,13 @@ TEST(job_tasks, an_error_ends_with_its_frame) {
   EXPECT_EQ(jobs.latest(1)->frame, 3u);
 }
 
-TEST(job_tasks, waiting_and_adding_run_what_is_pending) {
+TEST(job_tasks, waiting_runs_what_is_pending) {
   Crowd crowd(3);
   JobThread jobs(handed_out());
   crowd.add_to(jobs);
   ASSERT_EQ(jobs.submit(crowd.inputs(1)), Ticket{1});
   jobs.wait(1);
   EXPECT_EQ(jobs.latest(2)->frame, 1u);
-  ASSERT_EQ(jobs.submit(crowd.inputs(2)), Ticket{2});
-  jobs.add_character(crowd.plan_of(3));
-  EXPECT_TRUE(jobs.done(2));
-  EXPECT_EQ(jobs.character_count(), 4u);
 }
 
 TEST(job_tasks, what_nobody_took_is_dropped_at_the_end) {

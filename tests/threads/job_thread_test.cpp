@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "runtime/lod/update_rate.h"
 #include "tests/plan/frame_hash.h"
@@ -348,7 +349,8 @@ TEST(job_thread, characters_can_join_while_frames_are_in_flight) {
   JobThread jobs(spread());
   for (std::uint32_t c = 0; c < 6; ++c) {
     EXPECT_EQ(jobs.add_character(crowd.plan_of(c)), c);
-    ASSERT_TRUE(jobs.submit(crowd.inputs(c).first(c + 1)).has_value());
+    const std::span<const FrameInput> inputs = crowd.inputs(c).first(c + 1);
+    while (jobs.submit(inputs) == tl::unexpected(ErrorCode::busy)) std::this_thread::yield();
   }
   jobs.wait(6);
   for (std::uint32_t c = 0; c < 6; ++c) EXPECT_EQ(hash_of(*jobs.latest(c)), crowd.hash_without_threads(c, 5));

@@ -54,7 +54,8 @@ BuiltScene noisy_wall(std::uint32_t width, std::uint32_t height, Wrap wrap_u, Wr
   return built;
 }
 
-/// Transformed texture coordinates where the middle of a pixel shows the wall.
+/// The wall's transformed texture coordinates at the center of a pixel, and the pixel's footprint in the texture. NaN
+/// beside the wall.
 struct Seen {
   glm::dvec2 uv, texels;  ///< sides of the footprint
   double to_next;         ///< texels to the next pixel, in the row or in the column

@@ -185,7 +185,8 @@ TEST_F(gooch_picture, smooth_edges_are_black_where_a_surface_covers_less_than_th
   RenderOptions options = gooch();
   options.smooth_edges = true;
   options.transparent_background = true;
-  // A pixel is 0.1 m. One end covers 0.75 of its pixels and their middle, the other 0.3 of them.
+  // A pixel is 0.1 m wide. Two opposite edges of the wall cover 0.75 of their pixels and thus the pixel centers. The
+  // other two cover 0.3 and no center.
   for (const glm::vec2& half : {glm::vec2(1.075f, 1.03f), {1.03f, 1.075f}}) {
     BuiltScene built;
     Primitive p = wall();

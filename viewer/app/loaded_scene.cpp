@@ -145,6 +145,7 @@ tl::expected<LoadedScene, LoadError> named_file(const Options& options, const Lo
 
 Needs needs_of(const LoadedScene& loaded, const Evaluation& evaluation) {
   Needs needs;
+  needs.out.local_pose = false;
   needs.out.bounds = true;
   needs.in.max_layers = 1;
   needs.skin.kind = evaluation.skinning;

@@ -16,7 +16,7 @@
 namespace sinew::tool {
 namespace {
 
-/// One mesh of the take: a primitive of a mesh instance.
+/// The primitive of a mesh instance that one mesh of the cache (TakeMesh) is baked from.
 struct Source {
   std::uint32_t instance = 0, primitive = 0;
 };

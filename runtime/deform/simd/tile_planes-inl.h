@@ -77,8 +77,8 @@ void scatter(const V* packed, const LaneVertices& at, bool, V* all) {
 
 #else
 
-/// Copies the vertices of four lanes. Each load lies in one of the vectors just stored: one that takes parts of two has
-/// to wait for both.
+/// Copies the vertices of four lanes. Each load reads bytes of only one of the vector stores that wrote `packed`. A
+/// load that spans two stores is not forwarded from the store buffer and stalls.
 template <std::size_t kFirst, std::size_t... kLanes, class V>
 HWY_INLINE void copy_four(const V* packed, const std::uint32_t* vertices, V* all, std::index_sequence<kLanes...>) {
   const auto copy = [&](auto lane) {

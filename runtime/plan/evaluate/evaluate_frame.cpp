@@ -114,7 +114,8 @@ void run_stages_after_pose(const CompiledPlan& plan, const FrameInput& input, co
                            FrameWork& work, FrameResult& result) noexcept {
   const FrameMemory memory = step.memory;
   const std::span<const float> weights = correct_weights(plan, local, memory, work);
-  if (mixes_poses(plan, input)) local = with_unmoved_at_rest(plan, local, memory);
+  const bool uses_unmoved = plan.needs.out.local_pose || step.reuse.stands().matrices == StandingMatrices::none;
+  if (uses_unmoved && mixes_poses(plan, input)) local = with_unmoved_at_rest(plan, local, memory);
   const std::span<const Affine> model = compose(plan, local, input, step, work);
   const std::span<const float> properties = memory.of(plan.layout.pose.properties);
   const Visibility visibility{hide(plan, properties, memory, work), input.out_of_view};
@@ -125,7 +126,7 @@ void run_stages_after_pose(const CompiledPlan& plan, const FrameInput& input, co
                  : wanted_palettes(plan, visibility, input.geometry, step.tables.shown, memory);
   make_palettes(plan, model, wanted, step, work);
   show_instances(plan, {model, weights, input.root, visibility, input.geometry}, step, work);
-  result.local = local;
+  result.local = plan.needs.out.local_pose ? local : PoseSpan{};
   result.model = plan.needs.out.joints ? model : std::span<const Affine>{};
   result.weights = weights;
   result.properties = plan.needs.out.properties ? properties : std::span<const float>{};

@@ -47,9 +47,9 @@ class Reuse {
   void keep_palette(std::size_t skin) const noexcept;
   /// The character's palette in the frame before; empty where it had none.
   std::span<const JointMatrix> palette_before(std::size_t skin) const noexcept;
-  /// Reports a palette that was made.
+  /// Records a palette that was just computed.
   /// in   as_before  it has the bits of palette_before
-  /// out  true: the memory had this palette before, so that what was made from it stands
+  /// out  true if the frame's memory held the same palette already: its split and combined matrices are still valid
   bool add_palette(std::size_t skin, std::span<const JointMatrix> palette, bool as_before) const noexcept;
 
   /// Reports the morph weights and the winding of an instance.

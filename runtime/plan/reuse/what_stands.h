@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// World matrices in the memory that the next frame has too.
+/// World matrices of the last run into the memory that are still valid for this frame.
 enum class StandingMatrices : std::uint8_t {
   none,
   of_unmoved_joints,  ///< of joints that no clip moves

@@ -82,7 +82,8 @@ struct ByMeshopt {
   }
 };
 
-/// Numbers of a step; residuals from 2 x1 - x2, or whole frames. Width is that of a number in memory.
+/// Coordinates as multiples of a step, packed frame by frame. With kResiduals a frame stores its differences from the
+/// prediction 2 x1 - x2, where x1 and x2 are the two frames before it. A point takes kStride bytes before packing.
 template <class Codec, class Number, std::size_t kStride, bool kResiduals>
 class Quantised : public StoredFrames {
  public:

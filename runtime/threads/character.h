@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+#include "runtime/base/prefetch.h"
+#include "runtime/plan/input_copy.h"
+#include "runtime/plan/run_plan.h"
+#include "runtime/threads/triple_slots.h"
+
+namespace sinew {
+
+/// A character of a job thread: the frames of one plan, and the inputs that they are made from.
+/// owns  all frame buffers and copies of inputs, from `memory`
+struct Character {
+  /// in   frame_buffers  2 or 3
+  Character(const Plan& shown, std::uint8_t frame_buffers, std::pmr::memory_resource& memory)
+      : plan(shown), slots(frame_buffers), inputs{InputCopy(shown, memory), InputCopy(shown, memory)} {
+    buffers.reserve(frame_buffers);
+    for (std::uint8_t b = 0; b < frame_buffers; ++b) buffers.emplace_back(shown, memory);
+  }
+
+  /// Asks for the memory that a frame needs first.
+  void prefetch() const noexcept {
+    const auto* begin = reinterpret_cast<const std::byte*>(this);
+    sinew::prefetch(begin, static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&inputs) - begin));
+  }
+
+  // Of whoever runs the frame.
+  FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
+  const FrameBuffer* last_good = nullptr;
+  ErrorCode error = ErrorCode::ok;  // of the frame that has just run
+  bool is_to_run = false;           // its input is not that of the last good frame
+
+  Plan plan;
+  std::vector<FrameBuffer> buffers;
+  TripleSlots slots;
+
+  // Of the thread that submits. One input is that of the newest frame submitted. The other is free: the frame that used
+  // it is finished, since only one frame may wait.
+  std::array<InputCopy, 2> inputs;
+  std::uint8_t newest_input = 0;
+  std::uint64_t input_of_frame = 0;  // for which the newest input was given; 0 = none yet
+};
+
+}  // namespace sinew

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+#include "runtime/base/result.h"
+#include "runtime/threads/roster.h"
+
+namespace sinew {
+
+/// The characters of a job thread by their ids. All of it belongs to the thread that submits. Frames in flight see
+/// copies of its roster. So characters join, leave and change their plans while frames run; memory of those that left
+/// is freed once no frame uses it.
+class CharacterRegistry {
+ public:
+  /// An index in the low bits, and the generation of that index above: an id is never used for two characters.
+  using Id = std::uint32_t;
+
+  /// in   frame_buffers  of each character, 2 or 3
+  ///      part_bytes     see Roster::append
+  CharacterRegistry(std::uint8_t frame_buffers, std::size_t part_bytes, std::pmr::memory_resource& memory) noexcept
+      : frame_buffers_(frame_buffers), part_bytes_(part_bytes), memory_(memory) {}
+
+  std::span<const Id> ids() const noexcept { return ids_; }  ///< in the order in which they were added
+  bool has(Id id) const noexcept;
+  bool was_given(Id id) const noexcept;  ///< also true for ids of characters that were removed
+
+  Id add(const Plan& plan);
+  ErrorCode remove(Id id);
+  ErrorCode replace(Id id, const Plan& plan);
+  ErrorCode follow(Id follower, Id leader, std::uint32_t joint);
+  ErrorCode stop_following(Id follower);
+
+  ErrorCode check_input(Id id, const FrameInput& input) const noexcept;
+  /// Inputs that follow are those of frame `number`. Frees what only frames up to `finished` used.
+  void begin_frame(std::uint64_t number, std::uint64_t finished) noexcept;
+  /// Copies an input that check_input() accepts. It stands for later frames, too, until another is given.
+  void assign_input(Id id, const FrameInput& input);
+  /// All characters with their newest inputs.     cost  O(1), O(characters) after they have changed; allocates nothing
+  const Roster& roster() noexcept;
+
+  /// Every character has a frame buffer to write into. Always true for three buffers.
+  bool can_write() const noexcept;
+  /// The newest published result, unchanged until asked for again; null before the first.
+  const FrameResult* latest(Id id) noexcept;
+
+ private:
+  static constexpr std::uint32_t kIndexBits = 20;
+  static constexpr Id kMostIndices = Id{1} << kIndexBits;
+  static constexpr Id kNobody = ~Id{0};
+
+  struct Slot {
+    std::unique_ptr<Character> now;     // null = nobody has the index
+    std::unique_ptr<Character> before;  // the replaced one, shown until `now` has a result
+    Id generation = 0;
+    Id leader = kNobody;
+    std::uint32_t joint = 0;
+    std::uint32_t entry = 0;  // in the roster, while that is current
+    // Followers as a list of indices, made together with the roster.
+    std::uint32_t first_follower = 0, next_follower = 0;
+  };
+  /// A character that left. Frames up to `last_frame` may still run it.
+  struct Retired {
+    std::unique_ptr<Character> character;
+    std::uint64_t last_frame;
+  };
+
+  static std::uint32_t index_of(Id id) noexcept { return id & (kMostIndices - 1); }
+  Slot& slot_of(Id id) noexcept { return slots_[index_of(id)]; }
+  const Slot& slot_of(Id id) const noexcept { return slots_[index_of(id)]; }
+  void make_room_to_retire(std::size_t count);
+  void retire(std::unique_ptr<Character>& character) noexcept;
+  void list_followers() noexcept;
+
+  std::uint8_t frame_buffers_;
+  std::size_t part_bytes_;
+  std::pmr::memory_resource& memory_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_indices_;
+  std::vector<Id> ids_;
+  std::vector<Retired> retired_;
+  std::size_t shown_in_place_ = 0;  // slots with a `before`, for which retired_ has room
+  std::vector<std::uint32_t> index_of_entry_;
+  std::uint64_t frame_ = 0;  // the newest one that was begun
+  Roster roster_;
+  bool is_current_ = true;  // the roster
+};
+
+}  // namespace sinew
