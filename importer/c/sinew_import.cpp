@@ -6,23 +6,21 @@
 #include <vector>
 
 #include "importer/import_gltf.h"
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/fields.h"
 #include "runtime/c/handles.h"
 
 using namespace sinew;
 
 namespace {
 
-ImportOptions options_from(const sinew_import_options& given) {
-  ImportOptions options;
-  options.decode_images = given.decode_images != 0;
-  options.make_normals = given.make_normals != 0;
-  options.make_tangents = given.make_tangents != 0;
-  options.make_centers_of_rotation = given.make_centers_of_rotation != 0;
-  options.max_file_bytes = given.max_file_bytes;
-  options.max_unpacked_bytes = given.max_unpacked_bytes;
-  return options;
-}
+constexpr auto kImportOptions =
+    c::fields(c::field<&sinew_import_options::decode_images, &ImportOptions::decode_images>(),
+              c::field<&sinew_import_options::make_normals, &ImportOptions::make_normals>(),
+              c::field<&sinew_import_options::make_tangents, &ImportOptions::make_tangents>(),
+              c::field<&sinew_import_options::make_centers_of_rotation, &ImportOptions::make_centers_of_rotation>(),
+              c::field<&sinew_import_options::max_file_bytes, &ImportOptions::max_file_bytes>(),
+              c::field<&sinew_import_options::max_unpacked_bytes, &ImportOptions::max_unpacked_bytes>());
 
 std::unique_ptr<sinew_messages> messages_of(const ImportResult<ImportedFile>& file, const std::string& name) {
   auto messages = std::make_unique<sinew_messages>();
@@ -43,9 +41,9 @@ std::unique_ptr<sinew_messages> messages_of(const ImportResult<ImportedFile>& fi
 template <class Read>
 sinew_error import(const std::string& name, const sinew_import_options* options, sinew_scene** scene,
                    sinew_messages** messages, Read&& read) {
-  sinew_import_options given = sinew_default_import_options();
-  if (const sinew_error error = c::read_struct(options, given); error != SINEW_OK) return error;
-  ImportResult<ImportedFile> file = read(options_from(given));
+  ImportOptions own;
+  if (const sinew_error error = c::read_fields(options, kImportOptions, own)) return error;
+  ImportResult<ImportedFile> file = read(own);
   std::unique_ptr<sinew_messages> said = messages != nullptr ? messages_of(file, name) : nullptr;
   if (file) *scene = new sinew_scene{std::move(file->scene)};
   if (messages != nullptr) *messages = said.release();
@@ -55,20 +53,12 @@ sinew_error import(const std::string& name, const sinew_import_options* options,
 }  // namespace
 
 sinew_import_options sinew_default_import_options(void) {
-  const ImportOptions defaults;
-  return {.struct_size = sizeof(sinew_import_options),
-          .decode_images = defaults.decode_images,
-          .make_normals = defaults.make_normals,
-          .make_tangents = defaults.make_tangents,
-          .make_centers_of_rotation = defaults.make_centers_of_rotation,
-          .max_file_bytes = defaults.max_file_bytes,
-          .max_unpacked_bytes = defaults.max_unpacked_bytes};
+  return c::written<sinew_import_options>(kImportOptions, ImportOptions{});
 }
 
 sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene,
                               sinew_messages** messages) {
-  if (path == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(path, scene), [&] {
     return import(path, options, scene, messages, [&](const ImportOptions& own) {
       return import_gltf(std::filesystem::path(reinterpret_cast<const char8_t*>(path)), own);
     });
@@ -77,8 +67,7 @@ sinew_error sinew_import_file(const char* path, const sinew_import_options* opti
 
 sinew_error sinew_import_memory(const void* bytes, std::size_t byte_count, const char* name,
                                 const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages) {
-  if (bytes == nullptr || name == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(bytes, name, scene), [&] {
     return import(name, options, scene, messages, [&](const ImportOptions& own) {
       return import_gltf(std::span(static_cast<const std::byte*>(bytes), byte_count), name, own);
     });

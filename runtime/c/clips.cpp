@@ -2,14 +2,16 @@
 #include "runtime/c/clips.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/convert.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/needs.h"
+#include "runtime/c/write_messages.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/lod/clip_bounds.h"
+#include "runtime/plan/check_needs.h"
 
 using namespace sinew;
 
@@ -19,31 +21,16 @@ struct sinew_clip_block {
 
 namespace {
 
-static_assert(sizeof(Aabb) == sizeof(sinew_box));
-
 bool has_clips(const Scene& scene, std::size_t first, std::size_t count) noexcept {
   return first <= scene.clips.size() && count <= scene.clips.size() - first;
-}
-
-/// The clip moves what the scene has, and no more.
-bool fits(const Clip& clip, const Scene& scene) noexcept {
-  return clip.joint_count() == scene.skeleton.joint_count() && clip.weight_count() == scene.weight_count() &&
-         clip.property_count() == scene.properties.rest.size();
-}
-
-sinew_messages* message_of(const ClipFileError& error) {
-  auto messages = std::make_unique<sinew_messages>();
-  messages->lines.push_back(error.rule + " at byte " + std::to_string(error.offset) + ": " + error.detail);
-  return messages.release();
 }
 
 }  // namespace
 
 sinew_error sinew_clips_save(const sinew_scene* scene, std::uint32_t first_clip, std::size_t clip_count,
                              sinew_clip_block** out) {
-  if (scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!has_clips(scene->scene, first_clip, clip_count)) return SINEW_INDEX_OUT_OF_RANGE;
-  return c::guarded([&] {
+  return c::call(c::given(scene, out), [&] {
+    if (!has_clips(scene->scene, first_clip, clip_count)) return SINEW_INDEX_OUT_OF_RANGE;
     std::vector<const Clip*> clips;
     for (std::size_t i = 0; i < clip_count; ++i) clips.push_back(&scene->scene.clips[first_clip + i]);
     *out = new sinew_clip_block{save_clips(clips)};
@@ -64,13 +51,12 @@ int sinew_looks_like_clips(const void* bytes, std::size_t byte_count) {
 
 sinew_error sinew_clips_load(sinew_scene* scene, std::uint32_t first_clip, const void* bytes, std::size_t byte_count,
                              sinew_messages** messages) {
-  if (scene == nullptr || bytes == nullptr) return SINEW_NULL_ARGUMENT;
-  if (scene->plan_count != 0) return SINEW_BUSY;
-  return c::guarded([&] {
+  return c::call(c::given(scene, bytes), [&] {
+    if (scene->plan_count != 0) return SINEW_BUSY;
     auto clips = load_clips({static_cast<const std::byte*>(bytes), byte_count});
     if (!clips) {
-      if (messages != nullptr) *messages = message_of(clips.error());
-      return SINEW_BAD_FILE;
+      const ClipFileError& why = clips.error();
+      return c::bad_file(why.rule + " at byte " + std::to_string(why.offset) + ": " + why.detail, messages);
     }
     Scene& own = scene->scene;
     if (!has_clips(own, first_clip, clips->size())) return SINEW_INDEX_OUT_OF_RANGE;
@@ -83,17 +69,16 @@ sinew_error sinew_clips_load(sinew_scene* scene, std::uint32_t first_clip, const
 
 sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, std::uint32_t clip, sinew_box* boxes,
                               std::size_t capacity, std::size_t* count) {
-  if (scene == nullptr || count == nullptr || (boxes == nullptr && capacity > 0)) return SINEW_NULL_ARGUMENT;
-  const Scene& own = scene->scene;
-  if (clip != SINEW_NONE && clip >= own.clips.size()) return SINEW_INDEX_OUT_OF_RANGE;
-  if (capacity < own.instances.size()) return SINEW_SIZE_MISMATCH;
-  return c::guarded([&] {
+  return c::call(c::given(scene, count, c::Array{boxes, capacity}), [&] {
+    const Scene& own = scene->scene;
+    if (clip != SINEW_NONE && clip >= own.clips.size()) return SINEW_INDEX_OUT_OF_RANGE;
+    if (capacity < own.instances.size()) return SINEW_SIZE_MISMATCH;
     Needs wanted;
-    if (const sinew_error error = c::read_needs(needs, own, wanted); error != SINEW_OK) return error;
+    if (const sinew_error error = c::read_needs(needs, own, wanted)) return error;
     const bool has_boxes = clip < scene->clip_boxes.size();
     const std::vector<Aabb> found = clip_bounds(
         own, wanted, clip, has_boxes ? std::span<const Aabb>(scene->clip_boxes[clip]) : std::span<const Aabb>());
-    for (std::size_t i = 0; i < found.size(); ++i) c::copy_bits(found[i], boxes[i]);
+    for (std::size_t i = 0; i < found.size(); ++i) boxes[i] = c::to_c(found[i]);
     *count = found.size();
     return SINEW_OK;
   });

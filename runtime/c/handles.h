@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/c/library.h"
@@ -40,20 +41,15 @@ struct sinew_plan {
   sinew_plan(const sinew_plan&) = delete;
   sinew_plan& operator=(const sinew_plan&) = delete;
 
-  /// Room for the layers of one input, and for those of a later time after them.
-  std::size_t input_room() const noexcept {
-    return plan.needs().in.layer_room() * (plan.needs().in.between_updates ? 2 : 1);
-  }
-
-  /// Room for what plays in an input.
-  std::size_t geometry_room() const noexcept { return plan.needs().in.cached_instances.size(); }
-
   const sinew_scene* scene;
   sinew::Plan plan;
   std::vector<sinew::PlanStage> stages = plan.stages();  // their texts, which C reads through pointers
 };
 
 struct sinew_skeleton_lod {
+  explicit sinew_skeleton_lod(sinew::CompiledSkeletonLod of)
+      : lod(std::move(of)), kept(lod.detail.kept.begin(), lod.detail.kept.end()) {}
+
   sinew::CompiledSkeletonLod lod;
   std::vector<unsigned char> kept;  // [joints] as C reads it; empty = all
 };

@@ -5,9 +5,11 @@
 #include <memory_resource>
 #include <vector>
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/fields.h"
 #include "runtime/c/frame_input.h"
 #include "runtime/c/handles.h"
+#include "runtime/c/input_room.h"
 #include "runtime/threads/job_thread.h"
 
 namespace {
@@ -18,6 +20,7 @@ using namespace sinew;
 class EngineMemory : public std::pmr::memory_resource {
  public:
   explicit EngineMemory(const sinew_allocator& allocator) : allocator_(allocator) {}
+  bool is_given() const noexcept { return allocator_.allocate != nullptr; }
 
  private:
   void* do_allocate(std::size_t byte_count, std::size_t alignment) override {
@@ -43,24 +46,30 @@ Executor executor_from(const sinew_executor& given) {
   };
 }
 
-static_assert(sizeof(JobThread::Task) <= sizeof(sinew_task));
+constexpr auto kJobOptions =
+    c::fields(c::field<&sinew_jobs_options::inline_below_bytes, &JobThreadOptions::inline_below_bytes>(),
+              c::field<&sinew_jobs_options::part_bytes, &JobThreadOptions::part_bytes>(),
+              c::field<&sinew_jobs_options::own_thread, &JobThreadOptions::own_thread>(),
+              c::field<&sinew_jobs_options::frame_buffers, &JobThreadOptions::frame_buffers>());
 
 struct Character {
   const sinew_plan* plan;
-  c::OwnInputRoom room;
+  c::OwnRoom<c::InputRoom> room;
 };
 
 }  // namespace
 
+template <>
+struct sinew::c::Convert<sinew_task, JobThread::Task> : ConvertInside<sinew_task, JobThread::Task> {};
+
 struct sinew_jobs {
-  explicit sinew_jobs(const sinew_jobs_options& options)
-      : memory(options.allocator),
-        thread({.executor = executor_from(options.executor),
-                .inline_below_bytes = options.inline_below_bytes,
-                .part_bytes = options.part_bytes,
-                .frame_memory = options.allocator.allocate != nullptr ? &memory : nullptr,
-                .own_thread = options.own_thread != 0,
-                .frame_buffers = static_cast<std::uint8_t>(options.frame_buffers)}) {}
+  sinew_jobs(const sinew_allocator& allocator, JobThreadOptions options)
+      : memory(allocator), thread(with_memory(std::move(options))) {}
+
+  JobThreadOptions with_memory(JobThreadOptions options) noexcept {
+    if (memory.is_given()) options.frame_memory = &memory;
+    return options;
+  }
 
   EngineMemory memory;
   std::vector<Character> characters;
@@ -69,24 +78,19 @@ struct sinew_jobs {
 };
 
 sinew_jobs_options sinew_default_jobs_options(void) {
-  const JobThreadOptions defaults;
-  return {.struct_size = sizeof(sinew_jobs_options),
-          .executor = {nullptr, nullptr},
-          .allocator = {nullptr, nullptr, nullptr},
-          .inline_below_bytes = defaults.inline_below_bytes,
-          .part_bytes = defaults.part_bytes,
-          .own_thread = defaults.own_thread,
-          .frame_buffers = defaults.frame_buffers};
+  return c::written<sinew_jobs_options>(kJobOptions, JobThreadOptions{});
 }
 
 sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out) {
-  if (out == nullptr) return SINEW_NULL_ARGUMENT;
-  sinew_jobs_options own = sinew_default_jobs_options();
-  if (const sinew_error error = c::read_struct(options, own); error != SINEW_OK) return error;
-  if ((own.allocator.allocate == nullptr) != (own.allocator.release == nullptr)) return SINEW_NULL_ARGUMENT;
-  if (own.frame_buffers != 2 && own.frame_buffers != 3) return SINEW_UNSUPPORTED;
-  return c::guarded([&] {
-    *out = new sinew_jobs(own);
+  return c::call(c::given(out), [&] {
+    sinew_jobs_options known = sinew_default_jobs_options();
+    if (const sinew_error error = c::read_struct(options, known)) return error;
+    if ((known.allocator.allocate == nullptr) != (known.allocator.release == nullptr)) return SINEW_NULL_ARGUMENT;
+    JobThreadOptions own;
+    if (const sinew_error error = kJobOptions.read(known, own).error) return error;
+    if (const ErrorCode error = check(own); error != ErrorCode::ok) return c::error_from(error);
+    own.executor = executor_from(known.executor);
+    *out = new sinew_jobs(known.allocator, std::move(own));
     return SINEW_OK;
   });
 }
@@ -94,10 +98,9 @@ sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** ou
 void sinew_jobs_destroy(sinew_jobs* jobs) { delete jobs; }
 
 sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, std::uint32_t* character) {
-  if (jobs == nullptr || plan == nullptr || character == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(jobs, plan, character), [&] {
     jobs->inputs.reserve(jobs->characters.size() + 1);
-    jobs->characters.push_back({plan, c::OwnInputRoom(*plan)});
+    jobs->characters.push_back({plan, c::OwnRoom<c::InputRoom>(*plan)});
     try {
       *character = jobs->thread.add_character(plan->plan);
     } catch (...) {
@@ -105,22 +108,20 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, s
       throw;
     }
     jobs->inputs.emplace_back();
-    return SINEW_OK;
   });
 }
 
 sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, std::size_t input_count,
                               std::uint64_t* ticket) {
-  if (jobs == nullptr || (inputs == nullptr && input_count > 0)) return SINEW_NULL_ARGUMENT;
-  if (input_count != jobs->characters.size()) return SINEW_SIZE_MISMATCH;
-  for (std::size_t c = 0; c < input_count; ++c) {
-    Character& character = jobs->characters[c];
-    const sinew_frame_input* input = nullptr;
-    sinew_error error = c::element_of(inputs, c, input);
-    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]).error;
-    if (error != SINEW_OK) return error;
-  }
-  return c::guarded([&] {
+  return c::call(c::given(jobs, c::Array{inputs, input_count}), [&] {
+    if (input_count != jobs->characters.size()) return SINEW_SIZE_MISMATCH;
+    for (std::size_t c = 0; c < input_count; ++c) {
+      const Character& character = jobs->characters[c];
+      const sinew_frame_input* input = nullptr;
+      if (const sinew_error error = c::element_of(inputs, c, input)) return error;
+      const c::NotRead why = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]);
+      if (why.error != SINEW_OK) return why.error;
+    }
     const auto queued = jobs->thread.submit(jobs->inputs);
     if (!queued) return c::error_from(queued.error());
     if (ticket != nullptr) *ticket = *queued;
@@ -133,10 +134,11 @@ int sinew_jobs_done(const sinew_jobs* jobs, std::uint64_t ticket) {
 }
 
 sinew_error sinew_jobs_wait(const sinew_jobs* jobs, std::uint64_t ticket) {
-  if (jobs == nullptr) return SINEW_NULL_ARGUMENT;
-  if (ticket > jobs->thread.last_submitted()) return SINEW_INDEX_OUT_OF_RANGE;
-  jobs->thread.wait(ticket);
-  return SINEW_OK;
+  return c::call(c::given(jobs), [&] {
+    if (ticket > jobs->thread.last_submitted()) return SINEW_INDEX_OUT_OF_RANGE;
+    jobs->thread.wait(ticket);
+    return SINEW_OK;
+  });
 }
 
 int sinew_jobs_poll(sinew_jobs* jobs) { return jobs != nullptr && jobs->thread.poll(); }
@@ -145,16 +147,14 @@ int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task) {
   if (jobs == nullptr || task == nullptr) return 0;
   const std::optional<JobThread::Task> taken = jobs->thread.take_task();
   if (!taken) return 0;
-  *task = {};
-  c::copy_bits(*taken, *task);
+  *task = c::to_c(*taken);
   return 1;
 }
 
 void sinew_task_run(const sinew_task* task) {
   if (task == nullptr || task->inside[0] == nullptr) return;
   JobThread::Task own;
-  c::copy_bits(*task, own);
-  own();
+  if (c::from_c(*task, own) == SINEW_OK) own();
 }
 
 const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, std::uint32_t character) {
@@ -163,5 +163,5 @@ const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, std::uint32_t character)
 }
 
 sinew_error sinew_jobs_last_error(const sinew_jobs* jobs) {
-  return jobs != nullptr ? c::error_from(jobs->thread.last_error()) : SINEW_NULL_ARGUMENT;
+  return c::call(c::given(jobs), [&] { return jobs->thread.last_error(); });
 }

@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/convert.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/needs.h"
 #include "runtime/c/unbound.h"
@@ -11,20 +12,17 @@
 using namespace sinew;
 
 sinew_error sinew_library_create(const sinew_scene* scene, sinew_library** out) {
-  if (scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
-    *out = new sinew_library{ClipLibrary(scene->scene.skeleton)};
-    return SINEW_OK;
-  });
+  return c::call(c::given(scene, out), [&] { *out = new sinew_library{ClipLibrary(scene->scene.skeleton)}; });
 }
 
 void sinew_library_destroy(sinew_library* library) { delete library; }
 
 sinew_error sinew_library_add(sinew_library* library, const sinew_scene* scene, std::uint32_t if_unbound,
                               sinew_messages** unbound) {
-  if (library == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
-  const Scene& file = scene->scene;
-  return c::guarded([&] { return c::add_to(*library, file.clips, clip_channels(file), if_unbound, unbound); });
+  return c::call(c::given(library, scene), [&] {
+    const Scene& file = scene->scene;
+    return c::add_to(*library, file.clips, clip_channels(file), if_unbound, unbound);
+  });
 }
 
 std::size_t sinew_library_clip_count(const sinew_library* library) {
@@ -33,7 +31,7 @@ std::size_t sinew_library_clip_count(const sinew_library* library) {
 
 sinew_string sinew_library_clip_name(const sinew_library* library, std::uint32_t clip) {
   if (clip >= sinew_library_clip_count(library)) return {"", 0};
-  return c::string_from(library->clips[clip].name());
+  return c::to_c(library->clips[clip].name());
 }
 
 double sinew_library_clip_duration_s(const sinew_library* library, std::uint32_t clip) {
@@ -47,10 +45,9 @@ std::uint32_t sinew_library_find(const sinew_library* library, const char* name)
 
 sinew_error sinew_plan_create_from_library(const sinew_scene* scene, const sinew_library* library,
                                            const sinew_needs* needs, sinew_messages** unbound, sinew_plan** out) {
-  if (scene == nullptr || library == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(scene, library, out), [&] {
     Needs wanted;
-    if (const sinew_error error = c::read_needs(needs, scene->scene, wanted); error != SINEW_OK) return error;
+    if (const sinew_error error = c::read_needs(needs, scene->scene, wanted)) return error;
     const BoundClips bound = clips_for(library->clips, scene->scene);
     auto lines = c::messages_of(bound.unbound);
     *out = new sinew_plan(*scene, bound.clips, wanted);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/plan.h"
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/convert.h"
 #include "runtime/c/needs.h"
+#include "runtime/c/struct_versions.h"
 
 using namespace sinew;
 
 sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out) {
-  if (scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(scene, out), [&] {
     Needs wanted;
-    if (const sinew_error error = c::read_needs(needs, scene->scene, wanted); error != SINEW_OK) return error;
+    if (const sinew_error error = c::read_needs(needs, scene->scene, wanted)) return error;
     *out = new sinew_plan(*scene, scene->scene.clips, wanted);
     return SINEW_OK;
   });
@@ -26,14 +27,15 @@ std::uint32_t sinew_pose_joint(const sinew_plan* plan, std::uint32_t joint) {
 std::size_t sinew_stage_count(const sinew_plan* plan) { return plan != nullptr ? plan->stages.size() : 0; }
 
 sinew_error sinew_get_stage(const sinew_plan* plan, std::uint32_t stage, sinew_stage* out) {
-  if (plan == nullptr) return SINEW_NULL_ARGUMENT;
-  if (stage >= plan->stages.size()) return SINEW_INDEX_OUT_OF_RANGE;
-  const PlanStage& found = plan->stages[stage];
-  return c::write_struct({.struct_size = 0,
-                          .name = c::string_from(found.stage),
-                          .reason = c::string_from(found.reason),
-                          .count = found.count,
-                          .bytes = found.bytes,
-                          .runs = found.runs},
-                         out);
+  return c::call(c::given(plan), [&] {
+    if (stage >= plan->stages.size()) return SINEW_INDEX_OUT_OF_RANGE;
+    const PlanStage& found = plan->stages[stage];
+    return c::write_struct({.struct_size = 0,
+                            .name = c::to_c(found.stage),
+                            .reason = c::to_c(found.reason),
+                            .count = found.count,
+                            .bytes = found.bytes,
+                            .runs = found.runs},
+                           out);
+  });
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/retarget.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "runtime/c/call.h"
+#include "runtime/c/enums.h"
+#include "runtime/c/fields.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/pose_span.h"
 #include "runtime/c/unbound.h"
@@ -14,51 +18,21 @@
 
 using namespace sinew;
 
+/// A pair of joints, source and target.
+template <>
+inline constexpr bool sinew::c::kSameBytes<sinew_joint_pair, std::array<std::uint32_t, 2>> = true;
+
 namespace {
 
-static_assert(static_cast<int>(LimbDirections::of_source) == SINEW_LIMBS_OF_SOURCE &&
-              static_cast<int>(LimbDirections::of_rest) == SINEW_LIMBS_OF_REST &&
-              static_cast<int>(TranslationRule::hips_by_height) == SINEW_HIPS_BY_HEIGHT &&
-              static_cast<int>(TranslationRule::by_length) == SINEW_BY_LENGTH &&
-              static_cast<int>(TranslationRule::keep) == SINEW_KEEP);
-
-sinew_error read_pairs(const sinew_skeleton_map_options& given, const Skeleton& source, const Skeleton& target,
-                       SkeletonMapOptions& options) {
-  if (given.pairs == nullptr && given.pair_count > 0) return SINEW_NULL_ARGUMENT;
-  std::vector<bool> is_mapped(target.joint_count());
-  for (std::size_t i = 0; i < given.pair_count; ++i) {
-    const auto [from, to] = given.pairs[i];
-    if (from >= source.joint_count() || to >= target.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
-    if (is_mapped[to]) return SINEW_UNSUPPORTED;
-    is_mapped[to] = true;
-    options.pairs.push_back({from, to});
-  }
-  return SINEW_OK;
-}
-
-sinew_error read_chains(const sinew_skeleton_map_options& given, const Skeleton& target, SkeletonMapOptions& options) {
-  if (given.chains == nullptr && given.chain_count > 0) return SINEW_NULL_ARGUMENT;
-  std::vector<bool> has_rule(target.joint_count());
-  for (std::size_t i = 0; i < given.chain_count; ++i) {
-    const auto [joint, rule] = given.chains[i];
-    if (joint >= target.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
-    if (has_rule[joint] || rule > SINEW_KEEP) return SINEW_UNSUPPORTED;
-    has_rule[joint] = true;
-    options.chains.push_back({joint, static_cast<TranslationRule>(rule)});
-  }
-  return SINEW_OK;
-}
-
-sinew_error read_options(const sinew_skeleton_map_options* caller, const Skeleton& source, const Skeleton& target,
-                         SkeletonMapOptions& options) {
-  sinew_skeleton_map_options given{};
-  if (const sinew_error error = c::read_struct(caller, given); error != SINEW_OK) return error;
-  if (given.limbs > SINEW_LIMBS_OF_REST || given.translations > SINEW_KEEP) return SINEW_UNSUPPORTED;
-  options.limbs = static_cast<LimbDirections>(given.limbs);
-  options.translations = static_cast<TranslationRule>(given.translations);
-  if (const sinew_error error = read_pairs(given, source, target, options); error != SINEW_OK) return error;
-  return read_chains(given, target, options);
-}
+constexpr auto kChain = c::fields(c::field<&sinew_chain_rule::joint, &ChainRule::joint>(),
+                                  c::field<&sinew_chain_rule::rule, &ChainRule::rule>());
+constexpr auto kMapOptions =
+    c::fields(c::field<&sinew_skeleton_map_options::limbs, &SkeletonMapOptions::limbs>(),
+              c::field<&sinew_skeleton_map_options::translations, &SkeletonMapOptions::translations>(),
+              c::span_field<&sinew_skeleton_map_options::pairs, &sinew_skeleton_map_options::pair_count,
+                            &SkeletonMapOptions::pairs>(),
+              c::copied_field<&sinew_skeleton_map_options::chains, &sinew_skeleton_map_options::chain_count,
+                              &SkeletonMapOptions::chains>(kChain));
 
 /// A clip of the source on the target.
 Clip retargeted(const sinew_skeleton_map& own, std::uint32_t clip, bool hold) {
@@ -77,11 +51,11 @@ Clip retargeted(const sinew_skeleton_map& own, std::uint32_t clip, bool hold) {
 
 sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
                                       const sinew_skeleton_map_options* options, sinew_skeleton_map** out) {
-  if (source == nullptr || target == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  const Skeleton &from = source->scene.skeleton, &to = target->scene.skeleton;
-  return c::guarded([&] {
+  return c::call(c::given(source, target, out), [&] {
+    const Skeleton &from = source->scene.skeleton, &to = target->scene.skeleton;
     SkeletonMapOptions own;
-    if (const sinew_error error = read_options(options, from, to, own); error != SINEW_OK) return error;
+    if (const sinew_error error = c::read_fields(options, kMapOptions, own)) return error;
+    if (const ErrorCode error = check(own, from, to); error != ErrorCode::ok) return c::error_from(error);
     SkeletonMap map = make_skeleton_map(from, to, own);
     RetargetTables tables = make_retarget_tables(map, from, to);
     TwistMap twists = make_twist_map(map, to);
@@ -99,47 +73,49 @@ sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_sce
 void sinew_skeleton_map_destroy(sinew_skeleton_map* map) { delete map; }
 
 sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out) {
-  if (map == nullptr) return SINEW_NULL_ARGUMENT;
-  const SkeletonMap& own = map->map;
-  return c::write_struct({.struct_size = 0,
-                          .pairs = map->pairs.data(),
-                          .pair_count = map->pairs.size(),
-                          .unmapped_source = {own.unmapped_source.data(), own.unmapped_source.size()},
-                          .unmapped_target = {own.unmapped_target.data(), own.unmapped_target.size()},
-                          .height_ratio = own.height_ratio,
-                          .leg_count = static_cast<std::uint32_t>(map->feet.legs.size()),
-                          .twist_count = static_cast<std::uint32_t>(map->twists.joints.size())},
-                         out);
+  return c::call(c::given(map), [&] {
+    const SkeletonMap& own = map->map;
+    return c::write_struct({.struct_size = 0,
+                            .pairs = map->pairs.data(),
+                            .pair_count = map->pairs.size(),
+                            .unmapped_source = c::to_c(own.unmapped_source),
+                            .unmapped_target = c::to_c(own.unmapped_target),
+                            .height_ratio = own.height_ratio,
+                            .leg_count = c::to_c(map->feet.legs.size()),
+                            .twist_count = c::to_c(map->twists.joints.size())},
+                           out);
+  });
 }
 
 sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose, const sinew_pose* scratch,
                                 const sinew_pose* retargeted) {
-  if (map == nullptr) return SINEW_NULL_ARGUMENT;
-  RetargetPoseJob job{.tables = &map->tables, .pose = {}, .retargeted = {}};
-  sinew_error error = c::read_pose(pose, job.pose);
-  if (error == SINEW_OK) error = c::read_pose(scratch, job.scratch);
-  if (error == SINEW_OK) error = c::read_pose(retargeted, job.retargeted);
-  if (error == SINEW_OK) error = c::run_job(job);
-  return error == SINEW_OK ? c::run_job(ShareTwistJob{&map->twists, job.retargeted}) : error;
+  return c::call(c::given(map), [&] {
+    RetargetPoseJob job{.tables = &map->tables, .pose = {}, .retargeted = {}};
+    if (const sinew_error error =
+            c::read_poses({{pose, job.pose}, {scratch, job.scratch}, {retargeted, job.retargeted}}))
+      return error;
+    if (const ErrorCode error = run(job); error != ErrorCode::ok) return c::error_from(error);
+    return c::error_from(run(ShareTwistJob{&map->twists, job.retargeted}));
+  });
 }
 
 sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,
                             const sinew_pose* held) {
-  if (map == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(ground)) return SINEW_NOT_FINITE;
-  HoldFeetJob job{.feet = &map->feet, .ground = ground, .pose = {}, .held = {}};
-  const std::size_t source_joints = map->source->scene.skeleton.joint_count(),
-                    target_joints = map->target->scene.skeleton.joint_count();
-  sinew_error error = c::read_pose(pose, source_joints, job.pose);
-  if (error == SINEW_OK) error = c::read_pose(held, target_joints, job.held);
-  return error == SINEW_OK ? c::run_job(job) : error;
+  return c::call(c::given(map), [&] {
+    if (!std::isfinite(ground)) return SINEW_NOT_FINITE;
+    HoldFeetJob job{.feet = &map->feet, .ground = ground, .pose = {}, .held = {}};
+    if (const sinew_error error = c::read_poses({{pose, job.pose}, {held, job.held}})) return error;
+    if (job.pose.joint_count != map->source->scene.skeleton.joint_count() ||
+        job.held.joint_count != map->target->scene.skeleton.joint_count())
+      return SINEW_SIZE_MISMATCH;
+    return c::error_from(run(job));
+  });
 }
 
 sinew_error sinew_find_ground(const sinew_skeleton_map* map, std::uint32_t clip, float* ground) {
-  if (map == nullptr || ground == nullptr) return SINEW_NULL_ARGUMENT;
-  const Scene& source = map->source->scene;
-  if (clip >= source.animations.size()) return SINEW_INDEX_OUT_OF_RANGE;
-  return c::guarded([&] {
+  return c::call(c::given(map, ground), [&] {
+    const Scene& source = map->source->scene;
+    if (clip >= source.animations.size()) return SINEW_INDEX_OUT_OF_RANGE;
     *ground = static_cast<float>(find_ground(map->feet, source.animations[clip], source.skeleton));
     return SINEW_OK;
   });
@@ -147,9 +123,8 @@ sinew_error sinew_find_ground(const sinew_skeleton_map* map, std::uint32_t clip,
 
 sinew_error sinew_library_add_retargeted(sinew_library* library, const sinew_skeleton_map* map, std::uint32_t clip,
                                          std::uint32_t hold_feet, std::uint32_t if_unbound, sinew_messages** unbound) {
-  if (library == nullptr || map == nullptr) return SINEW_NULL_ARGUMENT;
-  if (clip >= map->source->scene.animations.size()) return SINEW_INDEX_OUT_OF_RANGE;
-  return c::guarded([&] {
+  return c::call(c::given(library, map), [&] {
+    if (clip >= map->source->scene.animations.size()) return SINEW_INDEX_OUT_OF_RANGE;
     const Clip made[] = {retargeted(*map, clip, hold_feet != 0)};
     return c::add_to(*library, made, clip_channels(map->target->scene), if_unbound, unbound);
   });

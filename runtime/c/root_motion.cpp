@@ -5,38 +5,32 @@
 #include <cmath>
 
 #include "runtime/animation/joint_tracks.h"
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/enums.h"
+#include "runtime/c/fields.h"
 #include "runtime/c/handles.h"
 #include "runtime/clip/decompile_clip.h"
 #include "runtime/playback/root_motion.h"
+
+namespace sinew::c {
+
+template <>
+inline constexpr bool kSameBytes<sinew_dual_quat, DualQuatd> = true;
+
+}  // namespace sinew::c
 
 namespace {
 
 using namespace sinew;
 
-static_assert(sizeof(DualQuatd) == sizeof(sinew_dual_quat));
-static_assert(static_cast<int>(RootTurn::none) == SINEW_ROOT_TURN_NONE &&
-              static_cast<int>(RootTurn::heading) == SINEW_ROOT_TURN_HEADING &&
-              static_cast<int>(RootTurn::full) == SINEW_ROOT_TURN_FULL);
+constexpr auto kParts = c::fields(
+    c::field<&sinew_root_parts::x, &RootMotionParts::x>(), c::field<&sinew_root_parts::y, &RootMotionParts::y>(),
+    c::field<&sinew_root_parts::z, &RootMotionParts::z>(), c::field<&sinew_root_parts::turn, &RootMotionParts::turn>());
 
 DualQuatd motion_in(const sinew_dual_quat* given) noexcept {
   DualQuatd motion;
-  if (given != nullptr) c::copy_bits(*given, motion);
+  if (given != nullptr) c::copy_bytes(*given, motion);
   return motion;
-}
-
-sinew_dual_quat motion_out(const DualQuatd& motion) noexcept {
-  sinew_dual_quat out{};
-  c::copy_bits(motion, out);
-  return out;
-}
-
-sinew_error read_parts(const sinew_root_parts* given, RootMotionParts& parts) noexcept {
-  sinew_root_parts own = sinew_default_root_parts();
-  if (const sinew_error error = c::read_struct(given, own); error != SINEW_OK) return error;
-  if (own.turn > SINEW_ROOT_TURN_FULL) return SINEW_UNSUPPORTED;
-  parts = {own.x != 0, own.y != 0, own.z != 0, static_cast<RootTurn>(own.turn)};
-  return SINEW_OK;
 }
 
 /// A joint in a clip, and what of it carries the character.
@@ -62,16 +56,13 @@ void take_tracks(const Animation& clip, std::uint32_t joint, RootTrack& root) {
 }
 
 sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
-                      RootTrack& root) noexcept {
-  if (scene == nullptr) return SINEW_NULL_ARGUMENT;
-  if (const sinew_error error = read_parts(parts, root.parts); error != SINEW_OK) return error;
+                      RootTrack& root) {
+  if (const sinew_error error = c::read_fields(parts, kParts, root.parts)) return error;
   const Scene& own = scene->scene;
   if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
   root.rest = own.skeleton.rest[joint];
-  return c::guarded([&] {
-    take_tracks(own.animations[clip], joint, root);
-    return SINEW_OK;
-  });
+  take_tracks(own.animations[clip], joint, root);
+  return SINEW_OK;
 }
 
 bool all_finite(const PlaybackStep& step) noexcept {
@@ -80,8 +71,8 @@ bool all_finite(const PlaybackStep& step) noexcept {
 }
 
 sinew_error read_step(const sinew_step& given, PlaybackStep& step) noexcept {
-  c::copy_bits(given, step);
-  if (step.mode > PlayMode::once) return SINEW_UNSUPPORTED;
+  c::copy_bytes(given, step);
+  if (!c::kEnum<PlayMode>.has(static_cast<std::uint32_t>(step.mode))) return SINEW_UNSUPPORTED;
   return all_finite(step) ? SINEW_OK : SINEW_NOT_FINITE;
 }
 
@@ -93,59 +84,51 @@ struct sinew_root_track {
   RootMotionParts parts;
 };
 
-sinew_dual_quat sinew_dual_quat_identity(void) { return motion_out({}); }
+sinew_dual_quat sinew_dual_quat_identity(void) { return c::to_c(DualQuatd{}); }
 
 sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a, const sinew_dual_quat* b) {
-  return motion_out(normalised(motion_in(a) * motion_in(b)));
+  return c::to_c(normalised(motion_in(a) * motion_in(b)));
 }
 
 sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion) {
-  return motion_out(dual_quat_conjugate(motion_in(motion)));
+  return c::to_c(dual_quat_conjugate(motion_in(motion)));
 }
 
 sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion) {
-  sinew_affine out{};
-  c::copy_bits(affine_cast<float>(affine_from_dual_quat(motion_in(motion))), out);
-  return out;
+  return c::to_c(affine_cast<float>(affine_from_dual_quat(motion_in(motion))));
 }
 
-sinew_root_parts sinew_default_root_parts(void) {
-  const RootMotionParts defaults;
-  return {.struct_size = sizeof(sinew_root_parts),
-          .x = defaults.x,
-          .y = defaults.y,
-          .z = defaults.z,
-          .turn = static_cast<std::uint32_t>(defaults.turn)};
-}
+sinew_root_parts sinew_default_root_parts(void) { return c::written<sinew_root_parts>(kParts, RootMotionParts{}); }
 
 sinew_error sinew_root_place(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint,
                              const sinew_root_parts* parts, double time_s, sinew_dual_quat* out) {
-  if (out == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
-  RootTrack root;
-  if (const sinew_error error = find_root(scene, clip, joint, parts, root); error != SINEW_OK) return error;
-  *out = motion_out(root_place(*root.animation, root.rest, root.parts, time_s));
-  return SINEW_OK;
+  return c::call(c::given(scene, out), [&] {
+    if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
+    RootTrack root;
+    if (const sinew_error error = find_root(scene, clip, joint, parts, root)) return error;
+    *out = c::to_c(root_place(*root.animation, root.rest, root.parts, time_s));
+    return SINEW_OK;
+  });
 }
 
 sinew_error sinew_root_motion(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint,
                               const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out) {
-  if (step == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  PlaybackStep own;
-  if (const sinew_error error = read_step(*step, own); error != SINEW_OK) return error;
-  RootTrack root;
-  if (const sinew_error error = find_root(scene, clip, joint, parts, root); error != SINEW_OK) return error;
-  *out = motion_out(root_motion(*root.animation, root.rest, root.parts, own));
-  return SINEW_OK;
+  return c::call(c::given(scene, step, out), [&] {
+    PlaybackStep own;
+    RootTrack root;
+    if (const sinew_error error = read_step(*step, own)) return error;
+    if (const sinew_error error = find_root(scene, clip, joint, parts, root)) return error;
+    *out = c::to_c(root_motion(*root.animation, root.rest, root.parts, own));
+    return SINEW_OK;
+  });
 }
 
 sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, std::uint32_t clip,
                                     std::uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out) {
-  if (scene == nullptr || library == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  RootMotionParts own;
-  if (const sinew_error error = read_parts(parts, own); error != SINEW_OK) return error;
-  if (clip >= library->clips.size() || joint >= scene->scene.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
-  return c::guarded([&] {
+  return c::call(c::given(scene, library, out), [&] {
+    RootMotionParts own;
+    if (const sinew_error error = c::read_fields(parts, kParts, own)) return error;
+    if (clip >= library->clips.size() || joint >= scene->scene.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
     const BoundClips bound = clips_for(library->clips, scene->scene);
     *out = new sinew_root_track{decompile_joint(bound.clips[clip], joint), scene->scene.skeleton.rest[joint], own};
     return SINEW_OK;
@@ -155,16 +138,18 @@ sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_librar
 void sinew_root_track_destroy(sinew_root_track* track) { delete track; }
 
 sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out) {
-  if (track == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
-  *out = motion_out(root_place(track->animation, track->rest, track->parts, time_s));
-  return SINEW_OK;
+  return c::call(c::given(track, out), [&] {
+    if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
+    *out = c::to_c(root_place(track->animation, track->rest, track->parts, time_s));
+    return SINEW_OK;
+  });
 }
 
 sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step, sinew_dual_quat* out) {
-  if (track == nullptr || step == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  PlaybackStep own;
-  if (const sinew_error error = read_step(*step, own); error != SINEW_OK) return error;
-  *out = motion_out(root_motion(track->animation, track->rest, track->parts, own));
-  return SINEW_OK;
+  return c::call(c::given(track, step, out), [&] {
+    PlaybackStep own;
+    if (const sinew_error error = read_step(*step, own)) return error;
+    *out = c::to_c(root_motion(track->animation, track->rest, track->parts, own));
+    return SINEW_OK;
+  });
 }

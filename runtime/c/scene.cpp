@@ -2,54 +2,66 @@
 #include "runtime/c/scene.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string_view>
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/enums.h"
+#include "runtime/c/fields.h"
 #include "runtime/c/handles.h"
 
 namespace {
 
 using namespace sinew;
-using c::span_from;
 
-/// Element `i`, or nothing.
-template <class T>
-const T* at(const std::vector<T>& all, std::size_t i) noexcept {
-  return i < all.size() ? &all[i] : nullptr;
-}
+constexpr sinew_string kNoName{"", 0};
 
-/// Element `i` of one of the scene's arrays, or nothing.
-template <class T>
-const T* at(const sinew_scene* scene, std::vector<T> Scene::*all, std::size_t i) noexcept {
-  return scene != nullptr ? at(scene->scene.*all, i) : nullptr;
+/// One of the scene's arrays, at the end of the path; null without a scene.
+template <auto... Path>
+const auto* array_of(const sinew_scene* scene) noexcept {
+  return scene != nullptr ? &c::member_of<&sinew_scene::scene, Path...>(*scene) : nullptr;
 }
 
 template <class T>
-std::size_t count_of(const sinew_scene* scene, std::vector<T> Scene::*all) noexcept {
-  return scene != nullptr ? (scene->scene.*all).size() : 0;
+std::size_t size_of(const std::vector<T>* all) noexcept {
+  return all != nullptr ? all->size() : 0;
 }
 
-sinew_string name_at(const std::vector<std::string>& names, std::size_t i) noexcept {
-  const std::string* name = at(names, i);
-  return name != nullptr ? c::string_from(*name) : sinew_string{"", 0};
-}
-
+/// Element `i`, or null.
 template <class T>
-std::uint32_t find_named(const std::vector<T>& all, const char* name, auto name_of) noexcept {
-  if (name == nullptr) return SINEW_NONE;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const T& one) { return std::string_view(name_of(one)) == name; });
-  return found == all.end() ? SINEW_NONE : static_cast<std::uint32_t>(found - all.begin());
+const T* at(const std::vector<T>* all, std::size_t i) noexcept {
+  return i < size_of(all) ? &(*all)[i] : nullptr;
 }
 
-const std::string& clip_name(const Clip& clip) noexcept { return clip.name(); }
-const std::string& mesh_name(const Mesh& mesh) noexcept { return mesh.name; }
-const std::string& own_name(const std::string& name) noexcept { return name; }
+/// `get` of an object, as C has it; `none` where there is no object.
+template <class OfC, class Object>
+OfC ask(const Object* object, auto get, OfC none) noexcept {
+  if (object == nullptr) return none;
+  return c::to_c(std::invoke(get, *object));
+}
 
+/// The first element whose `get` is the name.
+template <class T>
+std::uint32_t find_named(const std::vector<T>* all, const char* name, auto get) noexcept {
+  if (all == nullptr || name == nullptr) return SINEW_NONE;
+  const auto found = std::find_if(all->begin(), all->end(),
+                                  [&](const T& one) { return std::string_view(std::invoke(get, one)) == name; });
+  return found == all->end() ? SINEW_NONE : static_cast<std::uint32_t>(found - all->begin());
+}
+
+const std::vector<std::string>* joint_names(const sinew_scene* scene) noexcept {
+  return array_of<&Scene::skeleton, &Skeleton::names>(scene);
+}
+const Clip* clip_at(const sinew_scene* scene, std::uint32_t clip) noexcept {
+  return at(array_of<&Scene::clips>(scene), clip);
+}
+const Mesh* mesh_at(const sinew_scene* scene, std::uint32_t mesh) noexcept {
+  return at(array_of<&Scene::meshes>(scene), mesh);
+}
 const Primitive* primitive_at(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive) noexcept {
-  const Mesh* found = at(scene, &Scene::meshes, mesh);
-  return found != nullptr ? at(found->primitives, primitive) : nullptr;
+  const Mesh* found = mesh_at(scene, mesh);
+  return found != nullptr ? at(&found->primitives, primitive) : nullptr;
 }
 
 }  // namespace
@@ -57,111 +69,107 @@ const Primitive* primitive_at(const sinew_scene* scene, std::uint32_t mesh, std:
 void sinew_scene_destroy(sinew_scene* scene) { delete scene; }
 
 std::size_t sinew_joint_count(const sinew_scene* scene) {
-  return scene != nullptr ? scene->scene.skeleton.joint_count() : 0;
+  return size_of(array_of<&Scene::skeleton, &Skeleton::parents>(scene));
 }
 
 sinew_string sinew_joint_name(const sinew_scene* scene, std::uint32_t joint) {
-  return scene != nullptr ? name_at(scene->scene.skeleton.names, joint) : sinew_string{"", 0};
+  return ask(at(joint_names(scene), joint), std::identity(), kNoName);
 }
 
 std::uint32_t sinew_joint_parent(const sinew_scene* scene, std::uint32_t joint) {
-  const std::uint32_t* parent = scene != nullptr ? at(scene->scene.skeleton.parents, joint) : nullptr;
-  return parent != nullptr ? *parent : SINEW_NONE;
+  return ask(at(array_of<&Scene::skeleton, &Skeleton::parents>(scene), joint), std::identity(), SINEW_NONE);
 }
 
 std::uint32_t sinew_find_joint(const sinew_scene* scene, const char* name) {
-  return scene != nullptr ? find_named(scene->scene.skeleton.names, name, own_name) : SINEW_NONE;
+  return find_named(joint_names(scene), name, std::identity());
 }
 
-std::size_t sinew_clip_count(const sinew_scene* scene) { return count_of(scene, &Scene::clips); }
+std::size_t sinew_clip_count(const sinew_scene* scene) { return size_of(array_of<&Scene::clips>(scene)); }
 
 sinew_string sinew_clip_name(const sinew_scene* scene, std::uint32_t clip) {
-  const Clip* found = at(scene, &Scene::clips, clip);
-  return found != nullptr ? c::string_from(found->name()) : sinew_string{"", 0};
+  return ask(clip_at(scene, clip), &Clip::name, kNoName);
 }
 
 double sinew_clip_duration_s(const sinew_scene* scene, std::uint32_t clip) {
-  const Clip* found = at(scene, &Scene::clips, clip);
-  return found != nullptr ? found->duration_s() : 0.0;
+  return ask(clip_at(scene, clip), &Clip::duration_s, 0.0);
 }
 
 std::uint32_t sinew_find_clip(const sinew_scene* scene, const char* name) {
-  return scene != nullptr ? find_named(scene->scene.clips, name, clip_name) : SINEW_NONE;
+  return find_named(array_of<&Scene::clips>(scene), name, &Clip::name);
 }
 
-std::size_t sinew_skin_count(const sinew_scene* scene) { return count_of(scene, &Scene::skins); }
+std::size_t sinew_skin_count(const sinew_scene* scene) { return size_of(array_of<&Scene::skins>(scene)); }
 
 sinew_indices sinew_skin_joints(const sinew_scene* scene, std::uint32_t skin) {
-  const Skin* found = at(scene, &Scene::skins, skin);
-  return found != nullptr ? sinew_indices{found->joints.data(), found->joints.size()} : sinew_indices{nullptr, 0};
+  return ask(at(array_of<&Scene::skins>(scene), skin), &Skin::joints, sinew_indices{nullptr, 0});
 }
 
-std::size_t sinew_mesh_count(const sinew_scene* scene) { return count_of(scene, &Scene::meshes); }
+std::size_t sinew_mesh_count(const sinew_scene* scene) { return size_of(array_of<&Scene::meshes>(scene)); }
 
 sinew_string sinew_mesh_name(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene, &Scene::meshes, mesh);
-  return found != nullptr ? c::string_from(found->name) : sinew_string{"", 0};
+  return ask(mesh_at(scene, mesh), &Mesh::name, kNoName);
 }
 
 std::uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name) {
-  return scene != nullptr ? find_named(scene->scene.meshes, name, mesh_name) : SINEW_NONE;
+  return find_named(array_of<&Scene::meshes>(scene), name, &Mesh::name);
 }
 
 std::size_t sinew_primitive_count(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene, &Scene::meshes, mesh);
+  const Mesh* found = mesh_at(scene, mesh);
   return found != nullptr ? found->primitives.size() : 0;
 }
 
 std::size_t sinew_target_count(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene, &Scene::meshes, mesh);
+  const Mesh* found = mesh_at(scene, mesh);
   return found != nullptr ? found->target_count() : 0;
 }
 
 sinew_string sinew_target_name(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t target) {
-  const Mesh* found = at(scene, &Scene::meshes, mesh);
-  return found != nullptr ? name_at(found->target_names, target) : sinew_string{"", 0};
+  const Mesh* found = mesh_at(scene, mesh);
+  return found != nullptr ? ask(at(&found->target_names, target), std::identity(), kNoName) : kNoName;
 }
 
-std::size_t sinew_instance_count(const sinew_scene* scene) { return count_of(scene, &Scene::instances); }
+std::size_t sinew_instance_count(const sinew_scene* scene) { return size_of(array_of<&Scene::instances>(scene)); }
 
 std::size_t sinew_weight_count(const sinew_scene* scene) { return scene != nullptr ? scene->scene.weight_count() : 0; }
 
 sinew_error sinew_get_instance(const sinew_scene* scene, std::uint32_t instance, sinew_instance* out) {
-  if (scene == nullptr) return SINEW_NULL_ARGUMENT;
-  const MeshInstance* found = at(scene, &Scene::instances, instance);
-  if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
-  const auto& first = scene->scene.first_weight;
-  return c::write_struct({.struct_size = 0,
-                          .joint = found->joint,
-                          .mesh = found->mesh,
-                          .skin = found->skin,
-                          .first_weight = first[instance],
-                          .weight_count = first[instance + 1] - first[instance]},
-                         out);
+  return c::call(c::given(scene), [&] {
+    const MeshInstance* found = at(array_of<&Scene::instances>(scene), instance);
+    if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
+    const auto& first = scene->scene.first_weight;
+    return c::write_struct({.struct_size = 0,
+                            .joint = found->joint,
+                            .mesh = found->mesh,
+                            .skin = found->skin,
+                            .first_weight = first[instance],
+                            .weight_count = first[instance + 1] - first[instance]},
+                           out);
+  });
 }
 
 sinew_error sinew_get_primitive(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,
                                 sinew_primitive* out) {
-  if (scene == nullptr) return SINEW_NULL_ARGUMENT;
-  const Primitive* found = primitive_at(scene, mesh, primitive);
-  if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
-  return c::write_struct({.struct_size = 0,
-                          .topology = static_cast<std::uint32_t>(found->topology),
-                          .material = found->material,
-                          .indices = {found->indices.data(), found->indices.size()},
-                          .positions = span_from<sinew_vec3s>(std::span(found->positions)),
-                          .normals = span_from<sinew_vec3s>(std::span(found->normals)),
-                          .tangents = span_from<sinew_vec4s>(std::span(found->tangents)),
-                          .colors = span_from<sinew_vec4s>(std::span(found->colors)),
-                          .texcoord_count = found->texcoords.size()},
-                         out);
+  return c::call(c::given(scene), [&] {
+    const Primitive* found = primitive_at(scene, mesh, primitive);
+    if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
+    return c::write_struct({.struct_size = 0,
+                            .topology = c::to_c(found->topology),
+                            .material = found->material,
+                            .indices = c::to_c(found->indices),
+                            .positions = c::to_c(found->positions),
+                            .normals = c::to_c(found->normals),
+                            .tangents = c::to_c(found->tangents),
+                            .colors = c::to_c(found->colors),
+                            .texcoord_count = found->texcoords.size()},
+                           out);
+  });
 }
 
 sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,
                                       std::uint32_t set) {
   const Primitive* found = primitive_at(scene, mesh, primitive);
-  const std::vector<glm::vec2>* texcoords = found != nullptr ? at(found->texcoords, set) : nullptr;
-  return texcoords != nullptr ? span_from<sinew_vec2s>(std::span(*texcoords)) : sinew_vec2s{nullptr, 0};
+  return ask(found != nullptr ? at(&found->texcoords, set) : nullptr, std::identity(), sinew_vec2s{nullptr, 0});
 }
 
 sinew_influences sinew_vertex_influences(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,

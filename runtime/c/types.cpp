@@ -4,37 +4,10 @@
 #include <cstdint>
 
 #include "runtime/base/result.h"
-#include "runtime/c/boundary.h"
-#include "runtime/math/affine.h"
-#include "runtime/math/joint_matrix.h"
 
-namespace sinew::c {
-
-static_assert(
-    error_from(ErrorCode::ok) == SINEW_OK && error_from(ErrorCode::size_mismatch) == SINEW_SIZE_MISMATCH &&
-    error_from(ErrorCode::overlapping_buffers) == SINEW_OVERLAPPING_BUFFERS &&
-    error_from(ErrorCode::index_out_of_range) == SINEW_INDEX_OUT_OF_RANGE &&
-    error_from(ErrorCode::parents_not_first) == SINEW_PARENTS_NOT_FIRST &&
-    error_from(ErrorCode::times_not_increasing) == SINEW_TIMES_NOT_INCREASING &&
-    error_from(ErrorCode::too_few_keys) == SINEW_TOO_FEW_KEYS &&
-    error_from(ErrorCode::not_finite) == SINEW_NOT_FINITE && error_from(ErrorCode::unsupported) == SINEW_UNSUPPORTED &&
-    error_from(ErrorCode::coincident_poses) == SINEW_COINCIDENT_POSES &&
-    error_from(ErrorCode::rank_deficient) == SINEW_RANK_DEFICIENT && error_from(ErrorCode::busy) == SINEW_BUSY &&
-    error_from(ErrorCode::not_normalised) == SINEW_NOT_NORMALISED && error_from(ErrorCode::no_plan) == SINEW_NO_PLAN &&
-    error_from(ErrorCode::wrong_plan) == SINEW_WRONG_PLAN && error_from(ErrorCode::moved_from) == SINEW_MOVED_FROM &&
-    error_from(ErrorCode::too_many_layers) == SINEW_TOO_MANY_LAYERS &&
-    error_from(ErrorCode::wrong_page) == SINEW_WRONG_PAGE &&
-    error_from(ErrorCode::not_in_needs) == SINEW_NOT_IN_NEEDS &&
-    error_from(ErrorCode::negative_weight) == SINEW_NEGATIVE_WEIGHT &&
-    error_from(ErrorCode::not_a_fraction) == SINEW_NOT_A_FRACTION &&
-    error_from(ErrorCode::two_times) == SINEW_TWO_TIMES && error_from(ErrorCode::too_large) == SINEW_TOO_LARGE &&
-    error_from(ErrorCode::no_cut) == SINEW_NO_CUT);
-static_assert(sizeof(sinew_affine) == sizeof(Affine) && sizeof(sinew_joint_matrix) == sizeof(JointMatrix));
 static_assert(SINEW_VERSION_MAJOR == SINEW_PROJECT_MAJOR && SINEW_VERSION_MINOR == SINEW_PROJECT_MINOR &&
                   SINEW_VERSION_PATCH == SINEW_PROJECT_PATCH,
               "runtime/c/types.h and CMakeLists.txt name different versions");
-
-}  // namespace sinew::c
 
 std::uint32_t sinew_version(void) { return SINEW_VERSION; }
 

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "runtime/c/convert.h"
+#include "runtime/c/enums.h"
+
 namespace sinew::c {
 
 std::unique_ptr<sinew_messages> messages_of(const Unbound& unbound) {
@@ -15,13 +18,14 @@ std::unique_ptr<sinew_messages> messages_of(const Unbound& unbound) {
 
 sinew_error add_to(sinew_library& library, std::span<const Clip> clips, const ClipChannels& from,
                    std::uint32_t if_unbound, sinew_messages** unbound) {
-  if (if_unbound > SINEW_REFUSE) return SINEW_UNSUPPORTED;
+  IfUnbound rule = IfUnbound::leave_out;
+  if (const sinew_error error = from_c(if_unbound, rule)) return error;
   ClipLibrary grown = library.clips;  // what throws leaves the library as it was
-  const Unbound found = grown.add(clips, from, static_cast<IfUnbound>(if_unbound));
+  const Unbound found = grown.add(clips, from, rule);
   auto lines = messages_of(found);
   library.clips = std::move(grown);
   if (unbound != nullptr) *unbound = lines.release();
-  return if_unbound == SINEW_REFUSE && !found.empty() ? SINEW_UNBOUND : SINEW_OK;
+  return rule == IfUnbound::refuse && !found.empty() ? SINEW_UNBOUND : SINEW_OK;
 }
 
 }  // namespace sinew::c

@@ -8,8 +8,9 @@
 
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
 #include "runtime/c/handles.h"
+#include "runtime/c/write_messages.h"
 
 using namespace sinew;
 
@@ -20,11 +21,7 @@ std::span<const std::byte> span_of(const void* bytes, std::size_t byte_count) no
 }
 
 sinew_error refuse(const AssetFileError& error, sinew_messages** messages) {
-  if (messages == nullptr) return SINEW_BAD_FILE;
-  auto made = std::make_unique<sinew_messages>();
-  made->lines.push_back(describe(error));
-  *messages = made.release();
-  return SINEW_BAD_FILE;
+  return c::bad_file(describe(error), messages);
 }
 
 struct ReadFile {
@@ -57,8 +54,7 @@ int sinew_looks_like_assets(const void* bytes, std::size_t byte_count) {
 
 sinew_error sinew_assets_read(const void* bytes, std::size_t byte_count, sinew_scene** scene,
                               sinew_messages** messages) {
-  if (bytes == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(bytes, scene), [&] {
     auto read = read_file(span_of(bytes, byte_count), LongClips::joined);
     if (!read) return refuse(read.error(), messages);
     *scene = read->scene.release();
@@ -68,8 +64,7 @@ sinew_error sinew_assets_read(const void* bytes, std::size_t byte_count, sinew_s
 
 sinew_error sinew_assets_read_first_keys(const void* bytes, std::size_t byte_count, sinew_scene** scene,
                                          sinew_page_tables** tables, sinew_messages** messages) {
-  if (bytes == nullptr || scene == nullptr || tables == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(bytes, scene, tables), [&] {
     auto read = read_file(span_of(bytes, byte_count), LongClips::first_keys);
     if (!read) return refuse(read.error(), messages);
     *tables = new sinew_page_tables{std::move(read->tables)};
@@ -95,8 +90,7 @@ std::size_t sinew_page_tables_place(const sinew_page_tables* tables, std::uint32
 
 sinew_error sinew_assets_load_page(sinew_paged_clip* paged, std::size_t page, const void* bytes, std::size_t byte_count,
                                    int* taken, sinew_messages** messages) {
-  if (paged == nullptr || bytes == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(paged, bytes), [&] {
     std::vector<std::byte> unpacked;
     const auto stored = unpack_page(span_of(bytes, byte_count), unpacked);
     if (!stored) return refuse(stored.error(), messages);
@@ -106,25 +100,21 @@ sinew_error sinew_assets_load_page(sinew_paged_clip* paged, std::size_t page, co
 
 sinew_error sinew_assets_read_skeleton_lod(const void* bytes, std::size_t byte_count, const sinew_scene* scene,
                                            std::size_t level, sinew_skeleton_lod** out, sinew_messages** messages) {
-  if (bytes == nullptr || scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(bytes, scene, out), [&] {
     const auto file = AssetFile::open(span_of(bytes, byte_count));
     if (!file) return refuse(file.error(), messages);
     auto lods = read_skeleton_lods(*file, scene->scene.skeleton);
     if (!lods) return refuse(lods.error(), messages);
     if (level >= lods->size()) return SINEW_INDEX_OUT_OF_RANGE;
-    CompiledSkeletonLod& lod = (*lods)[level];
-    std::vector<unsigned char> kept(lod.detail.kept.begin(), lod.detail.kept.end());
-    *out = new sinew_skeleton_lod{std::move(lod), std::move(kept)};
+    *out = new sinew_skeleton_lod(std::move((*lods)[level]));
     return SINEW_OK;
   });
 }
 
 sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, std::size_t byte_count,
                                    sinew_messages** messages) {
-  if (scene == nullptr || bytes == nullptr) return SINEW_NULL_ARGUMENT;
-  if (scene->plan_count != 0) return SINEW_BUSY;
-  return c::guarded([&] {
+  return c::call(c::given(scene, bytes), [&] {
+    if (scene->plan_count != 0) return SINEW_BUSY;
     const auto file = AssetFile::open(span_of(bytes, byte_count));
     if (!file) return refuse(file.error(), messages);
     const auto added = add_clips(*file, scene->scene);

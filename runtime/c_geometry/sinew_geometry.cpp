@@ -7,8 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/c/boundary.h"
+#include "runtime/c/call.h"
+#include "runtime/c/convert.h"
+#include "runtime/c/enum_pairs.h"
 #include "runtime/c/handles.h"
+#include "runtime/c/struct_versions.h"
+#include "runtime/c/vertex_source.h"
+#include "runtime/c/write_messages.h"
 #include "runtime/geometry_cache/frame_window.h"
 #include "runtime/geometry_cache/geometry_player.h"
 #include "runtime/geometry_cache/scene_of_cache.h"
@@ -22,10 +27,19 @@ struct sinew_geometry_cache {
   bool is_whole() const noexcept { return file.size() == cache.file_bytes(); }
 };
 
-namespace {
+namespace sinew::c {
 
-static_assert(static_cast<int>(ReadOutcome::pending) == SINEW_READ_PENDING &&
-              static_cast<int>(ReadOutcome::failed) == SINEW_READ_FAILED);
+template <>
+inline constexpr auto kEnum<ReadOutcome> =
+    enum_values<ReadOutcome, sinew_read_outcome>({{ReadOutcome::done, SINEW_READ_DONE},
+                                                  {ReadOutcome::pending, SINEW_READ_PENDING},
+                                                  {ReadOutcome::failed, SINEW_READ_FAILED}});
+template <>
+inline constexpr bool kSameBytes<sinew_geometry_binding, GeometryBinding> = true;
+
+}  // namespace sinew::c
+
+namespace {
 
 /// The engine's reader as a window asks it. Stays at its address.
 FrameReader reader_from(sinew_frame_reader& given) noexcept {
@@ -56,10 +70,6 @@ class Frames {
   std::optional<FrameWindow> window_;
 };
 
-void write_messages(std::vector<std::string> lines, sinew_messages** out) {
-  if (out != nullptr) *out = new sinew_messages{std::move(lines)};
-}
-
 }  // namespace
 
 struct sinew_geometry_player {
@@ -81,17 +91,15 @@ std::uint64_t sinew_geometry_head_bytes(const void* start, std::size_t byte_coun
 
 sinew_error sinew_geometry_open(const void* bytes, std::size_t byte_count, std::uint64_t file_bytes,
                                 sinew_geometry_cache** out, sinew_messages** messages) {
-  if (bytes == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(bytes, out), [&] {
     const std::span file(static_cast<const std::byte*>(bytes), byte_count);
     auto cache = GeometryCache::open(file, file_bytes);
     if (!cache) {
       const GeometryCacheError& why = cache.error();
-      write_messages({why.rule + ": byte " + std::to_string(why.offset) + ": " + why.detail}, messages);
-      return SINEW_BAD_FILE;
+      return c::bad_file(why.rule + ": byte " + std::to_string(why.offset) + ": " + why.detail, messages);
     }
     auto opened = std::make_unique<sinew_geometry_cache>(sinew_geometry_cache{std::move(*cache), file});
-    write_messages({}, messages);
+    c::write_messages({}, messages);
     *out = opened.release();
     return SINEW_OK;
   });
@@ -100,32 +108,33 @@ sinew_error sinew_geometry_open(const void* bytes, std::size_t byte_count, std::
 void sinew_geometry_close(sinew_geometry_cache* cache) { delete cache; }
 
 sinew_error sinew_geometry_get_info(const sinew_geometry_cache* cache, sinew_geometry_info* out) {
-  if (cache == nullptr) return SINEW_NULL_ARGUMENT;
-  const GeometryCache& own = cache->cache;
-  return c::write_struct({.struct_size = 0,
-                          .mesh_count = static_cast<std::uint32_t>(own.meshes().size()),
-                          .frame_count = own.frame_count(),
-                          .segment_frames = own.segment_frames(),
-                          .start_s = own.start_s(),
-                          .duration_s = own.duration_s(),
-                          .frame_s = own.frame_s(),
-                          .largest_frame_bytes = own.largest_frame()},
-                         out);
+  return c::call(c::given(cache), [&] {
+    const GeometryCache& own = cache->cache;
+    return c::write_struct({.struct_size = 0,
+                            .mesh_count = c::to_c(own.meshes().size()),
+                            .frame_count = own.frame_count(),
+                            .segment_frames = own.segment_frames(),
+                            .start_s = own.start_s(),
+                            .duration_s = own.duration_s(),
+                            .frame_s = own.frame_s(),
+                            .largest_frame_bytes = own.largest_frame()},
+                           out);
+  });
 }
 
 sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, std::uint32_t mesh, sinew_geometry_mesh* out) {
-  if (cache == nullptr) return SINEW_NULL_ARGUMENT;
-  if (mesh >= cache->cache.meshes().size()) return SINEW_INDEX_OUT_OF_RANGE;
-  const GeometryMesh& own = cache->cache.meshes()[mesh];
-  sinew_geometry_mesh found{.struct_size = 0,
-                            .name = c::string_from(own.name),
+  return c::call(c::given(cache), [&] {
+    if (mesh >= cache->cache.meshes().size()) return SINEW_INDEX_OUT_OF_RANGE;
+    const GeometryMesh& own = cache->cache.meshes()[mesh];
+    return c::write_struct({.struct_size = 0,
+                            .name = c::to_c(own.name),
                             .vertex_count = own.vertex_count,
-                            .triangle_count = static_cast<std::uint32_t>(own.triangles.size() / 3),
-                            .bounds = {},
+                            .triangle_count = c::to_c(own.triangles.size() / 3),
+                            .bounds = c::to_c(own.bounds),
                             .asked_m = own.streams[0].asked,
-                            .measured_m = own.streams[0].measured};
-  c::copy_bits(own.bounds, found.bounds);
-  return c::write_struct(found, out);
+                            .measured_m = own.streams[0].measured},
+                           out);
+  });
 }
 
 void sinew_frame_read_finish(sinew_frame_read* read, int ok) {
@@ -134,8 +143,7 @@ void sinew_frame_read_finish(sinew_frame_read* read, int ok) {
 
 sinew_error sinew_geometry_scene(const sinew_geometry_cache* cache, const sinew_frame_reader* reader,
                                  sinew_scene** out) {
-  if (cache == nullptr || out == nullptr || (reader != nullptr && reader->read == nullptr)) return SINEW_NULL_ARGUMENT;
-  return c::guarded([&] {
+  return c::call(c::given(cache, out) && (reader == nullptr || c::given(reader->read)), [&] {
     Frames frames(*cache, reader != nullptr ? *reader : sinew_frame_reader{nullptr, nullptr}, 1);
     auto made = scene_of(cache->cache, frames);
     if (!made) return SINEW_BAD_FILE;
@@ -156,17 +164,16 @@ sinew_geometry_player_options sinew_default_geometry_player_options(void) {
 sinew_error sinew_geometry_player_create(const sinew_geometry_cache* cache, const sinew_scene* scene,
                                          const sinew_geometry_player_options* options, sinew_geometry_player** out,
                                          sinew_messages** unbound) {
-  if (cache == nullptr || scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  sinew_geometry_player_options own = sinew_default_geometry_player_options();
-  if (const sinew_error error = c::read_struct(options, own); error != SINEW_OK) return error;
-  if (own.binding_count > 0 && own.bindings == nullptr) return SINEW_NULL_ARGUMENT;
-  if (own.reader.read != nullptr ? own.window_frames == 0 : !cache->is_whole()) return SINEW_UNSUPPORTED;
-  return c::guarded([&] {
+  return c::call(c::given(cache, scene, out), [&] {
+    sinew_geometry_player_options own = sinew_default_geometry_player_options();
+    if (const sinew_error error = c::read_struct(options, own)) return error;
+    if (!c::given(c::Array{own.bindings, own.binding_count})) return SINEW_NULL_ARGUMENT;
+    if (own.reader.read != nullptr ? own.window_frames == 0 : !cache->is_whole()) return SINEW_UNSUPPORTED;
     GeometryBindings bindings;
     if (own.bindings == nullptr) bindings = bind_by_name(cache->cache, scene->scene);
-    for (std::size_t i = 0; i < own.binding_count; ++i)
-      bindings.bound.push_back({own.bindings[i].instance, own.bindings[i].primitive, own.bindings[i].mesh});
-    write_messages(std::move(bindings.unbound), unbound);
+    const auto* first = reinterpret_cast<const GeometryBinding*>(own.bindings);
+    bindings.bound.insert(bindings.bound.end(), first, first + own.binding_count);
+    c::write_messages(std::move(bindings.unbound), unbound);
     if (bindings.bound.empty()) return SINEW_UNSUPPORTED;
     const ErrorCode code = check(cache->cache, scene->scene, bindings.bound);
     if (code != ErrorCode::ok) return c::error_from(code);
@@ -179,33 +186,34 @@ void sinew_geometry_player_destroy(sinew_geometry_player* player) { delete playe
 
 sinew_indices sinew_geometry_player_instances(const sinew_geometry_player* player) {
   if (player == nullptr) return {nullptr, 0};
-  return {player->instances.data(), player->instances.size()};
+  return c::to_c(player->instances);
 }
 
 sinew_vertex_source sinew_geometry_player_source(sinew_geometry_player* player) {
-  sinew_vertex_source out{};
-  if (player != nullptr) c::copy_bits(player->player.source(), out);
-  return out;
+  if (player == nullptr) return {};
+  return c::to_c(player->player.source());
 }
 
 sinew_error sinew_geometry_player_bounds(const sinew_geometry_player* player, std::uint32_t instance, double time_s,
                                          sinew_box* out) {
-  if (player == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
-  const Aabb box = player->player.bounds(instance, time_s);
-  if (box.empty()) return SINEW_INDEX_OUT_OF_RANGE;
-  c::copy_bits(box, *out);
-  return SINEW_OK;
+  return c::call(c::given(player, out), [&] {
+    if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
+    const Aabb box = player->player.bounds(instance, time_s);
+    if (box.empty()) return SINEW_INDEX_OUT_OF_RANGE;
+    *out = c::to_c(box);
+    return SINEW_OK;
+  });
 }
 
 sinew_error sinew_geometry_player_work(const sinew_geometry_player* player, sinew_geometry_work* out) {
-  if (player == nullptr) return SINEW_NULL_ARGUMENT;
-  const std::optional<FrameWindow>& window = player->frames.window();
-  const GeometryDecoder& decoder = player->player.decoder();
-  return c::write_struct({.struct_size = 0,
-                          .frames_decoded = decoder.frames_decoded(),
-                          .bytes_asked = window ? window->bytes_requested() : 0,
-                          .memory_bytes = decoder.memory_bytes() + (window ? window->memory_bytes() : 0),
-                          .pending_reads = window ? window->pending_reads() : 0},
-                         out);
+  return c::call(c::given(player), [&] {
+    const std::optional<FrameWindow>& window = player->frames.window();
+    const GeometryDecoder& decoder = player->player.decoder();
+    return c::write_struct({.struct_size = 0,
+                            .frames_decoded = decoder.frames_decoded(),
+                            .bytes_asked = window ? window->bytes_requested() : 0,
+                            .memory_bytes = decoder.memory_bytes() + (window ? window->memory_bytes() : 0),
+                            .pending_reads = window ? window->pending_reads() : 0},
+                           out);
+  });
 }

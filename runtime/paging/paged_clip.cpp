@@ -32,13 +32,18 @@ Clip of_joints(const Clip& clip, std::span<const std::uint32_t> kept) {
 
 }  // namespace
 
+ErrorCode PagedClip::check(double page_s, std::size_t page_count, const Options& options) noexcept {
+  const bool is_usable = std::isfinite(page_s) && page_s > 0.0 && page_count > 0 && options.window >= 2;
+  return is_usable ? ErrorCode::ok : ErrorCode::unsupported;
+}
+
 PagedClip::PagedClip(Clip head, double page_s, std::size_t page_count, const Options& options)
     : head_(std::move(head)),
       shown_head_(of_joints(head_, options.kept_joints)),
       page_s_(page_s),
       page_count_(page_count),
       options_(options) {
-  CONTRACT(page_s > 0.0 && page_count > 0 && options.window >= 2);
+  CONTRACT(check(page_s, page_count, options) == ErrorCode::ok && "pages of a length and a window of at least 2");
   slots_.reserve(options_.window);
 }
 

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/base/api.h"
+#include "runtime/base/result.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/paging/page_table.h"
 
@@ -44,6 +45,10 @@ class SINEW_API PagedClip {
     std::vector<std::uint32_t> kept_joints = {};  ///< for a plan with a skeleton LOD, its kept_joints
                                                   ///< (plan/compile_plan.h); empty = all joints
   };
+
+  /// err  unsupported: no pages, a page length that is no time above 0, or a window of fewer than 2 pages. A paged clip
+  ///      of such numbers breaks a contract
+  static ErrorCode check(double page_s, std::size_t page_count, const Options& options) noexcept;
 
   /// in   head        first_keys() of the clip, with all joints. Plans are compiled with it, and it is shown while no
   ///                  page is loaded

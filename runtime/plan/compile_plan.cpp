@@ -2,7 +2,6 @@
 #include "runtime/plan/compile_plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <numeric>
@@ -12,6 +11,7 @@
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/plan/check_needs.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/plan_primitives.h"
 #include "runtime/plan/pose_operations.h"
@@ -93,28 +93,6 @@ std::vector<ClipTracks> tracks_of(std::span<const Clip> clips) {
     tracks.push_back({of_joints, counts.weights, counts.properties, of_joints + counts.folded > 0});
   }
   return tracks;
-}
-
-bool is_mask(const std::vector<float>& mask, std::size_t joint_count) {
-  return mask.size() == joint_count &&
-         std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
-}
-
-/// Rising, so each is named once.
-bool are_instances(std::span<const std::uint32_t> named, std::size_t count) {
-  for (std::size_t i = 0; i < named.size(); ++i)
-    if (named[i] >= count || (i > 0 && named[i] <= named[i - 1])) return false;
-  return true;
-}
-
-bool fits(const Clip& clip, const Scene& scene) {
-  return clip.joint_count() == scene.skeleton.joint_count() && clip.weight_count() == scene.weight_count() &&
-         clip.property_count() == scene.properties.rest.size();
-}
-
-bool fits(const MirrorMap& map, const Scene& scene) {
-  return map.joints.size() == scene.skeleton.joint_count() &&
-         (map.weight_source.empty() || map.weight_source.size() == scene.weight_count());
 }
 
 /// The weights of the joints that poses have.
@@ -200,15 +178,9 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
   CONTRACT(shared != nullptr && "a plan needs a scene");
   const Scene& scene = *shared;
   CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
-  CONTRACT(needs.in.max_layers > 0);
-  CONTRACT(needs.in.masks.size() <= PoseOp::kNoMask && needs.in.program.masks <= PoseOp::kNoMask);
-  CONTRACT(needs.in.program.ops <= kMostPoseOps && needs.in.program.slots <= needs.in.program.ops);
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
-  CONTRACT(std::all_of(needs.in.masks.begin(), needs.in.masks.end(),
-                       [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
-  CONTRACT(are_instances(needs.in.cached_instances, scene.instances.size()));
-  CONTRACT(needs.skin.per_instance.empty() || needs.skin.per_instance.size() == scene.instances.size());
-  CONTRACT(needs.in.mirror == nullptr || fits(*needs.in.mirror, scene));
+  if (const Refusal fault = find_fault(needs, scene); fault.error != ErrorCode::ok)
+    detail::contract_failed(text_of(fault).c_str(), __FILE__, __LINE__);
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;

@@ -104,8 +104,7 @@ SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexce
 /// Compiles the plan of a scene: share(std::move(scene)) makes one that plans keep alive, lend(scene) one that the
 /// caller keeps (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
-///      needs   in.max_layers >= 1; skin.per_instance empty or one per instance; in.masks of one finite weight >= 0
-///              per joint; out.skeleton_lod empty or for all joints; in.cached_instances rising indices of instances
+///      needs   must have no fault (find_fault in check_needs.h). One breaks a contract, whose text names the rule
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);

@@ -5,6 +5,7 @@
 ///
 ///     const sinew::Plan plan = compile_plan(share(std::move(scene)), sinew::Needs{.out = {.bounds = true}});
 ///     for (const sinew::PlanStage& stage : plan.stages()) log(stage.stage, stage.runs, stage.reason);
+#include "runtime/plan/check_needs.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/plan_stages.h"

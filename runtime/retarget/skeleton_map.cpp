@@ -230,10 +230,26 @@ class Mapping {
 
 }  // namespace
 
+ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const Skeleton& target) {
+  for (const auto* bones : {&options.source_bones, &options.target_bones})
+    if (!bones->empty() && bones->size() != kHumanoidBones.size()) return ErrorCode::size_mismatch;
+  std::vector<bool> is_mapped(target.joint_count()), has_rule(target.joint_count());
+  for (const auto& [from, to] : options.pairs) {
+    if (from >= source.joint_count() || to >= target.joint_count()) return ErrorCode::index_out_of_range;
+    if (is_mapped[to]) return ErrorCode::unsupported;
+    is_mapped[to] = true;
+  }
+  for (const ChainRule& chain : options.chains) {
+    if (chain.joint >= target.joint_count()) return ErrorCode::index_out_of_range;
+    if (has_rule[chain.joint]) return ErrorCode::unsupported;
+    has_rule[chain.joint] = true;
+  }
+  return ErrorCode::ok;
+}
+
 SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options) {
+  CONTRACT(check(options, source, target) == ErrorCode::ok && "options of a map are of its skeletons");
   const RestPose from(source), to(target);
-  for (const auto* given : {&options.source_bones, &options.target_bones})
-    CONTRACT(given->empty() || given->size() == kHumanoidBones.size());
   const auto bones_of = [](const Skeleton& skeleton, const std::vector<std::uint32_t>& given) {
     return given.empty() ? find_humanoid_bones(skeleton) : given;
   };

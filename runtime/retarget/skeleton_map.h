@@ -8,6 +8,7 @@
 
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/api.h"
+#include "runtime/base/result.h"
 #include "runtime/retarget/humanoid_bones.h"
 
 namespace sinew {
@@ -63,6 +64,11 @@ struct SkeletonMapOptions {
   std::vector<std::uint32_t> source_bones, target_bones;
 };
 
+/// For options that come from elsewhere, such as a file or a script. make_skeleton_map breaks a contract for bad ones.
+/// err  index_out_of_range (a joint);  unsupported (a joint of the target in two pairs or two chains);  size_mismatch
+///      (bones)
+SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const Skeleton& target);
+
 /// Maps joints of equal names, or joints of the same humanoid bone (humanoid_bones.h), whichever maps more joints. On a
 /// tie names win, unless a file says which joints the bones are. A joint is left out if its nearest mapped ancestor is
 /// not an ancestor in both skeletons. A root joint above the hips follows the other skeleton's root joint. If only one
@@ -79,7 +85,7 @@ struct SkeletonMapOptions {
 ///      identity, as do all joints with LimbDirections::of_rest or if the map is by names.
 ///      t' = t'_rest + k B (p - p_rest), p the place of j relative to m, k by TranslationRule. Scales of parents are
 ///      divided out.
-/// in   skeletons  rest rotations unit;   options  joints in range
+/// in   skeletons  rest rotations unit;   options  that check accepts
 /// cost O(J log J), allocates
 SINEW_API SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target,
                                         const SkeletonMapOptions& options = {});

@@ -17,7 +17,7 @@ namespace sinew {
 namespace {
 
 CharacterRegistry registry_for(const JobThreadOptions& options) {
-  CONTRACT(options.frame_buffers == 2 || options.frame_buffers == 3);
+  CONTRACT(check(options) == ErrorCode::ok && "a character has 2 or 3 frame buffers");
   return CharacterRegistry(options.frame_buffers, options.part_bytes,
                            options.frame_memory != nullptr ? *options.frame_memory : *std::pmr::new_delete_resource());
 }
@@ -175,6 +175,10 @@ void JobThread::State::wait_until(std::unique_lock<std::mutex>& lock, const Cond
       changed.wait(lock);
     }
   }
+}
+
+ErrorCode check(const JobThreadOptions& options) noexcept {
+  return options.frame_buffers == 2 || options.frame_buffers == 3 ? ErrorCode::ok : ErrorCode::unsupported;
 }
 
 JobThread::JobThread(JobThreadOptions options) : state_(std::make_unique<State>(options)) {}

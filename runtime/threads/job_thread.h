@@ -19,15 +19,13 @@ namespace sinew {
 /// Names one submitted frame: 1 for the first, rising by one per submit; also FrameResult::frame of what is run for it.
 using Ticket = std::uint64_t;
 
-/// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its
-/// own job system here. It must call each i exactly once and not throw. Which thread runs which i does not matter:
-/// results are the same bits. One i is a run of characters worth handing over, some microseconds of work, so a crowd
-/// of simple characters needs no batches of the executor's own.
+/// Runs `body(i)` exactly once for every i in [0, count), on any threads, and returns when all are done. It must not
+/// throw. An engine passes its own job system here. Results are the same bits whichever thread runs which i. One i is
+/// a run of characters worth some microseconds, so a crowd of simple characters needs no batches of the executor's own.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
-  /// Empty = oneTBB, or sinew's own pool of threads if the library was built without oneTBB. If own_thread is false,
-  /// empty = the thread that polls.
+  /// Empty = oneTBB, or sinew's own pool in builds without it. If own_thread is false, empty = the thread that polls.
   Executor executor;
   /// A frame is one task, and is not handed to the executor, if the sum of Plan::frame_bytes() of all characters is
   /// below this. That sum grows with the work. Waking sleeping threads takes as long as this much work.
@@ -41,6 +39,8 @@ struct JobThreadOptions {
   /// before is finished and latest() has taken its result of every character.
   std::uint8_t frame_buffers = 3;
 };
+
+SINEW_API ErrorCode check(const JobThreadOptions& options) noexcept;  ///< unsupported: neither 2 nor 3 frame buffers
 
 /// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
 /// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the

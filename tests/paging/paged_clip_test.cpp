@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
@@ -177,6 +178,17 @@ TEST_F(PagedTest, a_block_that_is_another_page_is_refused_by_name) {
   EXPECT_EQ(refused(0, damaged).substr(0, 13), "clip-checksum");
   EXPECT_EQ(clip.loaded_pages(), 0u);
   EXPECT_EQ(refused(0, bytes[0]), "taken");
+}
+
+TEST(paged_clip, pages_have_a_length_and_the_window_holds_two) {
+  const auto code = [](double page_s, std::size_t count, std::size_t window) {
+    return PagedClip::check(page_s, count, {.window = window});
+  };
+  EXPECT_EQ(code(0.1, 1, 2), ErrorCode::ok);
+  EXPECT_EQ(code(0.1, 0, 2), ErrorCode::unsupported);
+  EXPECT_EQ(code(0.1, 1, 1), ErrorCode::unsupported);
+  for (const double bad : {0.0, -0.1, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_EQ(code(bad, 1, 2), ErrorCode::unsupported);
 }
 
 TEST(page_table, a_whole_clip_has_no_page) {

@@ -255,7 +255,7 @@ TEST(plan_contracts, masks_are_one_finite_weight_of_at_least_zero_for_each_joint
   bad[3].pop_back();
   for (const std::vector<float>& mask : bad) {
     needs.in.masks = {good, mask};
-    EXPECT_DEATH(compile_plan(lend(scene), needs), "contract broken: .*is_mask");
+    EXPECT_DEATH(compile_plan(lend(scene), needs), "contract broken: .*in.masks");
   }
 }
 

@@ -309,6 +309,21 @@ TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
   EXPECT_NEAR(stretch(whole_arm, kHand), 1.5, 1e-5) << "below the forearm";
 }
 
+TEST(skeleton_map, options_of_other_skeletons_are_refused) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  const auto joints = static_cast<std::uint32_t>(skeleton.joint_count());
+  const auto code = [&](const SkeletonMapOptions& options) { return check(options, skeleton, skeleton); };
+  EXPECT_EQ(code({.pairs = {{0, joints - 1}, {0, 1}}, .chains = {{1, TranslationRule::keep}, {0}}}), ErrorCode::ok);
+  EXPECT_EQ(code({.pairs = {{joints, 0}}}), ErrorCode::index_out_of_range);
+  EXPECT_EQ(code({.pairs = {{0, joints}}}), ErrorCode::index_out_of_range);
+  EXPECT_EQ(code({.chains = {{joints}}}), ErrorCode::index_out_of_range);
+  EXPECT_EQ(code({.pairs = {{0, 1}, {2, 1}}}), ErrorCode::unsupported);
+  EXPECT_EQ(code({.chains = {{1}, {1}}}), ErrorCode::unsupported);
+  EXPECT_EQ(code({.source_bones = {0}}), ErrorCode::size_mismatch);
+  EXPECT_EQ(code({.target_bones = {0}}), ErrorCode::size_mismatch);
+  EXPECT_DEATH(make_skeleton_map(skeleton, skeleton, {.pairs = {{joints, 0}}}), "contract broken: .*of its skeletons");
+}
+
 /// Bones that a file names take precedence over joint names. Bones that it does not name are not searched.
 TEST(skeleton_map, bones_that_are_given_are_those_that_are_mapped) {
   const Skeleton source = named(scenes::two_sided(RightSide::mirrored_axes, 3).skeleton),

@@ -250,6 +250,15 @@ TEST(job_thread, keeps_alive_the_scenes_of_its_characters) {
   EXPECT_NE(jobs.latest(0), nullptr);
 }
 
+TEST(job_thread, characters_have_two_or_three_frame_buffers) {
+  for (std::uint8_t count = 0; count < 5; ++count) {
+    const bool is_usable = count == 2 || count == 3;
+    EXPECT_EQ(check(JobThreadOptions{.own_thread = false, .frame_buffers = count}),
+              is_usable ? ErrorCode::ok : ErrorCode::unsupported);
+  }
+  EXPECT_DEATH(JobThread({.own_thread = false, .frame_buffers = 1}), "contract broken: .*2 or 3 frame buffers");
+}
+
 TEST(job_thread, characters_that_were_not_added_and_default_plans_break_a_contract) {
   JobThreadOptions options;
   options.own_thread = false;

@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <new>
-#include <span>
-#include <string_view>
-#include <type_traits>
 
-#include "runtime/base/result.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/jobs.h"
 #include "runtime/c/pages.h"
@@ -17,10 +12,9 @@
 #include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
 
-namespace sinew::c {
+// Structs that grow (types.h): how structs of a caller's version are read and written.
 
-/// The codes of both sides are the same numbers (types.cpp holds them to it).
-constexpr sinew_error error_from(ErrorCode code) noexcept { return static_cast<sinew_error>(code); }
+namespace sinew::c {
 
 /// Bytes of a struct's first version; callers with smaller ones never were. A struct that grows keeps its old size
 /// here: what was added begins there, not in the padding of the old struct.
@@ -77,35 +71,6 @@ sinew_error write_struct(T value, T* out) noexcept {
   std::memcpy(out, &value, known);
   std::memset(reinterpret_cast<unsigned char*>(out) + known, 0, size - known);
   return SINEW_OK;
-}
-
-/// A span of the C++ side as one of the C side: both are pointer and count, elements have the same layout.
-template <class Span, class T>
-Span span_from(std::span<T> values) noexcept {
-  using Element = decltype(Span{}.data);
-  static_assert(sizeof(*Element{}) == sizeof(T));
-  return {reinterpret_cast<Element>(values.data()), values.size()};
-}
-
-/// The bytes of one struct in another that holds the same.
-template <class From, class To>
-void copy_bits(const From& from, To& to) noexcept {
-  static_assert(std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
-  std::memcpy(static_cast<void*>(&to), &from, std::min(sizeof(From), sizeof(To)));
-}
-
-inline sinew_string string_from(std::string_view text) noexcept { return {text.data(), text.size()}; }
-
-/// Runs what may throw; nothing of it crosses the boundary.
-template <class Body>
-sinew_error guarded(Body&& body) noexcept {
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-    return SINEW_OUT_OF_MEMORY;
-  } catch (...) {
-    return SINEW_UNSUPPORTED;
-  }
 }
 
 }  // namespace sinew::c

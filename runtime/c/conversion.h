@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "runtime/c/types.h"
+
+// How a type of C becomes a type of C++ and back. The rules are in convert.h, and beside the functions that alone use
+// them.
+
+namespace sinew::c {
+
+/// The rule of a pair of types:
+///     static sinew_error read(const OfC& given, Own& own) noexcept;    // from C
+///     static void write(const Own& own, OfC& out) noexcept;            // to C; strings and spans are views
+template <class OfC, class Own>
+struct Convert;
+
+/// True for pairs whose objects are the same bytes. Files that know both types add theirs.
+template <class OfC, class Own>
+inline constexpr bool kSameBytes = std::is_same_v<OfC, Own>;
+
+/// The bytes of one struct in another that holds the same.
+template <class From, class To>
+void copy_bytes(const From& from, To& to) noexcept {
+  static_assert(std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
+  std::memcpy(static_cast<void*>(&to), &from, std::min(sizeof(From), sizeof(To)));
+}
+
+template <class OfC, class Own>
+requires kSameBytes<OfC, Own>
+struct Convert<OfC, Own> {
+  static_assert(sizeof(OfC) == sizeof(Own) && alignof(OfC) == alignof(Own));
+  static sinew_error read(const OfC& given, Own& own) noexcept {
+    copy_bytes(given, own);
+    return SINEW_OK;
+  }
+  static void write(const Own& own, OfC& out) noexcept { copy_bytes(own, out); }
+};
+
+/// A handle of C++ types that C carries without looking inside. It may be larger than what it holds.
+template <class OfC, class Own>
+struct ConvertInside {
+  static_assert(sizeof(Own) <= sizeof(OfC) && alignof(Own) <= alignof(OfC));
+  static sinew_error read(const OfC& given, Own& own) noexcept {
+    copy_bytes(given, own);
+    return SINEW_OK;
+  }
+  static void write(const Own& own, OfC& out) noexcept {
+    out = {};
+    copy_bytes(own, out);
+  }
+};
+
+/// An object of C++ that becomes any type of C which has a rule for it.
+template <class Own>
+struct ToC {
+  const Own& own;
+
+  template <class OfC>
+  operator OfC() const noexcept {
+    OfC out{};
+    Convert<OfC, Own>::write(own, out);
+    return out;
+  }
+};
+
+/// For the fields of a struct of C: `.positions = to_c(shape.positions)`.
+template <class Own>
+ToC<Own> to_c(const Own& own) noexcept {
+  return {own};
+}
+
+/// err  that of the rule
+template <class OfC, class Own>
+sinew_error from_c(const OfC& given, Own& own) {
+  return Convert<OfC, Own>::read(given, own);
+}
+
+}  // namespace sinew::c

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/base/api.h"
+#include "runtime/model/scene.h"
+#include "runtime/plan/needs.h"
+#include "runtime/plan/refusal.h"
+
+namespace sinew {
+
+/// The first rule that needs break for a scene, for needs that come from elsewhere, such as a file or a script.
+/// compile_plan breaks a contract for them.
+/// out  Refusal::field  the member, such as "in.masks"
+/// err  unsupported (in.max_layers is 0; more masks, or more room for programs, than programs can use)
+///      not_finite (a weight of in.masks is NaN, infinite or below 0)
+///      index_out_of_range (in.cached_instances do not exist or do not rise)
+///      size_mismatch (in.masks, in.mirror, out.skeleton_lod or skin.per_instance of another scene)
+/// cost O(masks * joints), no allocation
+SINEW_API Refusal find_fault(const Needs& needs, const Scene& scene) noexcept;
+
+/// True if the clip moves what the scene has, and no more.
+SINEW_API bool fits(const Clip& clip, const Scene& scene) noexcept;
+
+}  // namespace sinew
