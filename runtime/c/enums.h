@@ -46,7 +46,9 @@ inline constexpr auto kEnum<ErrorCode> =
                                          {ErrorCode::not_a_fraction, SINEW_NOT_A_FRACTION},
                                          {ErrorCode::two_times, SINEW_TWO_TIMES},
                                          {ErrorCode::too_large, SINEW_TOO_LARGE},
-                                         {ErrorCode::no_cut, SINEW_NO_CUT}});
+                                         {ErrorCode::no_cut, SINEW_NO_CUT},
+                                         {ErrorCode::unknown_character, SINEW_UNKNOWN_CHARACTER},
+                                         {ErrorCode::follows_itself, SINEW_FOLLOWS_ITSELF}});
 
 template <>
 inline constexpr auto kEnum<Topology> = enum_values<Topology, sinew_topology>({{Topology::points, SINEW_POINTS},

@@ -3,6 +3,9 @@
 
 #include <memory>
 #include <memory_resource>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "runtime/c/call.h"
@@ -71,9 +74,30 @@ struct sinew_jobs {
     return options;
   }
 
+  /// Queues the inputs of `count` characters.
+  /// in   id, input  of the i-th of them; input(i, given) answers a code
+  template <class Id, class Input>
+  sinew_error submit(std::size_t count, const Id& id, const Input& input, std::uint64_t* ticket) {
+    inputs.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto found = characters.find(id(i));
+      if (found == characters.end()) return SINEW_UNKNOWN_CHARACTER;
+      const sinew_frame_input* given = nullptr;
+      if (const sinew_error error = input(i, given)) return error;
+      JobThread::CharacterInput& own = inputs.emplace_back();
+      own.character = found->first;
+      const c::NotRead why = c::read_input(given, *found->second->plan, found->second->room.room(), own.input);
+      if (why.error != SINEW_OK) return why.error;
+    }
+    const auto queued = thread.submit(inputs);
+    if (!queued) return c::error_from(queued.error());
+    if (ticket != nullptr) *ticket = *queued;
+    return SINEW_OK;
+  }
+
   EngineMemory memory;
-  std::vector<Character> characters;
-  std::vector<FrameInput> inputs;
+  std::unordered_map<std::uint32_t, std::unique_ptr<const Character>> characters;
+  std::vector<JobThread::CharacterInput> inputs;
   JobThread thread;
 };
 
@@ -100,32 +124,69 @@ void sinew_jobs_destroy(sinew_jobs* jobs) { delete jobs; }
 sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, std::uint32_t* character) {
   return c::call(c::given(jobs, plan, character), [&] {
     jobs->inputs.reserve(jobs->characters.size() + 1);
-    jobs->characters.push_back({plan, c::OwnRoom<c::InputRoom>(*plan)});
+    std::unique_ptr<const Character> own(new Character{plan, c::OwnRoom<c::InputRoom>(*plan)});
+    const std::uint32_t id = jobs->thread.add_character(plan->plan);
     try {
-      *character = jobs->thread.add_character(plan->plan);
+      jobs->characters.emplace(id, std::move(own));
     } catch (...) {
-      jobs->characters.pop_back();
+      (void)jobs->thread.remove_character(id);
       throw;
     }
-    jobs->inputs.emplace_back();
+    *character = id;
   });
+}
+
+sinew_error sinew_jobs_remove_character(sinew_jobs* jobs, std::uint32_t character) {
+  return c::call(c::given(jobs), [&] {
+    const ErrorCode error = jobs->thread.remove_character(character);
+    if (error == ErrorCode::ok) jobs->characters.erase(character);
+    return error;
+  });
+}
+
+sinew_error sinew_jobs_replace_plan(sinew_jobs* jobs, std::uint32_t character, const sinew_plan* plan) {
+  return c::call(c::given(jobs, plan), [&] {
+    std::unique_ptr<const Character> own(new Character{plan, c::OwnRoom<c::InputRoom>(*plan)});
+    const ErrorCode error = jobs->thread.replace_plan(character, plan->plan);
+    if (error == ErrorCode::ok) jobs->characters.find(character)->second = std::move(own);
+    return error;
+  });
+}
+
+sinew_error sinew_jobs_follow(sinew_jobs* jobs, std::uint32_t follower, std::uint32_t leader, std::uint32_t joint) {
+  return c::call(c::given(jobs), [&] { return jobs->thread.follow(follower, leader, joint); });
+}
+
+sinew_error sinew_jobs_stop_following(sinew_jobs* jobs, std::uint32_t follower) {
+  return c::call(c::given(jobs), [&] { return jobs->thread.stop_following(follower); });
+}
+
+sinew_indices sinew_jobs_characters(const sinew_jobs* jobs) {
+  if (jobs == nullptr) return {nullptr, 0};
+  const std::span<const JobThread::Character> ids = jobs->thread.characters();
+  return {ids.data(), ids.size()};
 }
 
 sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, std::size_t input_count,
                               std::uint64_t* ticket) {
   return c::call(c::given(jobs, c::Array{inputs, input_count}), [&] {
-    if (input_count != jobs->characters.size()) return SINEW_SIZE_MISMATCH;
-    for (std::size_t c = 0; c < input_count; ++c) {
-      const Character& character = jobs->characters[c];
-      const sinew_frame_input* input = nullptr;
-      if (const sinew_error error = c::element_of(inputs, c, input)) return error;
-      const c::NotRead why = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]);
-      if (why.error != SINEW_OK) return why.error;
-    }
-    const auto queued = jobs->thread.submit(jobs->inputs);
-    if (!queued) return c::error_from(queued.error());
-    if (ticket != nullptr) *ticket = *queued;
-    return SINEW_OK;
+    const std::span<const JobThread::Character> ids = jobs->thread.characters();
+    if (input_count != ids.size()) return SINEW_SIZE_MISMATCH;
+    return jobs->submit(
+        input_count, [&](std::size_t i) { return ids[i]; },
+        [&](std::size_t i, const sinew_frame_input*& input) { return c::element_of(inputs, i, input); }, ticket);
+  });
+}
+
+sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, std::size_t count,
+                                      std::uint64_t* ticket) {
+  return c::call(c::given(jobs, c::Array{changed, count}), [&] {
+    const auto input_of = [&](std::size_t i, const sinew_frame_input*& input) {
+      input = changed[i].input;
+      return input != nullptr ? SINEW_OK : SINEW_NULL_ARGUMENT;
+    };
+    return jobs->submit(
+        count, [&](std::size_t i) { return changed[i].character; }, input_of, ticket);
   });
 }
 
@@ -158,7 +219,7 @@ void sinew_task_run(const sinew_task* task) {
 }
 
 const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, std::uint32_t character) {
-  if (jobs == nullptr || character >= jobs->characters.size()) return nullptr;
+  if (jobs == nullptr || jobs->characters.count(character) == 0) return nullptr;
   return reinterpret_cast<const sinew_result*>(jobs->thread.latest(character));
 }
 

@@ -36,19 +36,47 @@ SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew
 /// been run.
 SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 
-/// in   plan  must outlive the jobs. Waits for frames in flight and queued.
+/// in   plan  must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
+/// Characters leave, change plans and follow each other while frames run; the next submit takes it up. Nothing waits.
+/// The last result of a character that is removed stays until the next submit. Its followers follow nobody from then
+/// on.
+/// err  SINEW_NULL_ARGUMENT, SINEW_UNKNOWN_CHARACTER, SINEW_OUT_OF_MEMORY
+SINEW_API sinew_error sinew_jobs_remove_character(sinew_jobs* jobs, uint32_t character);
+/// The character's last result is shown until the first frame of the new plan is done. Its input stays, if the plan has
+/// room for it.
+/// in   plan  must outlive the jobs
+/// err  those above, SINEW_INDEX_OUT_OF_RANGE and SINEW_NOT_IN_NEEDS (followers need a joint that the plan does not show)
+SINEW_API sinew_error sinew_jobs_replace_plan(sinew_jobs* jobs, uint32_t character, const sinew_plan* plan);
+/// The root of the follower's input is relative to a joint of the leader in the same frame: a rider, a prop.
+/// err  SINEW_NULL_ARGUMENT, SINEW_UNKNOWN_CHARACTER, SINEW_FOLLOWS_ITSELF, SINEW_INDEX_OUT_OF_RANGE (joint),
+///      SINEW_NOT_IN_NEEDS (the leader's plan has no SINEW_NEED_JOINTS)
+SINEW_API sinew_error sinew_jobs_follow(sinew_jobs* jobs, uint32_t follower, uint32_t leader, uint32_t joint);
+SINEW_API sinew_error sinew_jobs_stop_following(sinew_jobs* jobs, uint32_t follower);
+/// All characters, in the order in which they were added; valid until one is added or removed.
+SINEW_API sinew_indices sinew_jobs_characters(const sinew_jobs* jobs);
 
-/// Queues one frame: inputs[c] is what character c shows. They are copied, but for pages and the procedures of
-/// programs, which stay as they are until the frame is done. All inputs have the same struct_size, which is how far
-/// they are apart.
+/// Queues one frame: inputs[i] is what the i-th of sinew_jobs_characters shows. They are copied, but for pages and the
+/// procedures of programs, which stay as they are until the frame is done. All inputs have the same struct_size, which
+/// is how far they are apart.
 /// out  ticket  names the frame: 1 for the first, rising by one; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
 ///      weights, poses or masks of another size), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer, space of an
 ///      override), SINEW_NOT_IN_NEEDS (interpolation, more of a program than the needs declare), SINEW_BUSY
 SINEW_API sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count,
                                         uint64_t* ticket);
+/// The input of one character.
+typedef struct sinew_character_input {
+  const sinew_frame_input* input;
+  uint32_t character;
+} sinew_character_input;
+
+/// Queues one frame in which these inputs are new. All other characters keep theirs; one that never had an input is not
+/// run.
+/// err  those above, SINEW_UNKNOWN_CHARACTER
+SINEW_API sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, size_t count,
+                                                uint64_t* ticket);
 SINEW_API int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
 /// in   ticket  that was answered by submit
 SINEW_API sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
@@ -67,9 +95,10 @@ typedef struct sinew_task {
 SINEW_API int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task);
 SINEW_API void sinew_task_run(const sinew_task* task);
 
-/// Newest finished frame of a character, unchanged until asked for again; null before the first.
+/// Newest finished frame of a character, unchanged until asked for again; null before the first, and for characters
+/// that were removed.
 SINEW_API const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, uint32_t character);
-/// First error of the last finished frame. A character that failed keeps showing its last good frame.
+/// An error of a character in the last finished frame. A character that failed keeps showing its last good frame.
 SINEW_API sinew_error sinew_jobs_last_error(const sinew_jobs* jobs);
 
 #ifdef __cplusplus

@@ -19,6 +19,7 @@ constexpr auto flag() noexcept {
 
 constexpr auto kNeeds = fields(flag<SINEW_NEED_JOINTS, &Needs::out, &Outputs::joints>(),
                                flag<SINEW_NEED_POSITIONS, &Needs::out, &Outputs::positions>(),
+                               flag<SINEW_NEED_LOCAL_POSE, &Needs::out, &Outputs::local_pose>(),
                                flag<SINEW_NEED_NORMALS, &Needs::out, &Outputs::normals>(),
                                flag<SINEW_NEED_TANGENTS, &Needs::out, &Outputs::tangents>(),
                                flag<SINEW_NEED_TANGENTS_OF_ALL, &Needs::out, &Outputs::tangents_of_all>(),

@@ -23,7 +23,9 @@ enum {
   SINEW_NEED_BETWEEN_UPDATES =
       1u << 10,  ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
   SINEW_NEED_TANGENTS_OF_ALL = 1u << 11,  ///< of the other primitives as well, for engines with materials of their own
-  SINEW_NEED_CUT = 1u << 12  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
+  SINEW_NEED_CUT =
+      1u << 12,  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
+  SINEW_NEED_LOCAL_POSE = 1u << 13  ///< sinew_result_info.local
 };
 
 typedef enum sinew_skinning {

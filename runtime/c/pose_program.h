@@ -35,7 +35,8 @@ typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: its threshold in (0, 1], up to which the rest pose fills
                    ///< weights up;  override, procedure: its share in [0, 1]
   float weight;    ///< finite, >= 0
-  uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands
+  uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;
+                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
   uint8_t kind;    ///< sinew_op_kind

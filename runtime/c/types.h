@@ -61,6 +61,8 @@ typedef enum sinew_error {
   SINEW_TWO_TIMES = 21,           ///< one vertex source is asked for two times in one frame
   SINEW_TOO_LARGE = 22,           ///< a finite number is so large that results could overflow
   SINEW_NO_CUT = 23,              ///< no first half of a frame was run, which the second half could follow
+  SINEW_UNKNOWN_CHARACTER = 24,   ///< the jobs have no such character, or it was removed
+  SINEW_FOLLOWS_ITSELF = 25,      ///< a character would follow itself, directly or by way of others
   SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
                                   ///< library with something in the newer part

@@ -76,16 +76,15 @@ class SINEW_API JobThread {
 
   /// Adds a character that runs `plan`, which must be a compiled one, and shares it.
   Character add_character(const Plan& plan);
-  /// Removes a character. What latest() gave for it stays until the next submit. Its followers follow nobody from then
-  /// on.
+  /// Removes a character. Its last result stays until the next submit. Its followers follow nobody from then on.
   /// err  unknown_character
   ErrorCode remove_character(Character character);
-  /// Gives a character another plan, for example of another level of detail or outfit. It keeps its input, if the plan
-  /// has room for it, and shows its last result until the first frame of the new plan is done.
+  /// Gives a character another plan, for example of another level of detail or outfit. Its last result is shown until
+  /// the first frame of the new plan is done. Its input stays, if the plan has room for it.
   /// err  unknown_character, index_out_of_range and not_in_needs (followers need a joint that the plan does not show)
   ErrorCode replace_plan(Character character, const Plan& plan);
-  /// From the next frame on the root of a character's input is relative to a joint of another, in the same frame: a
-  /// rider on a horse, a prop in a hand. While the leader is out of view, its followers are not run.
+  /// Places the root of a character's input on a joint of another in the same frame: a rider on a horse, a prop in a
+  /// hand. While the leader is out of view, its followers are not run.
   /// eq   root' = M_joint root,   M_joint the world matrix of the leader's joint
   /// err  unknown_character, follows_itself (the leader follows the character, by any number of steps),
   ///      index_out_of_range (joint), not_in_needs (the leader's plan has no Needs::out.joints)

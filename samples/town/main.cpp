@@ -104,7 +104,7 @@ class Town {
     for (std::size_t c = 0; c < citizens_.size(); ++c) {
       Citizen& one = citizens_[c];
       live(one, now_s);
-      // Those far away get a new input in every second frame, and keep the old one in between.
+      // Citizens far away get a new input in every second frame, and keep the old one in between.
       if (!one.is_far || (c + frame_) % 2 == 0 || one.born_s == now_s) show(one, now_s);
     }
     const Result<Ticket> ticket = jobs_.submit(inputs_);
