@@ -6,8 +6,10 @@
 
 #include "runtime/c/handles.h"
 #include "runtime/c/pose_span.h"
+#include "runtime/c/read_reference.h"
 #include "runtime/c/unbound.h"
 #include "runtime/retarget/hold_feet.h"
+#include "runtime/retarget/map_scenes.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/share_twist.h"
@@ -49,10 +51,8 @@ sinew_error read_chains(const sinew_skeleton_map_options& given, const Skeleton&
   return SINEW_OK;
 }
 
-sinew_error read_options(const sinew_skeleton_map_options* caller, const Skeleton& source, const Skeleton& target,
+sinew_error read_options(const sinew_skeleton_map_options& given, const Skeleton& source, const Skeleton& target,
                          SkeletonMapOptions& options) {
-  sinew_skeleton_map_options given{};
-  if (const sinew_error error = c::read_struct(caller, given); error != SINEW_OK) return error;
   if (given.limbs > SINEW_LIMBS_OF_REST || given.translations > SINEW_KEEP) return SINEW_UNSUPPORTED;
   options.limbs = static_cast<LimbDirections>(given.limbs);
   options.translations = static_cast<TranslationRule>(given.translations);
@@ -80,18 +80,30 @@ sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_sce
   if (source == nullptr || target == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
   const Skeleton &from = source->scene.skeleton, &to = target->scene.skeleton;
   return c::guarded([&] {
+    sinew_skeleton_map_options given{};
     SkeletonMapOptions own;
-    if (const sinew_error error = read_options(options, from, to, own); error != SINEW_OK) return error;
-    SkeletonMap map = make_skeleton_map(from, to, own);
+    std::vector<Transform> source_pose, target_pose;
+    sinew_error error = c::read_struct(options, given);
+    if (error == SINEW_OK) error = read_options(given, from, to, own);
+    if (error == SINEW_OK)
+      error = c::read_reference(given.source_reference, given.source_pose, source->scene, source_pose);
+    if (error == SINEW_OK)
+      error = c::read_reference(given.target_reference, given.target_pose, target->scene, target_pose);
+    if (error != SINEW_OK) return error;
+    own.source_reference = source_pose;
+    own.target_reference = target_pose;
+    SkeletonMap map = make_skeleton_map(source->scene, target->scene, own);
     RetargetTables tables = make_retarget_tables(map, from, to);
     TwistMap twists = make_twist_map(map, to);
     FeetMap feet = make_feet_map(map, from, to);
     std::vector<sinew_joint_pair> pairs;
     for (const MappedJoint& joint : map.joints) pairs.push_back({joint.source, joint.target});
     WeightMap weights = make_weight_map(source->scene, target->scene);
+    const std::uint32_t source_told = c::told_reference(map.source_reference, given.source_reference),
+                        target_told = c::told_reference(map.target_reference, given.target_reference);
     *out = new sinew_skeleton_map{
-        source,          target,           std::move(map),    std::move(tables), std::move(twists),
-        std::move(feet), std::move(pairs), std::move(weights)};
+        source,          target,           std::move(map),     std::move(tables), std::move(twists),
+        std::move(feet), std::move(pairs), std::move(weights), source_told,       target_told};
     return SINEW_OK;
   });
 }
@@ -108,7 +120,10 @@ sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton
                           .unmapped_target = {own.unmapped_target.data(), own.unmapped_target.size()},
                           .height_ratio = own.height_ratio,
                           .leg_count = static_cast<std::uint32_t>(map->feet.legs.size()),
-                          .twist_count = static_cast<std::uint32_t>(map->twists.joints.size())},
+                          .twist_count = static_cast<std::uint32_t>(map->twists.joints.size()),
+                          .source_reference = map->source_reference,
+                          .target_reference = map->target_reference,
+                          .bone_angle_rad = own.bone_angle_rad},
                          out);
 }
 
