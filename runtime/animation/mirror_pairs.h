@@ -36,8 +36,8 @@ struct JointPairs {
 /// Finds partners by the options, by names, then by positions. Parents of partners are always partners.
 JointPairs pair_joints(const Skeleton& skeleton, const ReferencePose& reference, const MirrorOptions& options);
 
-/// Joints that should be where the mirror image of their partner is. Those that keep their own motion are left out, and
-/// so are those in `unpaired`.
+/// Joints that should be where the mirror image of their partner is. Joints that keep their own motion, or are in
+/// `unpaired`, are left out.
 /// out  rising
 std::vector<std::uint32_t> symmetric_joints(const JointPairs& pairs);
 

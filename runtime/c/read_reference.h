@@ -25,7 +25,8 @@ inline sinew_error read_reference(std::uint32_t reference, const sinew_pose* giv
   return SINEW_OK;
 }
 
-/// What a map says of its reference pose; `asked` is what its options said.
+/// The sinew_reference that a map reports.
+/// in   asked  the sinew_reference of its options
 inline std::uint32_t told_reference(PoseReference reference, std::uint32_t asked) noexcept {
   static_assert(static_cast<int>(PoseReference::rest) + 1 == SINEW_REFERENCE_REST &&
                 static_cast<int>(PoseReference::bind) + 1 == SINEW_REFERENCE_BIND &&

@@ -46,8 +46,8 @@ typedef struct sinew_skeleton_map_options {
   uint32_t translations;           ///< sinew_translation_rule
   const sinew_chain_rule* chains;  ///< other rules than `translations`; copied
   size_t chain_count;
-  /// sinew_reference: poses in which both bodies do the same. Of those that are to be chosen, rest or bind pose, the
-  /// two are taken in which the bones of both bodies point most alike; the bind pose only where it is clearly better.
+  /// sinew_reference: poses in which both bodies do the same. SINEW_REFERENCE_CHOSEN takes the rest and bind poses in
+  /// which the bones of both bodies point most alike. Rest poses stay unless others are clearly better.
   uint32_t source_reference, target_reference;
   const sinew_pose *source_pose, *target_pose;  ///< read for SINEW_REFERENCE_GIVEN only; copied
 } sinew_skeleton_map_options;

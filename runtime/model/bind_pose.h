@@ -14,8 +14,8 @@ namespace sinew {
 struct BindPose {
   std::vector<Transform> local;        ///< [J] rotations unit; the bits of the rest pose wherever both agree
   std::vector<bool> is_bound;          ///< [J] an inverse bind matrix tells where the joint stands
-  std::vector<std::uint32_t> differs;  ///< rising; joints that stand elsewhere at rest, relative to their parent
-  /// Rising; skins bound in a pose that differs from that of a skin with more joints, which is the one in `local`
+  std::vector<std::uint32_t> differs;  ///< rising; joints that stand elsewhere at rest, relative to their parent.
+  /// Rising; skins that were bound in another pose than a skin with more joints. `local` has the pose of the latter.
   std::vector<std::uint32_t> other_skins;
   double distance = 0.0;        ///< largest distance in model space between bind and rest, of a bound joint
   double size = 0.0;            ///< longest side of the box around the bound joints at rest
@@ -26,10 +26,10 @@ struct BindPose {
 /// eq   M_j = X inverse(inverse_bind_j);  local_j = inverse(M_parent) M_j, without shear.
 ///      X cancels below the nearest ancestor a in the same skin: M_j = M_a inverse_bind_a inverse(inverse_bind_j)
 ///
-/// X places the space in which a skin was bound, which may be scaled or turned (centimetres, z up). It is the model
-/// matrix of the node, among the mesh's own, the ancestors of the skin's top joints and the scene itself, that leaves
-/// the top joints nearest to where they rest. Nodes with another unit, or that would turn top joints by more than 60
-/// degrees, are no candidates. If none is left, X is made of quarter turns and a factor, so that the top joints
+/// X places the space in which a skin was bound, which may be scaled or turned (centimetres, z up). Candidates are the
+/// model matrices of the mesh's node, of the ancestors of the skin's top joints, and the identity. X is the one that
+/// leaves the top joints nearest to where they rest. Nodes with another unit, or that would turn top joints by more
+/// than 60 degrees, are no candidates. If none is left, X is made of quarter turns and a factor, so that the top joints
 /// stand near their rest pose. If that fails too, the first top joint stands where it rests.
 ///
 /// Joints outside of skins keep their rest transform relative to their parent, and so do joints with fixed matrices.

@@ -16,9 +16,10 @@ struct MirrorReference {
   double rest_asymmetry = 0.0, bind_asymmetry = 0.0;  ///< 0 if both poses agree
 };
 
-/// Chooses the reference pose for mirroring: the bind pose (bind_pose.h) if the rest pose is asymmetric by more than
-/// 0.1 % of the size and the bind pose by less than half as much; otherwise the rest pose. Asymmetry is the mean
-/// distance of joints from the mirror image of their partner, relative to the size of the skeleton.
+/// Chooses the reference pose for mirroring. It is the rest pose if that is asymmetric by at most 0.1 % of the size.
+/// Otherwise it is the bind pose (bind_pose.h), if that is less than half as asymmetric, or else the rest pose.
+/// Asymmetry is the mean distance of joints from the mirror image of their partner, relative to the size of the
+/// skeleton.
 /// cost as make_mirror_map, twice
 SINEW_API MirrorReference mirror_reference(const Scene& scene, const MirrorOptions& options = {});
 

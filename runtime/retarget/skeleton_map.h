@@ -32,7 +32,7 @@ struct SkeletonMap {
   /// [kHumanoidBones] joint of the target for each humanoid bone, or kNone
   std::vector<std::uint32_t> target_bones = std::vector<std::uint32_t>(kHumanoidBones.size(), kNone);
   PoseReference source_reference = PoseReference::rest, target_reference = PoseReference::rest;
-  std::vector<Transform> source_pose, target_pose;  ///< [J] the reference poses; empty = the rest pose
+  std::vector<Transform> source_pose, target_pose;  ///< [J] the reference poses; empty = the rest pose.
   /// Mean angle between the bones of mapped joints and those of the joints that they follow, in the reference poses.
   /// A bone runs from the nearest mapped ancestor to the joint.
   double bone_angle_rad = 0.0;
@@ -78,9 +78,9 @@ struct SkeletonMapOptions {
 /// skeleton has a root joint, the hips carry the whole path.
 ///
 /// The map carries rotations relative to the reference pose, which is the rest pose unless the options give another
-/// one. Notation: W rotations of the reference pose and G of the pose, in model space, m the nearest mapped ancestor of
-/// j, Q = G_m^-1 G_j the rotation of j relative to m (over all joints between). Primes mark the target, and P' is the
-/// parent of j'.
+/// one. Notation, in model space: W rotations of the reference pose, G of the pose, m the nearest mapped ancestor of
+/// j. Q = G_m^-1 G_j is the rotation of j relative to m (over all joints between). Primes mark the target, and P' is
+/// the parent of j'.
 /// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = (W'_P'^-1 W'_m C'_m^-1 W_m) Q (W_j^-1 C'_j)
 ///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1 (VRMC_vrm_animation, "humanoid"). It holds for any
 ///      bone axes and roll, and for joints that only one skeleton has.
