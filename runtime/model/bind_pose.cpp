@@ -15,12 +15,14 @@
 namespace sinew {
 namespace {
 
-constexpr double kSame = 1e-4;        // radians, and fractions of the size and of scales: what files round
-constexpr double kOtherPose = 1e-3;   // as kSame, from which on two skins differ
-constexpr double kSameUnit = 0.05;    // relative difference of units; a pose may scale its top joint a little
-constexpr double kMostTurned = 1.05;  // radians that a pose may turn the top joint of a skin: 60 degrees
-constexpr double kFarthest = 1.0;     // fraction of the size that a pose may move the top joint of a skin
-constexpr double kRounds = 0.01;      // relative distance of a unit from a power of ten that counts as rounding
+constexpr double kSame = 1e-4;          // radians, and fractions of the size and of scales: what files round
+constexpr double kOtherPose = 1e-3;     // as kSame, from which on two skins differ
+constexpr double kSameUnit = 0.05;      // relative difference of units; a pose may scale its top joint a little
+constexpr double kMostTurned = 1.05;    // radians that a pose may turn the top joint of a skin: 60 degrees
+constexpr double kFarthest = 1.0;       // fraction of the size that a pose may move the top joint of a skin
+constexpr double kTurnedLittle = 0.52;  // as kMostTurned, for spaces that no node has: 30 degrees
+constexpr double kNear = 0.25;          // as kFarthest, for spaces that no node has
+constexpr double kRounds = 0.01;        // relative distance of a unit from a power of ten that counts as rounding
 
 double unit_of(const Affined& m) noexcept { return std::cbrt(std::abs(determinant(m))); }
 
@@ -201,6 +203,9 @@ class Posing {
   /// X of bind_pose.h
   /// in   first  the first top joint of the skin
   Affined space_of(const BoundSkin& skin, std::uint32_t first) const {
+    const auto from_bind = inverse_of(*skin.find(first));
+    const Affined as_rested = from_bind ? carried(first) * *from_bind : Affined{};
+    if (rests_as_bound(skin, as_rested)) return as_rested;
     std::optional<Affined> best;
     double least = std::numeric_limits<double>::infinity();
     const auto offer = [&](const Affined& space) {
@@ -223,16 +228,25 @@ class Posing {
     offer(Affined{});
     if (best) return *best;
 
-    const auto from_bind = inverse_of(*skin.find(first));
-    const Affined as_rested = from_bind ? carried(first) * *from_bind : Affined{};
     const std::uint32_t parent = skeleton_.parents[first];
     const Affined above = parent == kNone ? Affined{} : model_[parent];
     const auto to_above = inverse_of(above);
     if (!to_above) return as_rested;
-    const Mat3<double> turn =
-        quarter_turns(matrix_from_unit_quat(decompose_polar(linear_part(*to_above * as_rested)).quat));
-    offer(above * affine_from(turn * rounded_unit(unit_of(*to_above * as_rested)), Vec3<double>(0.0)));
-    return best.value_or(as_rested);
+    const Affined near = *to_above * as_rested;
+    const double unit = rounded_unit(unit_of(near));
+    const Mat3<double> turn = quarter_turns(matrix_from_unit_quat(decompose_polar(linear_part(near)).quat));
+    const Affined turned = above * affine_from(turn * unit, Vec3<double>(0.0));
+    const Difference off = difference_of(turned * *skin.find(first), carried(first));
+    return off.angle_rad <= kTurnedLittle && off.distance <= kNear * pose_.size ? turned : as_rested;
+  }
+
+  /// True if the joints of a skin stand to each other as they were bound. A file may put such a body anywhere.
+  bool rests_as_bound(const BoundSkin& skin, const Affined& space) const noexcept {
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      const Difference off = difference_of(space * skin.bind[i], rest_model_[skin.joints[i]]);
+      if (off.angle_rad > kOtherPose || off.distance > kOtherPose * pose_.size) return false;
+    }
+    return true;
   }
 
   /// Lists a skin if its pose differs from that of the skins before it.

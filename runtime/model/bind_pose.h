@@ -29,8 +29,9 @@ struct BindPose {
 /// X places the space in which a skin was bound, which may be scaled or turned (centimetres, z up). Candidates are the
 /// model matrices of the mesh's node, of the ancestors of the skin's top joints, and the identity. X is the one that
 /// leaves the top joints nearest to where they rest. Nodes with another unit, or that would turn top joints by more
-/// than 60 degrees, are no candidates. If none is left, X is made of quarter turns and a factor, so that the top joints
-/// stand near their rest pose. If that fails too, the first top joint stands where it rests.
+/// than 60 degrees, are no candidates. If none is left, X is made of quarter turns and a factor, if these leave the
+/// first top joint near its rest pose. Otherwise that joint stands where it rests. It also does so if all joints of the
+/// skin stand to each other as they were bound.
 ///
 /// Joints outside of skins keep their rest transform relative to their parent, and so do joints with fixed matrices.
 /// Skins with more joints come first; a joint takes its place from the first skin that lists it. A skin says nothing if
