@@ -91,6 +91,20 @@ TEST(bind_pose, the_first_top_joint_keeps_its_place_where_no_space_fits) {
   }
 }
 
+TEST(bind_pose, a_body_that_rests_as_it_was_bound_keeps_its_place_whatever_the_space_of_its_vertices) {
+  Scene scene;
+  scene.skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  const Affined of_integers = affine_from_transform(
+      Transformd{Vec3<double>(-0.8, -0.1, -0.4), quat_identity<double>(), Vec3<double>(1.0 / 32767.0)});
+  scenes::add_skin(scene, scene.skeleton.rest, scenes::all_joints(scene.skeleton), of_integers);
+  EXPECT_EQ(bind_pose(scene).local, scene.skeleton.rest) << "quantised positions";
+  scene.skins.clear();
+  scene.instances.clear();
+  scenes::add_skin(scene, scene.skeleton.rest, scenes::all_joints(scene.skeleton));
+  scene.skeleton.rest[0].translation += glm::vec3(0.3f, 0.0f, 0.2f);
+  EXPECT_EQ(bind_pose(scene).local, scene.skeleton.rest) << "the file puts it elsewhere";
+}
+
 TEST(bind_pose, joints_outside_of_skins_keep_their_rest_transform) {
   Scene scene;
   scene.skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
