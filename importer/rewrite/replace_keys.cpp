@@ -67,6 +67,33 @@ void move_channels(const gltf::Document& document, const Scene& scene, const New
   }
 }
 
+/// Adds channels for joints that no channel of the file moves: constants of mirrored animations.
+void add_channels(const gltf::Document& document, const Scene& scene, const NewKeys& keys, std::uint32_t index,
+                  KeyWriter& writer, Json& animation) {
+  if (keys.channels_to.empty()) return;
+  IssueLog discarded_log;  // the import has reported these issues
+  std::set<ChannelTarget> present;
+  for (std::uint32_t c = 0; c < document.animations[index].channels.size(); ++c) {
+    const auto target = read_channel_target(document, index, c, discarded_log);
+    if (target && target->moves_joint()) present.insert(new_target(scene, keys, *target));
+  }
+  const auto add = [&](AnimatedProperty property, const char* path, std::uint32_t joint,
+                       const std::optional<Keys>& track) {
+    const std::uint32_t node = scene.skeleton.node_of_joint[joint];
+    if (!track || !present.insert(ChannelTarget{property, node}).second) return;
+    Json sampler = Json::object();
+    writer.write(*track, sampler);
+    animation["channels"].push_back(
+        {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+    animation["samplers"].push_back(std::move(sampler));
+  };
+  for (const BoneAnimation& bone : keys.animations[index].bones) {
+    add(AnimatedProperty::translation, "translation", bone.joint, keys_of(bone.translation));
+    add(AnimatedProperty::rotation, "rotation", bone.joint, keys_of(bone.rotation));
+    add(AnimatedProperty::scale, "scale", bone.joint, keys_of(bone.scale));
+  }
+}
+
 /// The bytes of new keys whose values are all among the old ones, in an accessor of normalised integers.
 /// in   before, after   keys of the channel; `before` are those of the accessor
 std::optional<StoredValues> stored_as_before(const Keys& before, const Keys& after, const Json& accessor,
@@ -163,6 +190,7 @@ void replace_keys(const gltf::Document& document, const Scene& scene, const NewK
     }
     drop_samplers(animation, left);
     move_channels(document, scene, new_keys, a, animation);
+    add_channels(document, scene, new_keys, a, writer, animation);
   }
   writer.finish();
 }

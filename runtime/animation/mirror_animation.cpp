@@ -2,9 +2,9 @@
 #include "runtime/animation/mirror_animation.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
-#include "runtime/animation/track_sample.h"
+#include "runtime/animation/constant_tracks.h"
 
 namespace sinew {
 namespace {
@@ -66,54 +66,6 @@ void add_mirrored_weights(const WeightAnimation& from, std::span<const std::uint
     out.push_back(picked(from, partner_of[target], std::span(&target, 1)));
 }
 
-template <class V>
-bool differ(const V& a, const V& b) noexcept {
-  constexpr float kTolerance = 1e-5f;
-  const float size = std::max(largest_component(a), largest_component(b));
-  return largest_component(a - b) > kTolerance * std::max(size, 1.0f);
-}
-
-/// The mirrored rest transform of a joint, and which of its parts differ from the rest transform.
-struct RestDifference {
-  Transform there;
-  bool translation, rotation, scale;
-
-  RestDifference(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept
-      : there(mirrored_transform(map, joint, skeleton.rest[map.joints[joint].source])) {
-    const Transform& rest = skeleton.rest[joint];
-    translation = differ(there.translation, rest.translation);
-    rotation = differ(aligned_with(rest.rotation, there.rotation), rest.rotation);
-    scale = differ(there.scale, rest.scale);
-  }
-};
-
-/// Adds constant tracks for joints that no track moves, but whose mirrored rest transform differs from the rest
-/// transform.
-void add_constants(const MirrorMap& map, const Skeleton& skeleton, std::vector<BoneAnimation>& bones) {
-  struct Moved {
-    bool translation = false, rotation = false, scale = false;
-  };
-  std::vector<Moved> moved(map.joints.size());
-  for (const BoneAnimation& bone : bones) {
-    Moved& of_joint = moved[bone.joint];
-    of_joint.translation |= !bone.translation.empty();
-    of_joint.rotation |= !bone.rotation.empty();
-    of_joint.scale |= !bone.scale.empty();
-  }
-  for (std::uint32_t p = 0; p < moved.size(); ++p) {
-    const Transform& rest = skeleton.rest[p];
-    const Transform there = mirrored_transform(map, p, skeleton.rest[map.joints[p].source]);
-    BoneAnimation bone;
-    bone.joint = p;
-    if (!moved[p].translation && differ(there.translation, rest.translation))
-      bone.translation = {Interpolation::step, {0.0f}, {there.translation}};
-    if (!moved[p].rotation && differ(aligned_with(rest.rotation, there.rotation), rest.rotation))
-      bone.rotation = {Interpolation::step, {0.0f}, {there.rotation}};
-    if (!moved[p].scale && differ(there.scale, rest.scale)) bone.scale = {Interpolation::step, {0.0f}, {there.scale}};
-    if (!bone.empty()) bones.push_back(std::move(bone));
-  }
-}
-
 }  // namespace
 
 Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept {
@@ -123,9 +75,9 @@ Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Tr
 }
 
 bool is_moved_at_rest(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept {
-  if (map.is_about_rest) return false;
-  const RestDifference rest(map, skeleton, joint);
-  return skeleton.fixed_matrix_of[joint] == kNone && (rest.translation || rest.rotation || rest.scale);
+  if (map.reference == PoseReference::rest) return false;
+  const Transform there = mirrored_transform(map, joint, skeleton.rest[map.joints[joint].source]);
+  return skeleton.fixed_matrix_of[joint] == kNone && rest_difference(there, skeleton.rest[joint]).any();
 }
 
 Animation mirror_animation(const Animation& animation, const MirrorMap& map, const Skeleton& skeleton,
@@ -136,7 +88,12 @@ Animation mirror_animation(const Animation& animation, const MirrorMap& map, con
     const std::uint32_t to = map.joints[bone.joint].source;  // partners are mutual
     out.bones.push_back(mirrored_bone(bone, to, map.joints[to]));
   }
-  if (!map.is_about_rest) add_constants(map, skeleton, out.bones);
+  if (map.reference != PoseReference::rest) {
+    std::vector<Transform> there;
+    for (std::uint32_t p = 0; p < map.joints.size(); ++p)
+      there.push_back(mirrored_transform(map, p, skeleton.rest[map.joints[p].source]));
+    add_constant_tracks(there, skeleton, out);
+  }
   if (map.weight_source.empty() || first_weight.empty()) return out;
   out.weights.clear();
   for (const WeightAnimation& weights : animation.weights) {

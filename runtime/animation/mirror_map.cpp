@@ -136,7 +136,7 @@ MirrorMap make_mirror_map(const Skeleton& skeleton, const MirrorOptions& options
                     options.length_tolerance * reference.size / longer, joint);
     set_scale(axes[j].matrix, from.scale, own.scale, options.length_tolerance, joint);
   }
-  map.is_about_rest = options.reference.empty();
+  map.reference = is_rest_pose(skeleton, options.reference) ? PoseReference::rest : PoseReference::given;
   map.unpaired = std::move(pairs.unpaired);
   return map;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/animation/pose_reference.h"
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/api.h"
 
@@ -31,8 +32,8 @@ struct MirrorMap {
   float plane_offset = 0.0f;                 ///< distance of the plane from the origin, along the normal
   std::vector<MirroredJoint> joints;         ///< [J]
   std::vector<std::uint32_t> unpaired;  ///< rising; joints without a partner that should have one by name or position
-  bool is_about_rest = true;            ///< the reference pose is the rest pose; mirroring then keeps the rest pose
-  std::vector<std::uint32_t> weight_source;  ///< [W] of Scene::first_weight; empty = morph weights do not change
+  PoseReference reference = PoseReference::rest;  ///< mirroring keeps this pose as it is
+  std::vector<std::uint32_t> weight_source;       ///< [W] of Scene::first_weight; empty = morph weights do not change
 };
 
 /// Number of joints whose partner is another joint.
@@ -43,7 +44,8 @@ struct MirrorOptions {
   std::optional<glm::vec3> plane_normal;            ///< model space; nullopt = found from the joints, mostly +X
   std::vector<std::array<std::uint32_t, 2>> pairs;  ///< partners; a pair {j, j} makes j its own partner
   /// [J] local transforms of a symmetric pose. Needed if the rest pose is not symmetric, for example because it was
-  /// exported from the middle of a walk. Empty = the rest pose.
+  /// exported from the middle of a walk. Empty = the rest pose, or what make_mirror_map of a scene chooses
+  /// (model/mirror_scene.h).
   std::span<const Transform> reference = {};
   double angle_tolerance_rad = 1e-4;  ///< axes of partners that are mirror images within this count as exact ones
   double length_tolerance = 1e-5;     ///< as above for positions, relative to the size of the skeleton

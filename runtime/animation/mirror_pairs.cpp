@@ -222,6 +222,22 @@ ReferencePose reference_pose(const Skeleton& skeleton, std::span<const Transform
   return pose;
 }
 
+std::vector<std::uint32_t> symmetric_joints(const JointPairs& pairs) {
+  std::vector<std::uint32_t> joints;
+  for (std::uint32_t j = 0; j < pairs.partner.size(); ++j)
+    if (!pairs.keeps_own[j] && !std::binary_search(pairs.unpaired.begin(), pairs.unpaired.end(), j))
+      joints.push_back(j);
+  return joints;
+}
+
+double asymmetry_of(const ReferencePose& reference, const JointPairs& pairs,
+                    std::span<const std::uint32_t> joints) noexcept {
+  double sum = 0.0;
+  for (const std::uint32_t j : joints)
+    sum += safe_length(pairs.reflected(reference.position(j)) - reference.position(pairs.partner[j]));
+  return sum > 0.0 ? sum / static_cast<double>(joints.size()) / reference.size : 0.0;
+}
+
 JointPairs pair_joints(const Skeleton& skeleton, const ReferencePose& reference, const MirrorOptions& options) {
   const std::vector<std::uint32_t> named = named_partners(skeleton, options);
   bool has_pairs = false;

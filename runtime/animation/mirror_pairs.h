@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/animation/mirror_map.h"
@@ -34,5 +35,14 @@ struct JointPairs {
 
 /// Finds partners by the options, by names, then by positions. Parents of partners are always partners.
 JointPairs pair_joints(const Skeleton& skeleton, const ReferencePose& reference, const MirrorOptions& options);
+
+/// Joints that should be where the mirror image of their partner is. Joints that keep their own motion, or are in
+/// `unpaired`, are left out.
+/// out  rising
+std::vector<std::uint32_t> symmetric_joints(const JointPairs& pairs);
+
+/// Mean distance of joints from the mirror image of their partner, relative to the size of the skeleton.
+double asymmetry_of(const ReferencePose& reference, const JointPairs& pairs,
+                    std::span<const std::uint32_t> joints) noexcept;
 
 }  // namespace sinew

@@ -62,6 +62,7 @@ struct sinew_mirror {
   std::shared_ptr<const sinew::MirrorMap> map;
   sinew::MirrorTables tables;
   std::vector<std::uint32_t> partner;  // [joints]
+  std::uint32_t reference;             // sinew_reference
 };
 
 struct sinew_skeleton_map {
@@ -72,6 +73,7 @@ struct sinew_skeleton_map {
   sinew::FeetMap feet;
   std::vector<sinew_joint_pair> pairs;  // of `map`, as C reads them
   sinew::WeightMap weights;
+  std::uint32_t source_reference, target_reference;  // sinew_reference
 };
 
 struct sinew_messages {

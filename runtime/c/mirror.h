@@ -3,6 +3,7 @@
 #include "runtime/base/api.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/pose.h"
+#include "runtime/c/reference.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -15,6 +16,13 @@ extern "C" {
 /// in   scene  may go afterwards
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints log joints), without names O(joints^2); allocates
 SINEW_API sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
+/// Same, about a reference pose, which mirroring leaves as it is. It should be symmetric. sinew_mirror_create chooses
+/// the bind pose if the rest pose is asymmetric and the bind pose by less than half as much, otherwise the rest pose.
+/// in   reference  sinew_reference
+///      given      of the scene; read for SINEW_REFERENCE_GIVEN only
+/// err  as sinew_mirror_create, and SINEW_UNSUPPORTED (reference), SINEW_SIZE_MISMATCH (given)
+SINEW_API sinew_error sinew_mirror_create_about(const sinew_scene* scene, uint32_t reference, const sinew_pose* given,
+                                                sinew_mirror** out);
 SINEW_API void sinew_mirror_destroy(sinew_mirror* mirror);
 
 typedef struct sinew_mirror_info {
@@ -23,6 +31,7 @@ typedef struct sinew_mirror_info {
   float plane_offset;       ///< along the normal
   sinew_indices partner;    ///< [joints] the joint whose motion each one takes over; itself where it has no partner
   sinew_indices unpaired;   ///< rising: joints without a partner though their name or place asks for one
+  uint32_t reference;       ///< sinew_reference: the one that was asked for, or else chosen
 } sinew_mirror_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_mirror(const sinew_mirror* mirror, sinew_mirror_info* out);

@@ -10,8 +10,10 @@
 #include "runtime/c/fields.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/pose_span.h"
+#include "runtime/c/read_reference.h"
 #include "runtime/c/unbound.h"
 #include "runtime/retarget/hold_feet.h"
+#include "runtime/retarget/map_scenes.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/share_twist.h"
@@ -53,19 +55,32 @@ sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_sce
                                       const sinew_skeleton_map_options* options, sinew_skeleton_map** out) {
   return c::call(c::given(source, target, out), [&] {
     const Skeleton &from = source->scene.skeleton, &to = target->scene.skeleton;
+    sinew_skeleton_map_options given{};
+    if (const sinew_error error = c::read_struct(options, given)) return error;
     SkeletonMapOptions own;
-    if (const sinew_error error = c::read_fields(options, kMapOptions, own)) return error;
+    if (const sinew_error error = kMapOptions.read(given, own).error) return error;
+    std::vector<Transform> source_pose, target_pose;
+    if (const sinew_error error =
+            c::read_reference(given.source_reference, given.source_pose, source->scene, source_pose))
+      return error;
+    if (const sinew_error error =
+            c::read_reference(given.target_reference, given.target_pose, target->scene, target_pose))
+      return error;
+    own.source_reference = source_pose;
+    own.target_reference = target_pose;
     if (const ErrorCode error = check(own, from, to); error != ErrorCode::ok) return c::error_from(error);
-    SkeletonMap map = make_skeleton_map(from, to, own);
+    SkeletonMap map = make_skeleton_map(source->scene, target->scene, own);
     RetargetTables tables = make_retarget_tables(map, from, to);
     TwistMap twists = make_twist_map(map, to);
     FeetMap feet = make_feet_map(map, from, to);
     std::vector<sinew_joint_pair> pairs;
     for (const MappedJoint& joint : map.joints) pairs.push_back({joint.source, joint.target});
     WeightMap weights = make_weight_map(source->scene, target->scene);
+    const std::uint32_t source_told = c::told_reference(map.source_reference, given.source_reference),
+                        target_told = c::told_reference(map.target_reference, given.target_reference);
     *out = new sinew_skeleton_map{
-        source,          target,           std::move(map),    std::move(tables), std::move(twists),
-        std::move(feet), std::move(pairs), std::move(weights)};
+        source,          target,           std::move(map),     std::move(tables), std::move(twists),
+        std::move(feet), std::move(pairs), std::move(weights), source_told,       target_told};
     return SINEW_OK;
   });
 }
@@ -82,7 +97,10 @@ sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton
                             .unmapped_target = c::to_c(own.unmapped_target),
                             .height_ratio = own.height_ratio,
                             .leg_count = c::to_c(map->feet.legs.size()),
-                            .twist_count = c::to_c(map->twists.joints.size())},
+                            .twist_count = c::to_c(map->twists.joints.size()),
+                            .source_reference = map->source_reference,
+                            .target_reference = map->target_reference,
+                            .bone_angle_rad = own.bone_angle_rad},
                            out);
   });
 }

@@ -3,6 +3,7 @@
 #include "runtime/base/api.h"
 #include "runtime/c/library.h"
 #include "runtime/c/pose.h"
+#include "runtime/c/reference.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -45,12 +46,17 @@ typedef struct sinew_skeleton_map_options {
   uint32_t translations;           ///< sinew_translation_rule
   const sinew_chain_rule* chains;  ///< other rules than `translations`; copied
   size_t chain_count;
+  /// sinew_reference: poses in which both bodies do the same. SINEW_REFERENCE_CHOSEN takes the rest and bind poses in
+  /// which the bones of both bodies point most alike. Rest poses stay unless others are clearly better.
+  uint32_t source_reference, target_reference;
+  const sinew_pose *source_pose, *target_pose;  ///< read for SINEW_REFERENCE_GIVEN only; copied
 } sinew_skeleton_map_options;
 
 /// in   source, target  must outlive the map;   options  null = no pairs or chains, SINEW_LIMBS_OF_SOURCE,
-///                      SINEW_HIPS_BY_HEIGHT
+///                      SINEW_HIPS_BY_HEIGHT, SINEW_REFERENCE_CHOSEN
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (pairs, chains), SINEW_OUT_OF_MEMORY,
-///      SINEW_UNSUPPORTED (limbs, a rule, a joint of the target in two pairs or two chains)
+///      SINEW_UNSUPPORTED (limbs, a rule, a reference, a joint of the target in two pairs or two chains),
+///      SINEW_SIZE_MISMATCH (a given pose)
 /// cost O(joints log joints), allocates
 SINEW_API sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
                                                 const sinew_skeleton_map_options* options, sinew_skeleton_map** out);
@@ -64,6 +70,8 @@ typedef struct sinew_skeleton_map_info {
   double height_ratio;                             ///< target to source
   uint32_t leg_count;                              ///< legs whose feet sinew_hold_feet holds
   uint32_t twist_count;  ///< joints of the target that no joint moves, and that share the twist of arms and legs
+  uint32_t source_reference, target_reference;  ///< sinew_reference: those asked for, or else chosen
+  double bone_angle_rad;                        ///< mean angle between bones of both bodies in their reference poses
 } sinew_skeleton_map_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);

@@ -6,9 +6,11 @@
 
 #include "runtime/c/frame.h"
 #include "runtime/c/jobs.h"
+#include "runtime/c/mirror.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/result.h"
+#include "runtime/c/retarget.h"
 #include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
 
@@ -35,6 +37,15 @@ inline constexpr std::size_t kFirstVersionBytes<sinew_result_info> = offsetof(si
 template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_lod_info> = offsetof(sinew_skeleton_lod_info,
                                                                                     tolerance_m);
+
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_mirror_info> = offsetof(sinew_mirror_info, reference);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_map_options> = offsetof(sinew_skeleton_map_options,
+                                                                                       source_reference);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_map_info> = offsetof(sinew_skeleton_map_info,
+                                                                                    source_reference);
 
 /// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in
 /// `out`. Null leaves all defaults.

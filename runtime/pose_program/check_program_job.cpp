@@ -47,10 +47,10 @@ bool is_finite(const Transform& t) noexcept {
   return sum == 0.0f;  // an infinity or NaN makes it NaN
 }
 
-using Rule = PoseInputFault;
+using InputRule = PoseInputFault;
 
-Rule find_fault(const ExternalPose& external, std::size_t joints, std::size_t weights,
-                std::size_t properties) noexcept {
+InputRule find_fault(const ExternalPose& external, std::size_t joints, std::size_t weights,
+                     std::size_t properties) noexcept {
   if (!is_pose_of(external.pose, joints))
     return {.code = ErrorCode::size_mismatch, .rule = "the pose has not one transform for each joint of poses"};
   if (!has_size_or_none(external.weights, weights))
@@ -65,7 +65,7 @@ Rule find_fault(const ExternalPose& external, std::size_t joints, std::size_t we
   return {};
 }
 
-Rule find_fault(const JointOverrides& overrides, std::size_t joints) noexcept {
+InputRule find_fault(const JointOverrides& overrides, std::size_t joints) noexcept {
   for (const JointOverride& given : overrides.joints) {
     if (given.joint >= joints) return {.code = ErrorCode::index_out_of_range, .rule = "poses have no such joint"};
     if (!is_finite(given.transform)) return {.code = ErrorCode::not_finite, .rule = "a transform is not finite"};
@@ -73,7 +73,7 @@ Rule find_fault(const JointOverrides& overrides, std::size_t joints) noexcept {
   return {};
 }
 
-Rule find_fault(const JointMask& mask, std::size_t joints) noexcept {
+InputRule find_fault(const JointMask& mask, std::size_t joints) noexcept {
   if (mask.weights.size() != joints)
     return {.code = ErrorCode::size_mismatch, .rule = "there is not one weight for each joint of poses"};
   if (!all_finite(mask.weights)) return {.code = ErrorCode::not_finite, .rule = "a weight is not finite"};
@@ -82,15 +82,15 @@ Rule find_fault(const JointMask& mask, std::size_t joints) noexcept {
   return {};
 }
 
-Rule find_fault(const PoseProcedure& procedure) noexcept {
+InputRule find_fault(const PoseProcedure& procedure) noexcept {
   if (procedure.run == nullptr) return {.code = ErrorCode::unsupported, .rule = "it has no code to run"};
   return {};
 }
 
 template <class Entry, class... Sizes>
-Rule find_fault_in(std::span<const Entry> entries, const char* list, Sizes... sizes) noexcept {
+InputRule find_fault_in(std::span<const Entry> entries, const char* list, Sizes... sizes) noexcept {
   for (std::size_t i = 0; i < entries.size(); ++i)
-    if (const Rule rule = find_fault(entries[i], sizes...); rule.code != ErrorCode::ok)
+    if (const InputRule rule = find_fault(entries[i], sizes...); rule.code != ErrorCode::ok)
       return {rule.code, list, static_cast<std::uint32_t>(i), rule.rule};
   return {};
 }
@@ -99,7 +99,7 @@ Rule find_fault_in(std::span<const Entry> entries, const char* list, Sizes... si
 
 PoseInputFault find_fault(const PoseProgramInputs& inputs, std::size_t joint_count, std::size_t weight_count,
                           std::size_t property_count) noexcept {
-  Rule rule = find_fault_in(inputs.externals, "externals", joint_count, weight_count, property_count);
+  InputRule rule = find_fault_in(inputs.externals, "externals", joint_count, weight_count, property_count);
   if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.overrides, "overrides", joint_count);
   if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.procedures, "procedures");
   if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.masks, "masks", joint_count);

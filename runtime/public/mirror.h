@@ -8,5 +8,6 @@
 #include "runtime/animation/mirror_animation.h"
 #include "runtime/animation/mirror_map.h"
 #include "runtime/animation/side_names.h"
+#include "runtime/model/bind_pose.h"
 #include "runtime/model/mirror_scene.h"
 #include "runtime/pose/mirror_pose.h"

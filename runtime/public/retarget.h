@@ -4,9 +4,10 @@
 /// bakes animations, or retargets poses while they play. Morph weights and properties go by name, and twist joints
 /// share a rotation.
 ///
-///     const sinew::SkeletonMap map = make_skeleton_map(actor.skeleton, knight.skeleton);
+///     const sinew::SkeletonMap map = make_skeleton_map(actor, knight);
 ///     const sinew::Animation walk = retarget_animation(actor.animations[0], map, actor.skeleton, knight.skeleton);
 #include "runtime/retarget/humanoid_bones.h"
+#include "runtime/retarget/map_scenes.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_pose.h"
 #include "runtime/retarget/retarget_properties.h"

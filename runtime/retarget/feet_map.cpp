@@ -86,7 +86,7 @@ double length_of(const LegPose<double>& leg) {
 FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                       const std::vector<LegJoints>& legs) {
   std::vector<Transformd> rest(source.joint_count()), like_rest(target.joint_count());
-  for (std::uint32_t j = 0; j < rest.size(); ++j) rest[j] = rest_transform(source, j);
+  for (std::uint32_t j = 0; j < rest.size(); ++j) rest[j] = reference_transform(source, map.source_pose, j);
   retarget_pose(map, source, target, rest, like_rest);
   std::vector<std::uint32_t> source_of(target.joint_count(), kNone);
   for (const MappedJoint& joint : map.joints) source_of[joint.target] = joint.source;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "runtime/animation/constant_tracks.h"
 #include "runtime/animation/joint_tracks.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/retarget/rest_transform.h"
@@ -34,8 +35,9 @@ RelativeTransform relative_transform(const MappedJoint& joint, const Skeleton& s
   return relative;
 }
 
-Vec3d mapped_place(const MappedJoint& joint, const Vec3d& rest, const Vec3d& place) noexcept {
-  const Vec3d offset = rest - joint.translation * joint.source_place;
+/// in   own  place of the target in the reference pose
+Vec3d mapped_place(const MappedJoint& joint, const Vec3d& own, const Vec3d& place) noexcept {
+  const Vec3d offset = own - joint.translation * joint.source_place;
   return joint.translation * place + offset;
 }
 
@@ -46,7 +48,12 @@ class JointBake {
  public:
   JointBake(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
             std::span<const JointTracks> tracks)
-      : joint_(joint), map_(map), source_(source), rest_(rest_transform(target, joint.target)), tracks_(tracks) {
+      : joint_(joint),
+        map_(map),
+        source_(source),
+        own_(reference_transform(target, map.target_pose, joint.target)),
+        rest_rotation_(rest_transform(target, joint.target).rotation),
+        tracks_(tracks) {
     for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) path_.push_back(j);
   }
 
@@ -81,7 +88,7 @@ class JointBake {
     if (moved.empty()) {
       const Quatd held = normalised(mapped(relative_transform_at(0.0).rotation));
       constexpr double kSame = 1e-6;
-      if (rotation_angle_between(held, rest_.rotation) > kSame) track = {Interpolation::step, {0.0f}, {in_float(held)}};
+      if (rotation_angle_between(held, rest_rotation_) > kSame) track = {Interpolation::step, {0.0f}, {in_float(held)}};
       return;
     }
     Quatd above = quat_identity<double>(), below = quat_identity<double>();
@@ -123,7 +130,7 @@ class JointBake {
     track = {Interpolation::linear, with_midpoints(std::move(times)), {}};
     for (const float t : track.times_s)
       track.values.emplace_back(
-          mapped_place(joint_, rest_.translation, relative_transform_at(static_cast<double>(t)).place));
+          mapped_place(joint_, own_.translation, relative_transform_at(static_cast<double>(t)).place));
   }
 
   void map_translation(const Vec3Track& from, Vec3Track& track) const {
@@ -137,10 +144,10 @@ class JointBake {
                                 })
           .place;
     };
-    const Vec3d at_zero = mapped_place(joint_, rest_.translation, place_of(Vec3d(0.0)));
+    const Vec3d at_zero = mapped_place(joint_, own_.translation, place_of(Vec3d(0.0)));
     for (std::size_t i = 0; i < track.values.size(); ++i) {
       const bool tangent = track.interpolation == Interpolation::cubic_spline && i % 3 != 1;
-      const Vec3d place = mapped_place(joint_, rest_.translation, place_of(Vec3d(from.values[i])));
+      const Vec3d place = mapped_place(joint_, own_.translation, place_of(Vec3d(from.values[i])));
       track.values[i] = glm::vec3(tangent ? place - at_zero : place);
     }
   }
@@ -149,7 +156,7 @@ class JointBake {
     const Vec3Track* from = tracks_[joint_.source].scale;
     if (from == nullptr) return;
     track = *from;
-    const Vec3d ratio = rest_.scale / rest_transform(source_, joint_.source).scale;
+    const Vec3d ratio = own_.scale / reference_transform(source_, map_.source_pose, joint_.source).scale;
     for (glm::vec3& s : track.values) s = glm::vec3(Vec3d(s) * ratio);
   }
 
@@ -170,7 +177,8 @@ class JointBake {
   const MappedJoint& joint_;
   const SkeletonMap& map_;
   const Skeleton& source_;
-  Transformd rest_;  // of the target joint
+  Transformd own_;       // of the target joint, in the reference pose
+  Quatd rest_rotation_;  // of the target joint
   std::span<const JointTracks> tracks_;
   std::vector<std::uint32_t> path_;  // source joints, from the joint up to its mapped ancestor
 };
@@ -179,7 +187,7 @@ class JointBake {
 
 void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                    std::span<const Transformd> pose, std::span<Transformd> out) noexcept {
-  for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = rest_transform(target, j);
+  for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = reference_transform(target, map.target_pose, j);
   for (const MappedJoint& joint : map.joints) {
     const auto local = [&](std::uint32_t j) {
       return source.fixed_matrix_of[j] == kNone ? pose[j] : rest_transform(source, j);
@@ -189,7 +197,7 @@ void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleto
     to.rotation = normalised(joint.before * from.rotation * joint.after);
     if (joint.moves) to.translation = mapped_place(joint, to.translation, from.place);
     if (map.by_names && source.parents[joint.source] == joint.above_source)
-      to.scale *= local(joint.source).scale / rest_transform(source, joint.source).scale;
+      to.scale *= local(joint.source).scale / reference_transform(source, map.source_pose, joint.source).scale;
   }
 }
 
@@ -203,6 +211,14 @@ Animation retarget_animation(const Animation& animation, const SkeletonMap& map,
     BoneAnimation bone = JointBake(joint, map, source, target, tracks).bake();
     if (!bone.empty()) out.bones.push_back(std::move(bone));
   }
+  if (map.source_pose.empty() && map.target_pose.empty()) return out;
+  std::vector<Transformd> rest(source.joint_count()), still(target.joint_count());
+  for (std::uint32_t j = 0; j < rest.size(); ++j) rest[j] = rest_transform(source, j);
+  retarget_pose(map, source, target, rest, still);
+  std::vector<Transform> held;
+  for (const Transformd& t : still)
+    held.push_back({glm::vec3(t.translation), in_float(t.rotation), glm::vec3(t.scale)});
+  add_constant_tracks(held, target, out);
   return out;
 }
 

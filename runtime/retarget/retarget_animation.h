@@ -9,7 +9,7 @@
 namespace sinew {
 
 /// Reference implementation of retargeting one pose, in double precision.
-/// eq   as make_skeleton_map (skeleton_map.h). Unmapped joints get their rest pose.
+/// eq   as make_skeleton_map (skeleton_map.h). Unmapped joints stand in the reference pose.
 /// in   pose  [J source] local transforms;   out  [J target] local transforms
 /// cost O(J), no allocation
 SINEW_API void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
@@ -18,10 +18,10 @@ SINEW_API void retarget_pose(const SkeletonMap& map, const Skeleton& source, con
 /// Retargets an animation of the source to the target. Where a target joint follows a single track, each key is mapped
 /// by itself and keeps its interpolation. The map is linear
 /// in the key, so nothing is resampled: at every time the result equals retarget_pose up to rounding. On its own
-///      skeleton
-/// an animation keeps its bits. Several source joints may add up, as in a spine with more joints. The target joint then
-/// gets linear keys at the key times of all of them and halfway between. Scales are left out unless the skeletons share
-/// names. For morph weights and properties see retarget_weights.h and retarget_properties.h.
+/// skeleton an animation keeps its bits. If a reference pose is not the rest pose, joints without tracks that would
+/// rest elsewhere get constant ones. Several source joints may add up, as in a spine with more joints. The target joint
+/// then gets linear keys at the key times of all of them and halfway between. Scales are left out unless the skeletons
+/// share names. For morph weights and properties see retarget_weights.h and retarget_properties.h.
 /// in   animation  of the source; must have passed its checks
 /// cost O(keys * joints between mapped ones), allocates
 SINEW_API Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,

@@ -155,14 +155,17 @@ std::vector<ChainJoint> way_of(const MappedJoint& joint, const Skeleton& source)
   return way;
 }
 
-void write_rest(const Skeleton& target, RetargetTables& tables) {
+void write_rest(const SkeletonMap& map, const Skeleton& target, RetargetTables& tables) {
+  const std::vector<Transform>& pose = map.target_pose.empty() ? target.rest : map.target_pose;
+
   tables.rest.resize(PoseSpan::floats_for(target.joint_count()));
   const PoseSpan rest{tables.rest.data(), target.joint_count(), PoseSpan::stride_for(target.joint_count())};
-  for (std::uint32_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? target.rest[j] : Transform{});
+  for (std::uint32_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? pose[j] : Transform{});
 }
 
-Vec3<double> offset_of(const MappedJoint& joint, const Skeleton& target) noexcept {
-  return rest_transform(target, joint.target).translation - joint.translation * joint.source_place;
+Vec3<double> offset_of(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& target) noexcept {
+  return reference_transform(target, map.target_pose, joint.target).translation -
+         joint.translation * joint.source_place;
 }
 
 void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
@@ -172,7 +175,7 @@ void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton&
   if (!is_child || way.front().is_fixed) pass.composed.push_back(std::move(way));
   add(joint, is_identity(joint.before) && is_identity(joint.after), pass.copied_rotations, pass.rotations);
   if (joint.moves) {
-    const bool copies = joint.translation == Mat3<double>(1.0) && offset_of(joint, target) == Vec3<double>(0.0);
+    const bool copies = joint.translation == Mat3<double>(1.0) && offset_of(joint, map, target) == Vec3<double>(0.0);
     add(joint, copies, pass.copied_translations, pass.translations);
   }
   if (!map.by_names || !is_child) return;
@@ -198,20 +201,21 @@ std::vector<std::vector<const MappedJoint*>> in_passes(const SkeletonMap& map, s
   return passes;
 }
 
-void write_all_factors(const std::vector<const MappedJoint*>& by_target, const Skeleton& source, const Skeleton& target,
-                       RetargetPass& pass) {
+void write_all_factors(const std::vector<const MappedJoint*>& by_target, const SkeletonMap& map, const Skeleton& source,
+                       const Skeleton& target, RetargetPass& pass) {
   write_factors(pass.rotations, by_target, [](const MappedJoint& joint) {
     const Quat<double>&a = joint.before, &b = joint.after;
     return std::array{a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w};
   });
   write_factors(pass.translations, by_target, [&](const MappedJoint& joint) {
     const Mat3<double>& m = joint.translation;
-    const Vec3<double> offset = offset_of(joint, target);
+    const Vec3<double> offset = offset_of(joint, map, target);
     return std::array{m[0].x, m[1].x, m[2].x, m[0].y,   m[1].y,   m[2].y,
                       m[0].z, m[1].z, m[2].z, offset.x, offset.y, offset.z};
   });
   write_factors(pass.scales, by_target, [&](const MappedJoint& joint) {
-    const Vec3<double> ratio = rest_transform(target, joint.target).scale / rest_transform(source, joint.source).scale;
+    const Vec3<double> ratio = reference_transform(target, map.target_pose, joint.target).scale /
+                               reference_transform(source, map.source_pose, joint.source).scale;
     return std::array{ratio.x, ratio.y, ratio.z};
   });
 }
@@ -222,13 +226,13 @@ RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& sour
   RetargetTables tables;
   tables.source_count = source.joint_count();
   tables.target_count = target.joint_count();
-  write_rest(target, tables);
+  write_rest(map, target, tables);
   std::vector<const MappedJoint*> by_target(target.joint_count());
   for (const MappedJoint& joint : map.joints) by_target[joint.target] = &joint;
   for (const std::vector<const MappedJoint*>& joints : in_passes(map, source.joint_count())) {
     RetargetPass& pass = tables.passes.emplace_back();
     for (const MappedJoint* joint : joints) add_joint(*joint, map, source, target, pass);
-    write_all_factors(by_target, source, target, pass);
+    write_all_factors(by_target, map, source, target, pass);
   }
   return tables;
 }

@@ -38,7 +38,7 @@ struct RetargetPass {
 /// A SkeletonMap prepared for RetargetPoseJob. Made once; immutable.
 struct RetargetTables {
   std::size_t source_count = 0, target_count = 0;
-  std::vector<float> rest;  ///< the rest pose of the target, as planes of a pose
+  std::vector<float> rest;  ///< the reference pose of the target, as planes of a pose
   /// Several if target joints need the same source joint relative to different ancestors
   std::vector<RetargetPass> passes;
 

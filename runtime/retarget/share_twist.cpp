@@ -46,10 +46,11 @@ bool names_a_twist_joint(const std::string& name) {
 }
 
 /// Nothing for a joint that does not lie along the bone.
-std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, const Limb& limb, std::uint32_t joint) {
+std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, std::span<const Transform> reference, const Limb& limb,
+                                      std::uint32_t joint) {
   constexpr double kBeyond = 0.1, kAside = 0.25;  // tolerances, as fractions of the bone's length
-  const Vec3<double> bone = rest_transform(skeleton, limb.tip).translation,
-                     place = rest_transform(skeleton, joint).translation;
+  const Vec3<double> bone = reference_transform(skeleton, reference, limb.tip).translation,
+                     place = reference_transform(skeleton, reference, joint).translation;
   const double length = safe_length(bone);
   if (!(length > 0.0)) return std::nullopt;
   TwistJoint twist;
@@ -61,8 +62,8 @@ std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, const Limb& limb
   twist.driver = limb.is_upper ? limb.joint : limb.tip;
   twist.is_below_driver = limb.is_upper;
   twist.share = std::clamp(along, 0.0, 1.0) - (limb.is_upper ? 1.0 : 0.0);
-  twist.rest = normalised(rest_transform(skeleton, joint).rotation);
-  twist.driver_rest = normalised(rest_transform(skeleton, twist.driver).rotation);
+  twist.rest = normalised(reference_transform(skeleton, reference, joint).rotation);
+  twist.driver_rest = normalised(reference_transform(skeleton, reference, twist.driver).rotation);
   return twist;
 }
 
@@ -98,7 +99,7 @@ TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target) {
     const auto limb =
         std::find_if(limbs.begin(), limbs.end(), [&](const Limb& l) { return target.parents[joint] == l.joint; });
     if (limb == limbs.end() || is_fixed(joint) || !names_a_twist_joint(target.names[joint])) continue;
-    const auto twist = twist_joint(target, *limb, joint);
+    const auto twist = twist_joint(target, map.target_pose, *limb, joint);
     if (twist && !is_fixed(twist->driver)) twists.joints.push_back(*twist);
   }
   return twists;

@@ -38,10 +38,11 @@ struct TwistMap {
 SINEW_API TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target);
 
 /// Turns the twist joints of a retargeted pose. Each gets a share of the twist of its driver (hand, foot, upper arm or
-/// thigh). The twist is relative to the rest pose.
+/// thigh). The twist is relative to the reference pose of the map.
 /// eq   d = q d0^-1 for a twist joint beside its driver, d = d0^-1 q for one below it; q is the driver's rotation, d0
-///      its rest rotation. a is the twist angle of d about the bone (runtime/math/swing_twist.h), in (-pi, pi]: it
-///      jumps when the twist passes a half turn. rotation = (cos(s a / 2), axis sin(s a / 2)) rest, s is the share
+///      its rotation in the reference pose. a is the twist angle of d about the bone (runtime/math/swing_twist.h), in
+///      (-pi, pi]: it jumps when the twist passes a half turn. rotation = (cos(s a / 2), axis sin(s a / 2)) rest, s is
+///      the share
 /// in   pose  local transforms of the target
 /// out  pose  rotations of the twist joints are replaced
 /// cost O(twist joints), some 50 ns each, no allocation

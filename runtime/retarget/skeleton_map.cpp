@@ -18,16 +18,16 @@ namespace {
 using Quatd = Quat<double>;
 using Vec3d = Vec3<double>;
 
-/// A rest pose in model space.
-struct RestPose {
+/// A reference pose in model space.
+struct ModelPose {
   std::vector<Transformd> local;
   std::vector<Quatd> rotation;
   std::vector<Affined> model;
 
-  explicit RestPose(const Skeleton& skeleton) {
+  ModelPose(const Skeleton& skeleton, std::span<const Transform> reference) {
     for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
       const std::uint32_t parent = skeleton.parents[j];
-      Transformd own = rest_transform(skeleton, j);
+      Transformd own = reference_transform(skeleton, reference, j);
       own.rotation = normalised(own.rotation);
       local.push_back(own);
       rotation.push_back(parent == kNone ? own.rotation : normalised(rotation[parent] * own.rotation));
@@ -47,6 +47,20 @@ struct RestPose {
     return glm::inverse(linear_part(model[above])) * (place(j) - place(above));
   }
 };
+
+/// Zero if no mapped joint has a mapped ancestor.
+double mean_bone_angle(const SkeletonMap& map, const ModelPose& from, const ModelPose& to) noexcept {
+  double sum = 0.0, count = 0.0;
+  for (const MappedJoint& joint : map.joints) {
+    if (joint.above_target == kNone || joint.above_source == kNone) continue;
+    const Vec3d a = from.place(joint.source) - from.place(joint.above_source),
+                b = to.place(joint.target) - to.place(joint.above_target);
+    if (!(safe_length(a) > 0.0) || !(safe_length(b) > 0.0)) continue;
+    sum += rotation_angle_between(quat_identity<double>(), rotation_between(a, b));
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;  // {source, target}
 
@@ -86,7 +100,7 @@ void add_roots(const Skeleton& source, std::span<const std::uint32_t> source_bon
 }
 
 /// R of the equation of make_skeleton_map for bones of arms and legs; the identity for all other joints.
-std::vector<Quatd> limb_turns(const Pairs& bones, const RestPose& from, const RestPose& to,
+std::vector<Quatd> limb_turns(const Pairs& bones, const ModelPose& from, const ModelPose& to,
                               std::span<const std::uint32_t> source, std::span<const std::uint32_t> target) {
   std::vector<Quatd> turns(to.local.size(), quat_identity<double>());
   if (bones.empty()) return turns;
@@ -137,7 +151,7 @@ double ratio_of(double source, double target) noexcept { return source > 0.0 && 
 /// Makes the map from pairs.
 class Mapping {
  public:
-  Mapping(const Skeleton& source, const Skeleton& target, const RestPose& from, const RestPose& to,
+  Mapping(const Skeleton& source, const Skeleton& target, const ModelPose& from, const ModelPose& to,
           std::vector<Quatd> turns, const SkeletonMapOptions& options)
       : source_(source),
         target_(target),
@@ -217,7 +231,7 @@ class Mapping {
   }
 
   const Skeleton &source_, &target_;
-  const RestPose &from_, &to_;
+  const ModelPose &from_, &to_;
   std::vector<Quatd> turns_;  // [target joints] R
   std::vector<std::uint32_t> source_of_;
   double lowest_source_ = std::numeric_limits<double>::infinity();  // height of the lowest mapped joint
@@ -233,6 +247,11 @@ class Mapping {
 ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const Skeleton& target) {
   for (const auto* bones : {&options.source_bones, &options.target_bones})
     if (!bones->empty() && bones->size() != kHumanoidBones.size()) return ErrorCode::size_mismatch;
+  const auto fits = [](std::span<const Transform> pose, const Skeleton& skeleton) {
+    return pose.empty() || pose.size() == skeleton.joint_count();
+  };
+  if (!fits(options.source_reference, source) || !fits(options.target_reference, target))
+    return ErrorCode::size_mismatch;
   std::vector<bool> is_mapped(target.joint_count()), has_rule(target.joint_count());
   for (const auto& [from, to] : options.pairs) {
     if (from >= source.joint_count() || to >= target.joint_count()) return ErrorCode::index_out_of_range;
@@ -249,7 +268,7 @@ ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const
 
 SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options) {
   CONTRACT(check(options, source, target) == ErrorCode::ok && "options of a map are of its skeletons");
-  const RestPose from(source), to(target);
+  const ModelPose from(source, options.source_reference), to(target, options.target_reference);
   const auto bones_of = [](const Skeleton& skeleton, const std::vector<std::uint32_t>& given) {
     return given.empty() ? find_humanoid_bones(skeleton) : given;
   };
@@ -271,6 +290,15 @@ SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, co
                                                        : by_bones,
                                 names, target_bones[humanoid_bone("hips")]);
   map.target_bones = target_bones;
+  if (!is_rest_pose(source, options.source_reference)) {
+    map.source_reference = PoseReference::given;
+    map.source_pose.assign(options.source_reference.begin(), options.source_reference.end());
+  }
+  if (!is_rest_pose(target, options.target_reference)) {
+    map.target_reference = PoseReference::given;
+    map.target_pose.assign(options.target_reference.begin(), options.target_reference.end());
+  }
+  map.bone_angle_rad = mean_bone_angle(map, from, to);
   return map;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/animation/pose_reference.h"
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/api.h"
 #include "runtime/base/result.h"
@@ -31,6 +32,11 @@ struct SkeletonMap {
   std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
   /// [kHumanoidBones] joint of the target for each humanoid bone, or kNone
   std::vector<std::uint32_t> target_bones = std::vector<std::uint32_t>(kHumanoidBones.size(), kNone);
+  PoseReference source_reference = PoseReference::rest, target_reference = PoseReference::rest;
+  std::vector<Transform> source_pose, target_pose;  ///< [J] the reference poses; empty = the rest pose.
+  /// Mean angle between the bones of mapped joints and those of the joints that they follow, in the reference poses.
+  /// A bone runs from the nearest mapped ancestor to the joint.
+  double bone_angle_rad = 0.0;
 };
 
 /// How the rest poses of two humanoids are aligned.
@@ -62,11 +68,14 @@ struct SkeletonMapOptions {
   /// [kHumanoidBones] Joint of each humanoid bone, or kNone, for files that say so (humanoid_bones_of). Empty = bones
   /// are found by names.
   std::vector<std::uint32_t> source_bones, target_bones;
+  /// [J] Reference poses: local transforms of poses in which both bodies do the same. Empty = the rest pose, or what
+  /// make_skeleton_map of scenes chooses (map_scenes.h).
+  std::span<const Transform> source_reference = {}, target_reference = {};
 };
 
 /// For options that come from elsewhere, such as a file or a script. make_skeleton_map breaks a contract for bad ones.
 /// err  index_out_of_range (a joint);  unsupported (a joint of the target in two pairs or two chains);  size_mismatch
-///      (bones)
+///      (bones, reference poses)
 SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const Skeleton& target);
 
 /// Maps joints of equal names, or joints of the same humanoid bone (humanoid_bones.h), whichever maps more joints. On a
@@ -74,18 +83,19 @@ SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& sou
 /// not an ancestor in both skeletons. A root joint above the hips follows the other skeleton's root joint. If only one
 /// skeleton has a root joint, the hips carry the whole path.
 ///
-/// The map carries rotations relative to the rest pose, in model space. Notation: W rest rotations and G pose rotations
-/// in model space, m the nearest mapped ancestor of j, Q = G_m^-1 G_j the rotation of j relative to m (over all joints
-/// between). Primes mark the target, and P' is the parent of j'.
+/// The map carries rotations relative to the reference pose, which is the rest pose unless the options give another
+/// one. Notation: W rotations of the reference and G of the pose in model space, m the nearest mapped ancestor of j,
+/// Q = G_m^-1 G_j the rotation of j relative to m (over all joints between). Primes mark the target, and P' is the
+/// parent of j'.
 /// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = B Q A,  B = W'_P'^-1 W'_m C'_m^-1 W_m,  A = W_j^-1 C'_j
-///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local rest rotation (VRMC_vrm_animation,
+///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local reference rotation (VRMC_vrm_animation,
 ///      "humanoid"). It holds for any bone axes and roll, and for joints that only one skeleton has.
 ///      R_j aligns limbs: for upper and lower arms and legs it is the shortest arc from the target's limb to the
-///      source's limb in the rest poses. Hands and fingers use the R of the lower arm. All other joints use the
+///      source's limb in the reference poses. Hands and fingers use the R of the lower arm. All other joints use the
 ///      identity, as do all joints with LimbDirections::of_rest or if the map is by names.
-///      t' = t'_rest + k B (p - p_rest), p the place of j relative to m, k by TranslationRule. Scales of parents are
+///      t' = t'_ref + k B (p - p_ref), p the place of j relative to m, k by TranslationRule. Scales of parents are
 ///      divided out.
-/// in   skeletons  rest rotations unit;   options  that check accepts
+/// in   skeletons  rest rotations unit;   options  that check accepts, reference rotations unit
 /// cost O(J log J), allocates
 SINEW_API SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target,
                                         const SkeletonMapOptions& options = {});

@@ -281,7 +281,7 @@ TEST(mirror_map, another_reference_pose_mirrors_about_it) {
   const MirrorMap about_reference = make_mirror_map(striding, options), expected = make_mirror_map(body.skeleton);
   const std::vector<Transform> local = scenes::moved_from_rest(body.skeleton, 7);
   EXPECT_EQ(mirrored(about_reference, local), mirrored(expected, local));
-  EXPECT_FALSE(about_reference.is_about_rest);
+  EXPECT_EQ(about_reference.reference, PoseReference::given);
   EXPECT_TRUE(is_moved_at_rest(about_reference, striding, 5));
   EXPECT_FALSE(is_moved_at_rest(expected, body.skeleton, 5));
 }

@@ -186,6 +186,9 @@ TEST_F(CNullArguments, of_libraries_and_maps) {
   EXPECT_REFUSED(sinew_get_skeleton_map, {}, map.get(), &map_info);
   EXPECT_REFUSED(sinew_find_ground, {}, map.get(), 0, &ground);
   EXPECT_REFUSED(sinew_mirror_create, {}, &scene_, &mirror_made);
+  EXPECT_REFUSED(sinew_mirror_create_about, {2}, &scene_, SINEW_REFERENCE_BIND, nullptr, &mirror_made);
+  EXPECT_EQ(sinew_mirror_create_about(&scene_, SINEW_REFERENCE_GIVEN, nullptr, &mirror_made), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_mirror_create_about(&scene_, 4, nullptr, &mirror_made), SINEW_UNSUPPORTED);
   EXPECT_REFUSED(sinew_get_mirror, {}, mirror.get(), &mirror_info);
   EXPECT_REFUSED(sinew_skeleton_lod_create, {2, 4}, &scene_, 0.1, nullptr, 0, nullptr, &lod_made);
   EXPECT_EQ(sinew_skeleton_lod_create(&scene_, 0.1, nullptr, 1, nullptr, &lod_made), SINEW_NULL_ARGUMENT);

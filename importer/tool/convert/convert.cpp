@@ -21,6 +21,7 @@
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
+#include "importer/tool/reference_choice.h"
 
 namespace sinew::tool {
 namespace {
@@ -29,7 +30,7 @@ struct ConvertOptions {
   BatchOptions files;
   std::string in, out;
   std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
-  std::optional<std::string> budget;
+  std::optional<std::string> budget, reference;
   std::optional<double> fps;
   bool mirror = false, quantize = false, merge_vertices = false, meshopt = false;
   std::vector<std::string> drop;
@@ -63,11 +64,14 @@ struct Truths {
   std::span<const Animation> of(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
 };
 
-Truths truths_of(const ConvertOptions& options, const Scene& scene) {
-  if (!options.mirror) return {};
-  MirroredClips found = mirror_clips(scene);
-  print_error(options.in + ": " + found.summary);
-  return {std::move(found.animations), std::move(found.channels_to)};
+/// err   what is wrong, as a sentence for the user
+tl::expected<Truths, std::string> truths_of(const ConvertOptions& options, const Scene& scene) {
+  if (!options.mirror) return Truths{};
+  auto found = mirror_clips(scene, options.reference);
+  if (!found) return tl::unexpected(found.error());
+  if (const auto warning = bind_pose_warning(scene)) print_error(options.in + ": " + *warning);
+  print_error(options.in + ": " + found->summary);
+  return Truths{std::move(found->animations), std::move(found->channels_to)};
 }
 
 /// Writes clips with other keys, and prints what was measured of them.
@@ -104,17 +108,18 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   if (const auto error = find_output_error(*output, model->facts.files))
     return fail_with(ExitCode::wrong_usage, *error);
 
-  const Truths truths = truths_of(options, model->scene);
+  const auto truths = truths_of(options, model->scene);
+  if (!truths) return fail_with(ExitCode::wrong_usage, options.in + ": " + truths.error());
   RewriteOptions changes;
-  changes.animations = truths.mirrored;
-  changes.channels_to = truths.channels_to;
+  changes.animations = truths->mirrored;
+  changes.channels_to = truths->channels_to;
   changes.quantize = options.quantize;
   changes.merge_vertices = options.merge_vertices;
   changes.meshopt = options.meshopt;
   changes.drop.insert(options.drop.begin(), options.drop.end());
   if ((options.budget || options.fps) && !model->scene.animations.empty()) {
     const auto budget_m = options.budget ? std::optional(metres_of(*budget, model->scene)) : std::nullopt;
-    return convert_clips(options, *model, truths.of(model->scene), std::move(changes), budget_m, *output, many);
+    return convert_clips(options, *model, truths->of(model->scene), std::move(changes), budget_m, *output, many);
   }
   const auto bytes = write_model(*model, options.in, std::move(changes), options.drop, *output);
   if (!bytes) return bytes.error();
@@ -178,6 +183,12 @@ Command convert_command() {
                "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
                "places where names do not tell; joints without a partner are listed. With --budget or --fps the\n"
                "mirrored clips get fewer keys");
+  command
+      .option("--reference", "POSE", &options->reference,
+              std::string(kReferenceHelp) +
+                  "The symmetric pose that --mirror keeps as it is.\n"
+                  "Default: rest, but bind if the rest pose is asymmetric and the bind pose by less than half as much")
+      .needs("--mirror");
   command.flag("--quantize", options->quantize,
                "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
                "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16). Weights get\n"

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "importer/tool/messages.h"
+#include "importer/tool/reference_choice.h"
 #include "runtime/animation/mirror_animation.h"
 #include "runtime/model/mirror_scene.h"
 
@@ -25,13 +26,19 @@ std::string summary_of(const Scene& scene, const MirrorMap& map) {
 
 }  // namespace
 
-MirroredClips mirror_clips(const Scene& scene) {
-  const MirrorMap map = make_mirror_map(scene);
+tl::expected<MirroredClips, std::string> mirror_clips(const Scene& scene, const std::optional<std::string>& reference) {
+  const auto about = read_reference(scene, reference);
+  if (!about) return tl::unexpected(about.error());
+  MirrorOptions options;
+  options.reference = *about;
+  const MirrorMap map = make_mirror_map(scene, options);
   MirroredClips clips;
   for (const Animation& animation : scene.animations)
     clips.animations.push_back(mirror_animation(animation, map, scene.skeleton, scene.first_weight));
   for (const MirroredJoint& joint : map.joints) clips.channels_to.push_back(joint.source);
   clips.summary = summary_of(scene, map);
+  if (reference || map.reference != PoseReference::rest)
+    clips.summary += "; about the " + reference_text(map.reference, reference);
   return clips;
 }
 

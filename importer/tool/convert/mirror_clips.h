@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "runtime/model/scene.h"
 
@@ -12,9 +15,11 @@ namespace sinew::tool {
 struct MirroredClips {
   std::vector<Animation> animations;       ///< parallel to Scene::animations
   std::vector<std::uint32_t> channels_to;  ///< RewriteOptions::channels_to
-  std::string summary;  ///< plane, how many joints have partners, and the names of those that lack one
+  std::string summary;  ///< plane, how many joints have partners, the names of those that lack one, reference pose
 };
 
-MirroredClips mirror_clips(const Scene& scene);
+/// in   reference  rest, bind or CLIP@SECONDS (reference_choice.h); nullopt = chosen
+/// err  a sentence for the user about `reference`
+tl::expected<MirroredClips, std::string> mirror_clips(const Scene& scene, const std::optional<std::string>& reference);
 
 }  // namespace sinew::tool

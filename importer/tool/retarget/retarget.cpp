@@ -18,11 +18,13 @@
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/reference_choice.h"
 #include "importer/tool/retarget/map_file.h"
 #include "importer/tool/text_table.h"
 #include "importer/vrm.h"
 #include "runtime/library/clip_channels.h"
 #include "runtime/retarget/hold_feet.h"
+#include "runtime/retarget/map_scenes.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/retarget_weights.h"
@@ -33,7 +35,7 @@ namespace {
 
 struct RetargetOptions {
   std::string clips, character, out;
-  std::optional<std::string> map;
+  std::optional<std::string> map, reference, onto_reference;
   std::vector<std::string> drop;
   std::string translations = kTranslationRules[0];
   bool keep_rest = false, hold_feet = false;
@@ -130,7 +132,23 @@ tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, co
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
   if (options.map)
     if (auto done = read_map_file(*options.map, source, target, choice); !done) return tl::unexpected(done.error());
-  return make_skeleton_map(source, target, choice);
+  const auto from = read_reference(clips.scene, options.reference),
+             to = read_reference(character.scene, options.onto_reference);
+  if (!from) return tl::unexpected(options.clips + ": " + from.error());
+  if (!to) return tl::unexpected(options.character + ": " + to.error());
+  choice.source_reference = *from;
+  choice.target_reference = *to;
+  return make_skeleton_map(clips.scene, character.scene, choice);
+}
+
+void print_references(const RetargetOptions& options, const SkeletonMap& map, const Scene& clips,
+                      const Scene& character) {
+  constexpr double kDegrees = 57.29577951308232;
+  if (const auto warning = bind_pose_warning(clips)) print_error(options.clips + ": " + *warning);
+  if (const auto warning = bind_pose_warning(character)) print_error(options.character + ": " + *warning);
+  print_result("reference: {} of the clips, {} of the character; their bones are {:.2g} degrees apart on average\n",
+               reference_text(map.source_reference, options.reference),
+               reference_text(map.target_reference, options.onto_reference), map.bone_angle_rad * kDegrees);
 }
 
 ExitCode retarget(const RetargetOptions& options) {
@@ -161,6 +179,7 @@ ExitCode retarget(const RetargetOptions& options) {
                      options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
   const TwistMap twists = make_twist_map(*map, target);
   print_map(*map, twists, source, target);
+  print_references(options, *map, clips->scene, character->scene);
   const std::vector<Animation> added = retarget_clips(clips->scene, *map, twists, feet, *character);
   RewriteOptions changes;
   changes.added_animations = added;
@@ -179,7 +198,7 @@ Command retarget_command() {
       "Play the clips of one character on another\n"
       "Joints follow those of the same names, or those that are the same bone of a human body: by what a VRM file "
       "says, or by the names of VRM, Mixamo, Unreal, Rigify, Daz and motion capture. Each takes over how far the other "
-      "is turned from the rest pose; axes and roll of bones do not matter. Arms and legs point where those of the "
+      "is turned from the reference pose; axes and roll of bones do not matter. Arms and legs point where those of the "
       "clips point, also where one rests with its arms out and the other with its arms down. Bones keep their lengths; "
       "the path of the hips is scaled by their height. Twist joints of arms and legs share what hands, feet, arms and "
       "thighs are twisted. Morph targets, and animated properties of materials, lights and cameras, follow those of "
@@ -205,6 +224,14 @@ Command retarget_command() {
               "hips-by-height: the path of the hips is scaled by their height, bones keep their length (default);\n"
               "by-length: each joint is scaled by the length of its bone; keep: all stay where they rest")
       .one_of({std::begin(kTranslationRules), std::end(kTranslationRules)});
+  command.option(
+      "--reference", "POSE", &options->reference,
+      std::string(kReferenceHelp) +
+          "Of CLIPS: turns of joints are\n"
+          "measured from it. Default: of rest and bind, of CLIPS and CHARACTER, the two in which the bones of\n"
+          "both point most alike; bind only if it is better by half a degree and by a quarter");
+  command.option("--onto-reference", "POSE", &options->onto_reference,
+                 "The same pose of CHARACTER: rest, bind or CLIP@SECONDS of its own clips");
   command.flag("--keep-rest", options->keep_rest,
                "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
   command.run = [options] { return retarget(*options); };
