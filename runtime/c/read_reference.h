@@ -20,7 +20,8 @@ inline sinew_error read_reference(std::uint32_t reference, const sinew_pose* giv
   if (reference == SINEW_REFERENCE_BIND) local = bind_pose(scene).local;
   if (reference != SINEW_REFERENCE_GIVEN) return SINEW_OK;
   PoseSpan pose;
-  if (const sinew_error error = read_pose(given, scene.skeleton.joint_count(), pose); error != SINEW_OK) return error;
+  if (const sinew_error error = read_poses({{given, pose}})) return error;
+  if (pose.joint_count != scene.skeleton.joint_count()) return SINEW_SIZE_MISMATCH;
   for (std::uint32_t j = 0; j < pose.joint_count; ++j) local.push_back(pose.get(j));
   return SINEW_OK;
 }

@@ -88,9 +88,9 @@ SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& sou
 /// Q = G_m^-1 G_j the rotation of j relative to m (over all joints between). Primes mark the target, and P' is the
 /// parent of j'.
 /// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = B Q A,  B = W'_P'^-1 W'_m C'_m^-1 W_m,  A = W_j^-1 C'_j
-///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local reference rotation (VRMC_vrm_animation,
-///      "humanoid"). It holds for any bone axes and roll, and for joints that only one skeleton has.
-///      R_j aligns limbs: for upper and lower arms and legs it is the shortest arc from the target's limb to the
+///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local reference rotation
+///      (VRMC_vrm_animation, "humanoid"). It holds for any bone axes and roll, and for joints that only one skeleton
+///      has. R_j aligns limbs: for upper and lower arms and legs it is the shortest arc from the target's limb to the
 ///      source's limb in the reference poses. Hands and fingers use the R of the lower arm. All other joints use the
 ///      identity, as do all joints with LimbDirections::of_rest or if the map is by names.
 ///      t' = t'_ref + k B (p - p_ref), p the place of j relative to m, k by TranslationRule. Scales of parents are
