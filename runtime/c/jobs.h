@@ -72,8 +72,8 @@ typedef struct sinew_character_input {
   uint32_t character;
 } sinew_character_input;
 
-/// Queues one frame in which these inputs are new. All other characters keep theirs; one that never had an input is not
-/// run.
+/// Queues one frame in which these inputs are new. All other characters keep theirs, whose pages and procedures then
+/// have to stay. One that never had an input is not run.
 /// err  those above, SINEW_UNKNOWN_CHARACTER
 SINEW_API sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, size_t count,
                                                 uint64_t* ticket);

@@ -99,8 +99,8 @@ class SINEW_API JobThread {
   /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
   ///      too_many_layers (more than Needs::in.layer_room), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
-  /// Queues one frame in which these inputs are new. All other characters keep theirs; one that never had an input is
-  /// not run.
+  /// Queues one frame in which these inputs are new. All other characters keep theirs, whose pages and procedures then
+  /// have to stay. One that never had an input is not run.
   /// err  those above, unknown_character
   Result<Ticket> submit(std::span<const CharacterInput> changed);
 
