@@ -54,8 +54,14 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
   return std::nullopt;
 }
 
-/// The error that quantization may make: the budget minus float rounding.
-ImportResult<double> quantization_budget(const TakeStream& stream) {
+/// Quantization grid of a stream.
+struct Grid {
+  float step = 0.0f;
+  double reach = 0.0;  // in steps
+};
+
+/// The coarsest grid that meets the error budget: half the diagonal of a cell equals the budget minus float rounding.
+ImportResult<Grid> grid_of(const TakeStream& stream) {
   double largest = 0.0;
   for (const auto& frame : stream.frames)
     for (const glm::vec3& p : frame)
@@ -64,7 +70,8 @@ ImportResult<double> quantization_budget(const TakeStream& stream) {
   if (!(within >= 0.5 * stream.budget) || !(within > 0x1p-100))
     return refuse("cache-budget", "a budget of " + std::to_string(stream.budget) +
                                       " is below what float holds of numbers up to " + std::to_string(largest));
-  return within;
+  const auto step = static_cast<float>(2.0 * within / std::sqrt(3.0));
+  return Grid{step, within / static_cast<double>(step) * (1.0 + 1e-7)};
 }
 
 void write_table(std::span<const std::uint8_t> bytes, ByteWriter& out) {
@@ -87,7 +94,7 @@ void write_mesh(const GeometryMesh& mesh, ByteWriter& out) {
     for (int axis = 0; axis < 3; ++axis) out.add(corner[axis]);
   out.add(static_cast<std::uint8_t>(mesh.streams.size()));
   for (const GeometryStream& stream : mesh.streams) {
-    out.add(static_cast<std::uint8_t>(static_cast<unsigned>(stream.kind) | (stream.centred ? kCentredBit : 0u)));
+    out.add(static_cast<std::uint8_t>(stream.kind));
     out.add(stream.step);
     out.add(stream.point_count);
     out.add(stream.most_payload);
@@ -265,9 +272,9 @@ ImportResult<std::vector<std::byte>> encode_geometry_cache(const GeometryTake& t
     if (auto error = check_mesh(mesh, frame_count)) return tl::unexpected(std::move(*error));
     std::vector<EncodedStream> streams;
     for (const TakeStream& stream : mesh.streams) {
-      const auto within = quantization_budget(stream);
-      if (!within) return tl::unexpected(within.error());
-      streams.push_back(encode_stream(stream, mesh.triangles, *within, options.segment_frames));
+      const auto grid = grid_of(stream);
+      if (!grid) return tl::unexpected(grid.error());
+      streams.push_back(encode_stream(stream, mesh.triangles, grid->step, grid->reach, options.segment_frames));
     }
     writer.add(mesh, std::move(streams));
   }

@@ -24,10 +24,10 @@ inline constexpr int kFrameZstdLevel = 1, kDirectoryZstdLevel = 19;
 std::uint32_t store_bytes(std::span<const std::uint8_t> bytes, std::vector<std::byte>& out,
                           int zstd_level = kFrameZstdLevel);
 
-/// Encodes on a plain and on a centred grid, and keeps what is smaller.
-/// in   within    largest error of a decoded value, in the unit of the values
+/// in   step      grid step, in the unit of the values
+///      reach     largest error of a decoded value, in steps
 /// cost some microseconds per point and frame
-EncodedStream encode_stream(const TakeStream& stream, std::span<const std::uint32_t> triangles, double within,
-                            std::uint32_t segment_frames);
+EncodedStream encode_stream(const TakeStream& stream, std::span<const std::uint32_t> triangles, float step,
+                            double reach, std::uint32_t segment_frames);
 
 }  // namespace sinew

@@ -17,69 +17,45 @@ using Affine4 = std::array<std::array<double, 3>, 4>;
 std::int32_t wrapped(std::uint32_t number) { return static_cast<std::int32_t>(number); }
 std::uint32_t bits(std::int32_t number) { return static_cast<std::uint32_t>(number); }
 
-/// Residuals of an axis are coded for the size that they have on average (residual_code.h).
-/// eq   p(r) = (1 - q) / (1 + q) q^|r|, with q such that |r| is `mean` on average
-struct ResidualCost {
-  double zero = 0.0;  ///< bits of a residual of 0
-  double unit = 0.0;  ///< bits more for each step of its size
-
-  ResidualCost() : ResidualCost(1.0) {}
-  explicit ResidualCost(double mean) {
-    const double m = std::max(mean, kLeastMean), q = (std::sqrt(1.0 + m * m) - 1.0) / m;
-    zero = std::log2((1.0 + q) / (1.0 - q));
-    unit = -std::log2(q);
-  }
-
- private:
-  static constexpr double kLeastMean = 0.01;
-};
-using AxisCosts = std::array<ResidualCost, 3>;
-
-double size_of(std::int32_t residual) { return std::abs(static_cast<double>(residual)); }
+/// Estimated bits of a residual after packing and compression.
+double residual_bits(std::int32_t residual) {
+  static const std::vector<double> table = [] {
+    std::vector<double> t{0.8};
+    for (int i = 1; i < 1024; ++i) t.push_back(1.5 + 1.6 * std::log2(i + 1.0));
+    return t;
+  }();
+  const std::uint32_t size = residual < 0 ? 0u - bits(residual) : bits(residual);
+  return size < table.size() ? table[size] : 1.5 + 1.6 * std::log2(size + 1.0);
+}
 
 /// Estimated bits of a number in a block's header.
-double head_bits(std::int32_t number) { return 5.0 + 0.8 * std::log2(1.0 + std::abs(static_cast<double>(number))); }
-
-/// The residual that leads from a prediction to a point of the grid (BlockMotion).
-Vec3i residual_of(const Vec3i& point, const Vec3i& predicted, bool is_centred) {
-  Vec3i out;
-  for (std::size_t a = 0; a < 3; ++a) out[a] = wrapped(bits(point[a]) - bits(predicted[a]));
-  for (std::size_t a = 1; a < 3 && is_centred; ++a) {
-    const std::uint32_t up = (bits(predicted[a]) ^ bits(point[0])) & 1u;
-    out[a] = wrapped(bits(out[a]) - up) / 2;
-  }
-  return out;
+double head_bits(std::int32_t number) {
+  return 0.6 * (1.0 + 2.0 * std::log2(1.0 + std::abs(static_cast<double>(number))));
 }
 
-/// The point of a centred grid that a prediction without a residual leads to.
-Vec3i centred(Vec3i predicted) {
-  for (std::size_t a = 1; a < 3; ++a)
-    predicted[a] = wrapped(bits(predicted[a]) + ((bits(predicted[a]) ^ bits(predicted[0])) & 1u));
-  return predicted;
-}
-
-/// The grid point within `reach` of the value whose residual needs the fewest bits; the nearest one if none is within.
-Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, const Grid& grid,
-                  const AxisCosts& costs) {
+/// The grid point within `reach` of the value whose residual needs the fewest bits. Any point within the error budget
+/// (a ball) is acceptable, and the ball usually contains several grid points.
+Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, double reach) {
   Vec3i low, best{};
-  for (std::size_t a = 0; a < 3; ++a) low[a] = static_cast<std::int32_t>(std::floor(value[a])) - 1;
-  double fewest = std::numeric_limits<double>::infinity(), nearest = fewest;
-  for (std::uint32_t corner = 0; corner < 64; ++corner) {
-    const Vec3i at{wrapped(bits(low[0]) + (corner & 3u)), wrapped(bits(low[1]) + (corner >> 2 & 3u)),
-                   wrapped(bits(low[2]) + (corner >> 4))};
-    if (grid.centred && (((at[0] ^ at[1]) | (at[0] ^ at[2])) & 1) != 0) continue;
+  for (std::size_t a = 0; a < 3; ++a) low[a] = static_cast<std::int32_t>(std::floor(value[a]));
+  double fewest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
     double distance = 0.0, cost = 0.0;
-    const Vec3i residual = residual_of(at, predicted, grid.centred);
+    Vec3i at;
+    bool nearest = true;
     for (std::size_t a = 0; a < 3; ++a) {
-      distance += (at[a] - value[a]) * (at[a] - value[a]);
-      cost += costs[a].unit * size_of(residual[a]);
+      at[a] = low[a] + static_cast<std::int32_t>(corner >> a & 1u);
+      const double off = at[a] - value[a];
+      distance += off * off;
+      nearest = nearest && std::abs(off) <= 0.5;
+      cost += residual_bits(wrapped(bits(at[a]) - bits(predicted[a])));
     }
+    if (distance > reach * reach && !nearest) continue;
     cost += distance;  // tie-break: the nearer point
-    const bool within = distance <= grid.reach * grid.reach;
-    if (within ? cost >= fewest : (fewest < std::numeric_limits<double>::infinity() || distance >= nearest)) continue;
-    if (within) fewest = cost;
-    nearest = std::min(nearest, distance);
-    best = at;
+    if (cost < fewest) {
+      fewest = cost;
+      best = at;
+    }
   }
   return best;
 }
@@ -102,16 +78,9 @@ Vec3i point_of(const BlockState& state, std::size_t i) {
   return {state[i], state[kBlockPoints + i], state[2 * kBlockPoints + i]};
 }
 
-/// Residual of a point predicted from its corner points: r[a] + r[b] - r[c], or the mean of a and b.
-Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, std::size_t i, bool means) {
+/// Residual of a point predicted from its corner points: r[a] + r[b] - r[c].
+Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, std::size_t i) {
   Vec3i out{};
-  if (means && corners[3 * i] != kNoCorner) {
-    const std::uint8_t first = corners[3 * i], second = corners[3 * i + 1] == kNoCorner ? first : corners[3 * i + 1];
-    for (std::size_t a = 0; a < 3; ++a)
-      out[a] = wrapped(bits(r[a * kBlockPoints + first]) + bits(r[a * kBlockPoints + second])) >> 1;
-    return out;
-  }
-  if (means) return out;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint8_t corner = corners[3 * i + k];
     if (corner == kNoCorner) continue;
@@ -125,46 +94,25 @@ Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, st
 
 /// Quantizes the points of a block one after another. Padding points beyond `count` take their predicted values.
 template <class Predict>
-void settle(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, const Grid& grid,
-            const AxisCosts& costs, const Predict& predict, FittedBlock& out) {
+void settle(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, double reach,
+            const Predict& predict, FittedBlock& out) {
   const bool spreads = out.motion.spreads || out.motion.base == BlockBase::space;
   BlockState missed{};  // residuals of the motion alone
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
     const Vec3i moved = predict(i);
     Vec3i predicted = moved;
     if (spreads) {
-      const Vec3i from = spread_from(corners, missed, i, out.motion.means);
+      const Vec3i from = spread_from(corners, missed, i);
       for (std::size_t a = 0; a < 3; ++a) predicted[a] = wrapped(bits(moved[a]) + bits(from[a]));
     }
-    const Vec3i chosen = i < count      ? choose_near(point_of(values, i), predicted, grid, costs)
-                         : grid.centred ? centred(predicted)
-                                        : predicted;
-    const Vec3i residual = residual_of(chosen, predicted, grid.centred);
+    const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach) : predicted;
     for (std::size_t a = 0; a < 3; ++a) {
       out.state[a * kBlockPoints + i] = chosen[a];
-      out.residuals[a * kBlockPoints + i] = residual[a];
+      out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
       missed[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(moved[a]));
     }
   }
   set_widths(out);
-}
-
-AxisCosts costs_of(const FittedBlock& block) {
-  AxisCosts out;
-  for (std::size_t a = 0; a < 3; ++a) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < kBlockPoints; ++i) sum += size_of(block.residuals[a * kBlockPoints + i]);
-    out[a] = ResidualCost(sum / kBlockPoints);
-  }
-  return out;
-}
-
-/// Quantizes twice: first for costs that are guessed, then for those of the residuals that this leaves.
-template <class Predict>
-void settle_twice(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, const Grid& grid,
-                  const Predict& predict, FittedBlock& out) {
-  settle(values, count, corners, grid, AxisCosts{}, predict, out);
-  settle(values, count, corners, grid, costs_of(out), predict, out);
 }
 
 /// The prediction of a motion for one point, before residuals: the equation of BlockMotion.
@@ -213,8 +161,8 @@ void solve(std::array<std::array<double, 4>, 4> n, Affine4& sides) {
 class MotionSearch {
  public:
   MotionSearch(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
-               const BlockState& x1, const BlockState& x2, bool centred)
-      : values_(values), count_(count), corners_(corners), x1_(x1), x2_(x2), centred_(centred) {
+               const BlockState& x1, const BlockState& x2)
+      : values_(values), count_(count), corners_(corners), x1_(x1), x2_(x2) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::array<double, 4> p = local(i);
       for (std::size_t r = 0; r < 4; ++r)
@@ -241,7 +189,7 @@ class MotionSearch {
     }
     solve(normal_, fit);
     const int fine = std::clamp(static_cast<int>(std::ceil(std::log2(extent_))), 1, 30);
-    for (const int shift : {fine - 1, fine - 2}) try_motion(turned(still, fit, shift));
+    for (const int shift : {fine, fine - 1}) try_motion(turned(still, fit, shift));
   }
 
   const BlockMotion& best() const { return best_; }
@@ -292,51 +240,28 @@ class MotionSearch {
   /// Compares the cost of a motion with plain residuals and with predicted residuals (where the offset matches point 0
   /// exactly).
   void try_motion(const BlockMotion& motion) {
-    double head = 0.0, offset = 0.0;
-    for (const std::int32_t x : motion.offset) offset += head_bits(x);
+    double head = 0.0, alone = 0.0, spread = kSpreadBits;
+    for (const std::int32_t x : motion.offset) alone += head_bits(x);
     if (motion.turns)
       for (const std::int16_t x : motion.matrix) head += head_bits(x);
-    BlockState missed{};
-    std::array<std::array<double, 3>, 3> sizes{};  // of residuals alone, spreading, and spreading by means
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Vec3i predicted = predict(motion, x1_, x2_, i);
+    BlockState missed;
+    for (std::size_t i = 0; i < count_ && head + std::min(alone, spread) < fewest_; ++i) {
+      const Vec3i predicted = predict(motion, x1_, x2_, i), from = spread_from(corners_, missed, i);
       for (std::size_t a = 0; a < 3; ++a) {
         const auto value = static_cast<std::int32_t>(std::lround(values_[a * kBlockPoints + i]));
-        missed[a * kBlockPoints + i] = wrapped(bits(value) - bits(predicted[a]));
-      }
-      const Vec3i missing = point_of(missed, i), spread = spread_from(corners_, missed, i, false),
-                  mean = spread_from(corners_, missed, i, true);
-      for (std::size_t a = 0; a < 3; ++a) {
-        sizes[0][a] += size_of(missing[a]);
-        if (i == 0) continue;
-        sizes[1][a] += size_of(wrapped(bits(missing[a]) - bits(spread[a])));
-        sizes[2][a] += size_of(wrapped(bits(missing[a]) - bits(mean[a])));
+        const std::int32_t residual = wrapped(bits(value) - bits(predicted[a]));
+        missed[a * kBlockPoints + i] = residual;
+        alone += residual_bits(residual);
+        spread += i > 0 ? residual_bits(wrapped(bits(residual) - bits(from[a])))
+                        : head_bits(wrapped(bits(motion.offset[a]) + bits(residual)));
       }
     }
-    double first = 0.0;  // where residuals spread, the offset leads to point 0
-    for (std::size_t a = 0; a < 3; ++a)
-      first += head_bits(wrapped(bits(motion.offset[a]) + bits(missed[a * kBlockPoints])));
-    const double ways[3] = {offset + bits_of(sizes[0]), kSpreadBits + first + bits_of(sizes[1]),
-                            kSpreadBits + first + bits_of(sizes[2])};
-    const auto way = static_cast<std::size_t>(std::min_element(ways, ways + 3) - ways);
-    if (head + ways[way] >= fewest_) return;
-    fewest_ = head + ways[way];
+    if (head + std::min(alone, spread) >= fewest_) return;
+    fewest_ = head + std::min(alone, spread);
     best_ = motion;
-    best_.spreads = way > 0;
-    best_.means = way == 2;
+    best_.spreads = spread < alone;
     for (std::size_t a = 0; a < 3 && best_.spreads; ++a)
       best_.offset[a] = wrapped(bits(motion.offset[a]) + bits(missed[a * kBlockPoints]));
-  }
-
-  /// Estimated bits of residuals whose sizes have these sums.
-  double bits_of(const std::array<double, 3>& sizes) const {
-    double sum = 0.0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double size = centred_ && a > 0 ? 0.5 * sizes[a] : sizes[a];  // residuals of y and z count steps of 2
-      const ResidualCost cost(size / static_cast<double>(count_));
-      sum += static_cast<double>(count_) * cost.zero + cost.unit * size;
-    }
-    return sum;
   }
 
   const BlockValues& values_;
@@ -344,7 +269,6 @@ class MotionSearch {
   std::span<const std::uint8_t> corners_;
   const BlockState& x1_;
   const BlockState& x2_;
-  bool centred_;
   std::array<std::array<double, 4>, 4> normal_{};
   double extent_ = 1.0, fewest_ = std::numeric_limits<double>::infinity();
   BlockMotion best_;
@@ -353,19 +277,19 @@ class MotionSearch {
 }  // namespace
 
 FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
-                         const Grid& grid) {
+                         double reach) {
   FittedBlock out;
   out.motion.base = BlockBase::space;
   for (std::size_t a = 0; a < 3; ++a)
     out.motion.offset[a] = static_cast<std::int32_t>(std::lround(values[a * kBlockPoints]));
-  settle_twice(
-      values, count, corners, grid, [&](std::size_t) { return out.motion.offset; }, out);
+  settle(
+      values, count, corners, reach, [&](std::size_t) { return out.motion.offset; }, out);
   return out;
 }
 
 FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
-                        const BlockState& x1, const BlockState& x2, bool steady, const Grid& grid) {
-  MotionSearch search(values, count, corners, x1, x2, grid.centred);
+                        const BlockState& x1, const BlockState& x2, bool steady, double reach) {
+  MotionSearch search(values, count, corners, x1, x2);
   search.try_base(BlockBase::last);
   if (steady) {
     search.try_base(BlockBase::linear);
@@ -373,8 +297,8 @@ FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<
   }
   FittedBlock out;
   out.motion = search.best();
-  settle_twice(
-      values, count, corners, grid, [&](std::size_t i) { return predict(out.motion, x1, x2, i); }, out);
+  settle(
+      values, count, corners, reach, [&](std::size_t i) { return predict(out.motion, x1, x2, i); }, out);
   return out;
 }
 

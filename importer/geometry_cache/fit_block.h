@@ -14,12 +14,6 @@ namespace sinew {
 using BlockValues = std::array<double, kBlockNumbers>;
 using BlockState = std::array<std::int32_t, kBlockNumbers>;
 
-/// Grid of the decoded values. A centred one has points whose x, y and z are all even or all odd (BlockMotion).
-struct Grid {
-  double reach = 0.0;  ///< largest error of a decoded point, in steps; at least the farthest from any grid point
-  bool centred = false;
-};
-
 /// An encoded block of one frame.
 struct FittedBlock {
   BlockMotion motion;
@@ -30,12 +24,13 @@ struct FittedBlock {
 /// Encodes a block of a key frame.
 /// in   values   of the first `count` points; the rest is ignored
 ///      corners  [3 * 64] as PointOrder::corners
+///      reach    largest error of a decoded point, in steps; at least half the diagonal of a grid cell
 FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
-                         const Grid& grid);
+                         double reach);
 
 /// Encodes a block of a delta frame: tries all motion models and takes the one with the fewest bits.
 /// in   x1, x2   decoded states one and two frames before;   steady  false = do not use x2
 FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
-                        const BlockState& x1, const BlockState& x2, bool steady, const Grid& grid);
+                        const BlockState& x1, const BlockState& x2, bool steady, double reach);
 
 }  // namespace sinew

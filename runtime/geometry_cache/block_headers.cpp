@@ -30,13 +30,6 @@ bool may_follow(FramePlace place, BlockBase base) noexcept {
   return place == FramePlace::later || base == BlockBase::last;
 }
 
-bool read_width(std::uint8_t byte, BlockMotion& block, std::size_t axis) noexcept {
-  const unsigned coded = byte <= kMaxWidth ? 0u : byte - kMaxWidth - 1u;
-  block.code[axis] = byte <= kMaxWidth ? 0 : static_cast<std::uint8_t>(coded % kResidualCodes + 1);
-  block.width[axis] = byte <= kMaxWidth ? byte : static_cast<std::uint8_t>(coded / kResidualCodes);
-  return byte <= kMaxWidth || block.width[axis] <= kMaxCodedWidth;
-}
-
 /// The byte planes of both sections. Byte `b` of plane `p` is at p * (bytes of a plane) + b.
 struct Planes {
   const std::uint8_t *kinds, *widths, *upper_offsets, *shifts, *upper_matrices;  // coarse
@@ -89,10 +82,10 @@ BlockHeaderBytes write_block_headers(std::span<const BlockMotion> blocks) {
   const unsigned offset_planes = all >= 1u << 24 ? 3 : all >= 1u << 16 ? 2 : all >= 1u << 8 ? 1 : 0;
   put(out.coarse, offset_planes);
   for (const BlockMotion& block : blocks)
-    put(out.coarse, static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u) |
-                        (block.spreads ? kSpreadsBit : 0u) | (block.means ? kMeansBit : 0u));
+    put(out.coarse,
+        static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u) | (block.spreads ? kSpreadsBit : 0u));
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const BlockMotion& block : blocks) put(out.coarse, width_byte(block.code[axis], block.width[axis]));
+    for (const BlockMotion& block : blocks) put(out.coarse, block.width[axis]);
   for (unsigned byte = offset_planes; byte > 0; --byte)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const auto& offset : offsets) put(out.coarse, byte_of(offset[axis], byte));
@@ -122,11 +115,11 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
     block.base = static_cast<BlockBase>(kind & 3u);
     block.turns = (kind & kTurnsBit) != 0;
     block.spreads = (kind & kSpreadsBit) != 0;
-    block.means = (kind & kMeansBit) != 0;
-    sound = sound && kind < 2 * kMeansBit && may_follow(place, block.base) && (block.spreads || !block.means) &&
+    sound = sound && kind < 2 * kSpreadsBit && may_follow(place, block.base) &&
             !((block.turns || block.spreads) && block.base == BlockBase::space);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      sound = read_width(planes.widths[axis * blocks.size() + b], block, axis) && sound;
+      block.width[axis] = planes.widths[axis * blocks.size() + b];
+      sound = sound && block.width[axis] <= kMaxWidth;
       const std::uint32_t offset = before[axis] + static_cast<std::uint32_t>(unzigzag(offset_at(planes, axis, b)));
       block.offset[axis] = static_cast<std::int32_t>(offset);
       if (block.base == BlockBase::space) before[axis] = offset;

@@ -18,8 +18,6 @@ inline constexpr std::size_t kBlockPoints = 64;
 /// Integers of one block: the x of all its points, then y, then z.
 inline constexpr std::size_t kBlockNumbers = 3 * kBlockPoints;
 inline constexpr std::uint8_t kMaxWidth = 32;
-/// Prefix codes (residual_code.h), and the widths of lower bits that may be beside them.
-inline constexpr std::uint8_t kResidualCodes = 9, kMaxCodedWidth = 23;
 /// Bytes after the last packed residual that SIMD loads may read.
 inline constexpr std::size_t kPayloadPadding = 16;
 /// Stands for a missing corner of a parallelogram.
@@ -34,19 +32,14 @@ enum class BlockBase : std::uint8_t {
 };
 
 /// Motion of one block from frame to frame.
-/// eq   moved = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift),  `first` is the x1 of the block's point 0
-///      from = 0, or if residuals spread over the surface: r[a] + r[b] - r[c], or the mean (r[a] + r[b]) >> 1
-///      p = moved + from,  x = p + residual,  r = x - moved
-///      centred grid: x, y and z are all even or all odd. p's y and z, if not as x is, go up by 1; their residuals
-///      count steps of 2
+/// eq   x = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift) + r,  `first` is the x1 of the block's point 0
+///      r = residual, or if residuals spread over the surface: r = residual + r[a] + r[b] - r[c]
 struct BlockMotion {
   BlockBase base = BlockBase::last;
   bool turns = false;                    ///< M is present: the block also turns, stretches and shears
   bool spreads = false;                  ///< residuals are predicted from neighbours, as in `space`
-  bool means = false;                    ///< they spread by the mean of a and b (a alone if there is no b)
   std::uint8_t shift = 0;                ///< [0, 30]
-  std::array<std::uint8_t, 3> width{};   ///< packed bits of each residual along x, y, z
-  std::array<std::uint8_t, 3> code{};    ///< of the bits above them, [1, kResidualCodes]; 0 = there are none
+  std::array<std::uint8_t, 3> width{};   ///< bits of each residual along x, y, z
   std::array<std::int16_t, 9> matrix{};  ///< column by column
   std::array<std::int32_t, 3> offset{};
 };
@@ -56,12 +49,9 @@ struct BlockMotion {
 struct MoveBlocksJob {
   std::span<const BlockMotion> blocks;
   std::span<const std::uint8_t> payload;  ///< packed zigzag residuals: 8 * width bytes per block and axis, then padding
-  std::span<const std::uint8_t>
-      uppers;  ///< [192 * blocks] bits above the packed ones; may be empty if no block has a code
   std::span<const std::uint8_t> corners;  ///< [3 * 64 * blocks] a, b, c of each point, below 64, or kNoCorner
   std::span<const std::int32_t> x1, x2;   ///< [192 * blocks]
   std::span<std::int32_t> x;              ///< [192 * blocks] may be x2
-  bool centred = false;                   ///< the grid has a point in the middle of each cell of 2 x 2 x 2
 };
 ErrorCode check(const MoveBlocksJob& job) noexcept;
 void run_unchecked(const MoveBlocksJob& job) noexcept;

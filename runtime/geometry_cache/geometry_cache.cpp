@@ -27,8 +27,8 @@ tl::unexpected<GeometryCacheError> refuse(const char* rule, std::uint64_t offset
 /// Reads a directory. The first broken rule is kept.
 class GeometryHeadReader {
  public:
-  GeometryHeadReader(std::span<const std::byte> head, std::uint32_t version)
-      : head_(head), version_(version), in_(head, kGeometryFileHead), left_(kMadeBytes + kMadeTimes * head.size()) {}
+  explicit GeometryHeadReader(std::span<const std::byte> head)
+      : head_(head), in_(head, kGeometryFileHead), left_(kMadeBytes + kMadeTimes * head.size()) {}
 
   void read(GeometryCache& cache) {
     cache.start_s_ = in_.number<double>();
@@ -116,9 +116,7 @@ class GeometryHeadReader {
 
   void add_stream(GeometryMesh& mesh) {
     GeometryStream& stream = mesh.streams.emplace_back();
-    const auto kind_and_grid = in_.number<std::uint8_t>();
-    const std::uint8_t kind = version_ > 1 ? static_cast<std::uint8_t>(kind_and_grid & ~kCentredBit) : kind_and_grid;
-    stream.centred = kind != kind_and_grid;
+    const auto kind = in_.number<std::uint8_t>();
     stream.kind = static_cast<GeometryKind>(kind);
     stream.step = in_.number<float>();
     stream.point_count = in_.number<std::uint32_t>();
@@ -158,7 +156,6 @@ class GeometryHeadReader {
   }
 
   std::span<const std::byte> head_;
-  std::uint32_t version_;
   ByteReader in_;
   std::optional<Unpacker> unpacker_;  // created on first use
   std::uint64_t left_;
@@ -180,8 +177,7 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
   if (!looks_like_geometry_cache(head)) return refuse("cache-magic", 0, "this is no geometry cache");
   if (head.size() < kGeometryFileHead) return refuse("cache-size", head.size(), "the file ends inside of its head");
   ByteReader in(head, sizeof(kGeometryMagic));
-  const auto version = in.number<std::uint32_t>();
-  if (version == 0 || version > kGeometryFileVersion)
+  if (in.number<std::uint32_t>() != kGeometryFileVersion)
     return refuse("cache-version", 8, "baked by another version of the library: bake it again");
   if (in.number<std::uint32_t>() != 0) return refuse("cache-value", 12, "reserved bytes are not 0");
   const auto size = in.number<std::uint64_t>();
@@ -196,8 +192,7 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
   GeometryCache cache;
   cache.file_bytes_ = file_size;
   cache.content_ = content;
-  cache.version_ = version;
-  GeometryHeadReader reader(head, version);
+  GeometryHeadReader reader(head);
   reader.read(cache);
   if (!reader.ok()) return tl::unexpected(reader.error());
   return cache;

@@ -13,14 +13,10 @@
 
 namespace sinew {
 
-/// Version that is written. Files of version 1 are read as before.
-inline constexpr std::uint32_t kGeometryFileVersion = 2;
-inline constexpr std::size_t kGeometryFileHead = 40;
-
 /// Why a file is refused: the broken rule, the byte where it was found, and a sentence.
 ///
 ///     cache-magic      the bytes do not start with the magic of geometry caches
-///     cache-version    a newer version of the library wrote it: bake it again
+///     cache-version    another version of the library wrote it: bake it again
 ///     cache-checksum   bytes have changed since it was written
 ///     cache-value      a number has no valid meaning in its field
 ///     cache-size       the bytes end too early
@@ -36,7 +32,6 @@ enum class GeometryKind : std::uint8_t { positions, normals, colors };
 /// One attribute of a mesh over time. Vertices whose values are equal in all frames share one point.
 struct GeometryStream {
   GeometryKind kind = GeometryKind::positions;
-  bool centred = false;                        ///< x, y and z of a value are all even or all odd multiples of the step
   float step = 0.0f;                           ///< quantisation step: values are integer multiples of it
   std::uint32_t point_count = 0;               ///< number of points in the file
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices] the point of each vertex of the mesh
@@ -106,7 +101,6 @@ class SINEW_API GeometryCache {
   double duration_s() const noexcept { return frame_s_ * (frame_count() - 1); }
   std::span<const GeometryFrame> frames() const noexcept { return frames_; }
   std::uint64_t file_bytes() const noexcept { return file_bytes_; }
-  std::uint32_t version() const noexcept { return version_; }  ///< of the format, [1, kGeometryFileVersion]
   std::uint64_t largest_frame() const noexcept { return largest_frame_; }
   /// Checksum of the directory, which contains the checksums of all frames: identifies the content of the file.
   std::uint64_t content() const noexcept { return content_; }
@@ -124,12 +118,15 @@ class SINEW_API GeometryCache {
   std::vector<GeometryFrame> frames_;
   std::vector<std::uint16_t> boxes_;  // [frames][meshes][6] relative to the mesh's bounds, in 65535ths
   std::size_t stream_count_ = 0;
-  std::uint32_t segment_frames_ = 1, version_ = kGeometryFileVersion;
+  std::uint32_t segment_frames_ = 1;
   double start_s_ = 0.0, frame_s_ = 1.0;
   std::uint64_t file_bytes_ = 0, largest_frame_ = 0, content_ = 0;
 };
 
 /// True if the bytes start with the magic of geometry caches.
 SINEW_API bool looks_like_geometry_cache(std::span<const std::byte> start) noexcept;
+
+inline constexpr std::uint32_t kGeometryFileVersion = 1;
+inline constexpr std::size_t kGeometryFileHead = 40;
 
 }  // namespace sinew

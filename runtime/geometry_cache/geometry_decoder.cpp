@@ -9,7 +9,6 @@
 #include "runtime/base/checksum.h"
 #include "runtime/geometry_cache/block_headers.h"
 #include "runtime/geometry_cache/geometry_format.h"
-#include "runtime/geometry_cache/residual_code.h"
 #include "runtime/geometry_cache/stored_bytes.h"
 
 namespace sinew {
@@ -33,7 +32,7 @@ struct GeometryDecoder::Stream {
 /// Scratch memory for decoding one frame of a stream, large enough for all streams.
 struct GeometryDecoder::Memory {
   Unpacker unpacker;
-  std::vector<std::uint8_t> coarse, fine, payload, codes, uppers;
+  std::vector<std::uint8_t> coarse, fine, payload;
   std::vector<BlockMotion> blocks;
   std::vector<glm::vec3> points;
 
@@ -48,17 +47,13 @@ struct GeometryDecoder::Memory {
     coarse.resize(most_coarse_bytes(most_blocks));
     fine.resize(most_fine_bytes(most_blocks));
     payload.resize(most_payload + kPayloadPadding);
-    if (cache.version() > 1) {
-      codes.resize(most_code_bytes(most_blocks) + kCodePadding);
-      uppers.resize(most_blocks * kBlockNumbers);
-    }
     blocks.resize(most_blocks);
     points.resize(most_points);
   }
 
   std::size_t bytes() const noexcept {
-    return coarse.size() + fine.size() + payload.size() + codes.size() + uppers.size() +
-           blocks.size() * sizeof(BlockMotion) + points.size() * sizeof(glm::vec3) + unpacker.memory_bytes();
+    return coarse.size() + fine.size() + payload.size() + blocks.size() * sizeof(BlockMotion) +
+           points.size() * sizeof(glm::vec3) + unpacker.memory_bytes();
   }
 };
 
@@ -67,14 +62,13 @@ namespace {
 /// Iterates over the sections of a frame, stream by stream.
 class Sections {
  public:
-  Sections(std::span<const std::byte> bytes, std::uint32_t version)
-      : left_(bytes), head_bytes_(section_count(version) * sizeof(std::uint32_t)) {}
+  explicit Sections(std::span<const std::byte> bytes) : left_(bytes) {}
 
-  /// Reads the heads of the sections of the next stream.
+  /// Reads the heads of the three sections of the next stream.
   bool next_stream() noexcept {
-    if (left_.size() < head_bytes_) return false;
-    std::memcpy(heads_, left_.data(), head_bytes_);
-    left_ = left_.subspan(head_bytes_);
+    if (left_.size() < kSectionHeads) return false;
+    std::memcpy(heads_, left_.data(), kSectionHeads);
+    left_ = left_.subspan(kSectionHeads);
     return true;
   }
 
@@ -91,7 +85,6 @@ class Sections {
 
  private:
   std::span<const std::byte> left_;
-  std::size_t head_bytes_;
   std::uint32_t heads_[kSections] = {};
 };
 
@@ -108,7 +101,7 @@ GeometryDecoder::~GeometryDecoder() = default;
 GeometryDecoder::GeometryDecoder(GeometryDecoder&&) noexcept = default;
 
 bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlace place) noexcept {
-  Sections sections(bytes, cache_.version());
+  Sections sections(bytes);
   Memory& m = *memory_;
   for (Stream& stream : streams_) {
     constexpr auto kFailed = static_cast<std::size_t>(-1);
@@ -124,22 +117,13 @@ bool GeometryDecoder::decode_streams(std::span<const std::byte> bytes, FramePlac
     if (!read_block_headers(std::span(m.coarse).first(coarse), std::span(m.fine).first(fine), place, blocks))
       return false;
     if (payload_bytes(blocks) != payload) return false;
-    const bool coded = have_codes(blocks);
-    if (coded && m.codes.empty()) return false;
-    const std::size_t codes =
-        m.codes.empty() ? 0 : sections.unpack(3, m.unpacker, std::span(m.codes).first(m.codes.size() - kCodePadding));
-    if (codes == kFailed || (!coded && codes > 0)) return false;
-    const std::span uppers = std::span(m.uppers).first(coded ? blocks.size() * kBlockNumbers : 0);
-    if (coded && !read_uppers(blocks, std::span(m.codes).first(codes + kCodePadding), uppers)) return false;
     std::swap(stream.now, stream.before);
     run_unchecked(MoveBlocksJob{.blocks = blocks,
                                 .payload = m.payload,
-                                .uppers = uppers,
                                 .corners = stream.info->corners,
                                 .x1 = stream.before,
                                 .x2 = stream.now,
-                                .x = stream.now,
-                                .centred = stream.info->centred});
+                                .x = stream.now});
   }
   return sections.ended();
 }

@@ -96,7 +96,6 @@ class PlainDirectory {
 struct Parts {
   Blob directory;
   std::size_t mesh_count = 0;
-  std::uint32_t version = kGeometryFileVersion;
   std::vector<Blob> frames;
 };
 
@@ -106,7 +105,6 @@ std::optional<Parts> take_apart(Bytes file) {
   Parts out;
   out.directory = PlainDirectory(file.subspan(kGeometryFileHead)).copy();
   out.mesh_count = cache->meshes().size();
-  out.version = cache->version();
   for (const GeometryFrame& frame : cache->frames()) {
     const Bytes bytes = file.subspan(frame.offset, frame.size);
     out.frames.emplace_back(bytes.begin(), bytes.end());
@@ -133,7 +131,7 @@ Blob put_together(Parts parts) {
   size += parts.directory.size();
   ByteWriter out;
   for (const char c : kGeometryMagic) out.add(c);
-  out.add(parts.version);
+  out.add(kGeometryFileVersion);
   out.add(std::uint32_t{0});
   out.add(static_cast<std::uint64_t>(kGeometryFileHead + parts.directory.size()));
   out.add(size);
@@ -150,13 +148,12 @@ struct Section {
   bool by_zstd = false;
 };
 
-std::vector<Section> sections_of(Bytes frame, std::uint32_t version) {
+std::vector<Section> sections_of(Bytes frame) {
   std::vector<Section> out;
-  const std::size_t count = section_count(version);
   std::size_t head = 0;
-  while (head < frame.size() && frame.size() - head >= count * sizeof(std::uint32_t)) {
-    std::size_t at = head + count * sizeof(std::uint32_t);
-    for (std::size_t s = 0; s < count; ++s) {
+  while (head < frame.size() && frame.size() - head >= kSectionHeads) {
+    std::size_t at = head + kSectionHeads;
+    for (std::size_t s = 0; s < kSections; ++s) {
       std::uint32_t size;
       std::memcpy(&size, frame.data() + head + s * sizeof(size), sizeof(size));
       const std::size_t stored = size & ~kStoredByZstd;
@@ -170,8 +167,8 @@ std::vector<Section> sections_of(Bytes frame, std::uint32_t version) {
 }
 
 /// Unpacks one section of a frame, changes it, and stores it uncompressed.
-void change_section(Blob& frame, std::uint32_t version, test::FixedRandom& random, const MutateBytes& mutate_bytes) {
-  const std::vector<Section> sections = sections_of(frame, version);
+void change_section(Blob& frame, test::FixedRandom& random, const MutateBytes& mutate_bytes) {
+  const std::vector<Section> sections = sections_of(frame);
   if (sections.empty()) return change_bytes(frame, mutate_bytes);
   const Section section = sections[random.below(static_cast<std::uint32_t>(sections.size()))];
   Blob changed = unpacked(Bytes(frame).subspan(section.at, section.stored), section.by_zstd);
@@ -206,7 +203,7 @@ std::vector<std::byte> mutate_geometry(Bytes file, std::uint64_t seed, const Mut
   } else if (kind == 6) {
     parts->frames.resize(1 + random.below(8), parts->frames.back());
   } else {
-    change_section(any_frame(), parts->version, random, mutate_bytes);
+    change_section(any_frame(), random, mutate_bytes);
   }
   return put_together(std::move(*parts));
 }

@@ -20,11 +20,7 @@ std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsi
                                                 : static_cast<BlockBase>(1 + random.below(3));
     motion.turns = place != FramePlace::key && random.below(2) == 0;
     motion.spreads = place != FramePlace::key && random.below(2) == 0;
-    motion.means = motion.spreads && random.below(2) == 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      motion.code[axis] = static_cast<std::uint8_t>(random.below(kResidualCodes + 1));
-      motion.width[axis] = static_cast<std::uint8_t>(random.below(motion.code[axis] > 0 ? kMaxCodedWidth + 1u : 33));
-    }
+    for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(33));
     for (auto& x : motion.offset)
       x = static_cast<std::int32_t>(static_cast<std::int64_t>(random.bits()) >> (64 - offset_bits));
     if (!motion.turns) continue;
@@ -35,9 +31,8 @@ std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsi
 }
 
 bool is_same(const BlockMotion& a, const BlockMotion& b) {
-  return a.base == b.base && a.turns == b.turns && a.spreads == b.spreads && a.means == b.means && a.width == b.width &&
-         a.code == b.code && a.offset == b.offset &&
-         (a.turns ? a.shift == b.shift && a.matrix == b.matrix : a.shift == 0);
+  return a.base == b.base && a.turns == b.turns && a.spreads == b.spreads && a.width == b.width &&
+         a.offset == b.offset && (a.turns ? a.shift == b.shift && a.matrix == b.matrix : a.shift == 0);
 }
 
 TEST(block_headers, what_was_written_is_read_again) {
@@ -95,8 +90,7 @@ TEST(block_headers, kinds_that_a_frame_cannot_have_are_refused) {
     EXPECT_FALSE(reads({.base = base}, FramePlace::second)) << "it would follow from a frame of another segment";
     EXPECT_TRUE(reads({.base = base}, FramePlace::later));
   }
-  EXPECT_TRUE(reads({.spreads = true, .means = true}, FramePlace::later));
-  EXPECT_FALSE(reads({.means = true}, FramePlace::later)) << "means of residuals that do not spread";
+  EXPECT_FALSE(reads({.width = {0, 33, 0}}, FramePlace::later));
   EXPECT_FALSE(reads({.turns = true, .shift = 31}, FramePlace::later));
 }
 
@@ -156,16 +150,12 @@ TEST(block_headers, limits_are_inside) {
     BlockMotion motion;
     motion.width[axis] = 32;
     EXPECT_TRUE(reads(motion));
-    motion.code[axis] = kResidualCodes;
-    motion.width[axis] = kMaxCodedWidth;
-    EXPECT_TRUE(reads(motion));
-    motion.code[axis] = 1;
-    motion.width[axis] = kMaxCodedWidth + 1;
+    motion.width[axis] = 33;
     EXPECT_FALSE(reads(motion)) << axis;
   }
   EXPECT_TRUE(reads({.turns = true, .shift = 30}));
   BlockMotion any;
-  for (const std::uint8_t kind : {std::uint8_t{31}, std::uint8_t{32}, std::uint8_t{64}}) {
+  for (const std::uint8_t kind : {std::uint8_t{15}, std::uint8_t{16}, std::uint8_t{32}}) {
     std::vector<std::uint8_t> coarse = write_block_headers(std::span(&any, 1)).coarse, fine(3 + 9, 0);
     coarse[1] = kind;
     if ((kind & kTurnsBit) != 0) {
@@ -173,7 +163,7 @@ TEST(block_headers, limits_are_inside) {
     } else {
       fine.resize(3);
     }
-    EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 31) << int{kind};
+    EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 15) << int{kind};
   }
   std::vector<std::uint8_t> coarse(1 + 4 + 3 * 4, 0);
   coarse[0] = 4;  // number of planes, one more than allowed

@@ -17,7 +17,7 @@ namespace {
 /// Blocks with random values in all fields.
 struct AnyBlocks {
   std::vector<BlockMotion> motions;
-  std::vector<std::uint8_t> payload, uppers, corners;
+  std::vector<std::uint8_t> payload, corners;
   std::vector<std::int32_t> x1, x2;
 };
 
@@ -28,13 +28,8 @@ std::int32_t number_of_bits(FixedRandom& random, unsigned bits) {
 BlockMotion any_motion(FixedRandom& random, BlockBase base, unsigned state_bits) {
   BlockMotion motion{.base = base, .turns = base != BlockBase::space && random.below(2) == 0};
   motion.spreads = base != BlockBase::space && random.below(3) == 0;
-  motion.means = motion.spreads && random.below(2) == 0;
   motion.shift = static_cast<std::uint8_t>(random.below(31));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    motion.code[axis] = static_cast<std::uint8_t>(random.below(2) * random.below(kResidualCodes + 1));
-    motion.width[axis] =
-        static_cast<std::uint8_t>(random.below((motion.code[axis] > 0 ? kMaxCodedWidth : kMaxWidth) + 1u));
-  }
+  for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMaxWidth + 1));
   for (auto& number : motion.matrix) number = static_cast<std::int16_t>(random.bits());
   for (auto& number : motion.offset) number = number_of_bits(random, state_bits);
   return motion;
@@ -46,9 +41,7 @@ AnyBlocks any_blocks(std::uint64_t seed, std::size_t count, unsigned state_bits)
   for (std::size_t b = 0; b < count; ++b)
     out.motions.push_back(any_motion(random, static_cast<BlockBase>(random.below(4)), state_bits));
   out.payload.resize(payload_bytes(out.motions) + kPayloadPadding);
-  out.uppers.resize(count * kBlockNumbers);
-  for (auto* bytes : {&out.payload, &out.uppers})
-    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(random.bits());
+  for (auto& byte : out.payload) byte = static_cast<std::uint8_t>(random.bits());
   for (std::size_t i = 0; i < count * kBlockPoints; ++i)
     for (int k = 0; k < 3; ++k) {
       const auto place = static_cast<std::uint32_t>(i % kBlockPoints);
@@ -60,13 +53,12 @@ AnyBlocks any_blocks(std::uint64_t seed, std::size_t count, unsigned state_bits)
   return out;
 }
 
-std::vector<std::int32_t> moved_by_reference(const AnyBlocks& in, bool centred = false) {
+std::vector<std::int32_t> moved_by_reference(const AnyBlocks& in) {
   std::vector<std::int32_t> x = in.x2;
   std::span<const std::uint8_t> payload = in.payload;
   for (std::size_t b = 0; b < in.motions.size(); ++b) {
     const auto block = [&](auto& all) { return std::span(all).subspan(b * kBlockNumbers, kBlockNumbers); };
-    reference::move_block(in.motions[b], payload, block(in.corners), block(in.x1), block(in.x2), block(x), centred,
-                          block(in.uppers));
+    reference::move_block(in.motions[b], payload, block(in.corners), block(in.x1), block(in.x2), block(x));
     payload = payload.subspan(payload_bytes(std::span(&in.motions[b], 1)));
   }
   return x;
@@ -78,16 +70,13 @@ TEST(block_motion, every_instruction_set_moves_blocks_as_the_equation_says) {
     for (const unsigned bits : {4u, 14u, 24u, 32u})
       for (std::uint64_t seed = 1; seed < 30; ++seed) {
         AnyBlocks in = any_blocks(seed, 20, bits);
-        const bool centred = seed % 2 == 0;
-        const std::vector<std::int32_t> expected = moved_by_reference(in, centred);
+        const std::vector<std::int32_t> expected = moved_by_reference(in);
         EXPECT_EQ(run(MoveBlocksJob{.blocks = in.motions,
                                     .payload = in.payload,
-                                    .uppers = in.uppers,
                                     .corners = in.corners,
                                     .x1 = in.x1,
                                     .x2 = in.x2,
-                                    .x = in.x2,
-                                    .centred = centred}),
+                                    .x = in.x2}),
                   ErrorCode::ok);
         ASSERT_EQ(in.x2, expected) << simd_name(target) << ", numbers of " << bits << " bits, seed " << seed;
       }
@@ -140,8 +129,8 @@ TEST(block_motion, a_parallelogram_by_hand) {
 TEST(block_motion, buffers_of_other_sizes_and_too_wide_residuals_are_refused) {
   BlockMotion motion{.width = {1, 0, 0}};
   std::vector<std::int32_t> numbers(kBlockNumbers), x(kBlockNumbers);
-  std::vector<std::uint8_t> corners(kBlockNumbers, kNoCorner), payload(8 + kPayloadPadding), uppers;
-  const auto job = [&] { return MoveBlocksJob{{&motion, 1}, payload, uppers, corners, numbers, numbers, x}; };
+  std::vector<std::uint8_t> corners(kBlockNumbers, kNoCorner), payload(8 + kPayloadPadding);
+  const auto job = [&] { return MoveBlocksJob{{&motion, 1}, payload, corners, numbers, numbers, x}; };
   EXPECT_EQ(check(job()), ErrorCode::ok);
   payload.pop_back();
   EXPECT_EQ(run(job()), ErrorCode::size_mismatch) << "the padding is read too";
@@ -150,19 +139,6 @@ TEST(block_motion, buffers_of_other_sizes_and_too_wide_residuals_are_refused) {
   EXPECT_EQ(run(job()), ErrorCode::size_mismatch);
   corners.push_back(kNoCorner);
   motion.width[1] = kMaxWidth + 1;
-  EXPECT_EQ(run(job()), ErrorCode::index_out_of_range);
-  motion.width = {};
-  motion.code[2] = kResidualCodes;
-  EXPECT_EQ(run(job()), ErrorCode::size_mismatch) << "a code without uppers";
-  uppers.resize(kBlockNumbers);
-  EXPECT_EQ(run(job()), ErrorCode::ok);
-  uppers.pop_back();
-  EXPECT_EQ(run(job()), ErrorCode::size_mismatch);
-  uppers.push_back(0);
-  motion.code[2] = kResidualCodes + 1;
-  EXPECT_EQ(run(job()), ErrorCode::index_out_of_range);
-  motion.code[2] = 1;
-  motion.width[2] = kMaxCodedWidth + 1;
   EXPECT_EQ(run(job()), ErrorCode::index_out_of_range);
 
   std::vector<glm::vec3> points(kBlockPoints + 1);

@@ -108,8 +108,8 @@ std::string chosen(const Kind& kind, double noise) {
     }
     const std::size_t count = round % 4 == 3 ? 37 : kBlockPoints;
     const FittedBlock block =
-        round % 8 == 7 ? fit_in_space(values, count, before.corners, {kReach})
-                       : fit_in_time(values, count, before.corners, before.x1, before.x2, round % 5 != 4, {kReach});
+        round % 8 == 7 ? fit_in_space(values, count, before.corners, kReach)
+                       : fit_in_time(values, count, before.corners, before.x1, before.x2, round % 5 != 4, kReach);
     ++taken[static_cast<std::size_t>(block.motion.base)];
     turning += block.motion.turns;
     spreading += block.motion.spreads;

@@ -17,8 +17,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr double kReach = 0.8660254037844387;         // half the diagonal of a cube
-constexpr double kCentredReach = 1.1180339887498949;  // sqrt(5) / 2, of cubes of 2 with a point in the middle
+constexpr double kReach = 0.8660254037844387;  // half the diagonal of a cube
 
 struct Frame {
   BlockState state{};
@@ -86,10 +85,9 @@ std::vector<std::uint8_t> packed(const FittedBlock& block) {
 /// Invariants of every fitted block. Its residuals decode to its state, and points are within reach. No width is larger
 /// than its residuals need, and padding points leave no residual.
 void expect_sound(const FittedBlock& block, const BlockValues& values, std::size_t count,
-                  const std::vector<std::uint8_t>& corners, const BlockState& x1, const BlockState& x2,
-                  const Grid& grid) {
+                  const std::vector<std::uint8_t>& corners, const BlockState& x1, const BlockState& x2, double reach) {
   BlockState decoded = x2;
-  reference::move_block(block.motion, packed(block), corners, x1, x2, decoded, grid.centred);
+  reference::move_block(block.motion, packed(block), corners, x1, x2, decoded);
   EXPECT_EQ(decoded, block.state);
   for (std::size_t i = 0; i < count; ++i) {
     double distance = 0.0, farthest = 0.0;
@@ -98,7 +96,7 @@ void expect_sound(const FittedBlock& block, const BlockValues& values, std::size
       distance += off * off;
       farthest = std::max(farthest, std::abs(off));
     }
-    EXPECT_TRUE(std::sqrt(distance) <= grid.reach || farthest <= 0.5) << "point " << i;
+    EXPECT_TRUE(std::sqrt(distance) <= reach || farthest <= 0.5) << "point " << i;
   }
   for (std::size_t a = 0; a < 3; ++a) {
     std::uint32_t largest = 0;
@@ -116,9 +114,9 @@ void expect_sound(const FittedBlock& block, const BlockValues& values, std::size
 
 FittedBlock fitted(const BlockValues& values, const Frame& x1, const Frame& x2, bool steady = true,
                    const std::vector<std::uint8_t>& corners = no_corners(), std::size_t count = kBlockPoints,
-                   const Grid& grid = {kReach}) {
-  const FittedBlock out = fit_in_time(values, count, corners, x1.state, x2.state, steady, grid);
-  expect_sound(out, values, count, corners, x1.state, x2.state, grid);
+                   double reach = kReach) {
+  const FittedBlock out = fit_in_time(values, count, corners, x1.state, x2.state, steady, reach);
+  expect_sound(out, values, count, corners, x1.state, x2.state, reach);
   return out;
 }
 
@@ -312,8 +310,8 @@ TEST(fit_block, a_key_frame_spreads_over_the_surface_from_its_first_point) {
     values[kBlockPoints + i] = -2000.0 + 20.0 * static_cast<double>(i / 8);
     values[2 * kBlockPoints + i] = 7.0 * static_cast<double>(i % 8) - 9.0 * static_cast<double>(i / 8);
   }
-  const FittedBlock block = fit_in_space(values, kBlockPoints, grid_corners(), {kReach});
-  expect_sound(block, values, kBlockPoints, grid_corners(), {}, {}, {kReach});
+  const FittedBlock block = fit_in_space(values, kBlockPoints, grid_corners(), kReach);
+  expect_sound(block, values, kBlockPoints, grid_corners(), {}, {}, kReach);
   EXPECT_EQ(block.motion.base, BlockBase::space);
   EXPECT_EQ(block.motion.offset, (std::array<std::int32_t, 3>{1000, -2000, 0}));
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
@@ -323,45 +321,36 @@ TEST(fit_block, a_key_frame_spreads_over_the_surface_from_its_first_point) {
   }
 }
 
-/// Residual of a grid point, for a prediction of 0.
-std::array<std::int32_t, 3> from_origin(const std::array<std::int32_t, 3>& at, bool centred) {
-  if (!centred) return at;
-  const std::int32_t up = at[0] & 1;
-  return {at[0], (at[1] - up) / 2, (at[2] - up) / 2};
-}
-
-TEST(fit_block, no_grid_point_within_reach_is_nearer_to_the_prediction_and_to_the_value) {
+TEST(fit_block, of_all_grid_points_within_reach_the_one_nearest_to_the_prediction_is_taken) {
   // Points without neighbours are predicted at the offset, which is the first point, here the origin.
   FixedRandom random(14);
   for (int round = 0; round < 40; ++round) {
-    const bool centred = round % 4 > 1;
-    const Grid grid{round % 2 == 0 ? (centred ? kCentredReach : kReach) : 1.4, centred};
+    const double reach = round % 2 == 0 ? kReach : 1.4;
     BlockValues values{};
     for (std::size_t i = 1; i < kBlockPoints; ++i)
       for (std::size_t a = 0; a < 3; ++a) values[a * kBlockPoints + i] = random.in(-3, 3);
-    const FittedBlock block = fit_in_space(values, kBlockPoints, no_corners(), grid);
-    expect_sound(block, values, kBlockPoints, no_corners(), {}, {}, grid);
+    const FittedBlock block = fit_in_space(values, kBlockPoints, no_corners(), reach);
+    expect_sound(block, values, kBlockPoints, no_corners(), {}, {}, reach);
     for (std::size_t i = 1; i < kBlockPoints; ++i) {
-      const auto distance_to = [&](const std::array<std::int32_t, 3>& at) {
-        double sum = 0.0;
-        for (std::size_t a = 0; a < 3; ++a) sum += std::pow(at[a] - values[a * kBlockPoints + i], 2);
-        return std::sqrt(sum);
-      };
-      const std::array<std::int32_t, 3> taken{block.state[i], block.state[kBlockPoints + i],
-                                              block.state[2 * kBlockPoints + i]};
-      const double far = distance_to(taken);
-      if (centred) {
-        EXPECT_EQ(((taken[0] ^ taken[1]) | (taken[0] ^ taken[2])) & 1, 0) << i;
+      // The eight corners of the cell: those in reach or nearest; the sum of their sizes in bits must be the least.
+      const auto bits = [](std::int32_t x) { return x == 0 ? 0.8 : 1.5 + 1.6 * std::log2(std::abs(x) + 1.0); };
+      double least = 1e9, taken = 0.0;
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        double distance = 0.0, cost = 0.0;
+        bool nearest = true, is_taken = true;
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double value = values[a * kBlockPoints + i];
+          const auto at = static_cast<std::int32_t>(std::floor(value)) + static_cast<std::int32_t>(corner >> a & 1u);
+          distance += (at - value) * (at - value);
+          nearest = nearest && std::abs(at - value) <= 0.5;
+          is_taken = is_taken && at == block.state[a * kBlockPoints + i];
+          cost += bits(at);
+        }
+        if (std::sqrt(distance) > reach && !nearest) continue;
+        least = std::min(least, cost + distance);
+        if (is_taken) taken = cost + distance;
       }
-      for (std::int32_t n = 0; n < 9 * 9 * 9; ++n) {
-        const std::array<std::int32_t, 3> at{n % 9 - 4, n / 9 % 9 - 4, n / 81 - 4};
-        if (centred && (((at[0] ^ at[1]) | (at[0] ^ at[2])) & 1) != 0) continue;
-        if (distance_to(at) > std::min(far, grid.reach) - 1e-9) continue;
-        const auto mine = from_origin(taken, centred), other = from_origin(at, centred);
-        bool smaller = true;
-        for (std::size_t a = 0; a < 3; ++a) smaller = smaller && std::abs(other[a]) <= std::abs(mine[a]);
-        EXPECT_FALSE(smaller) << "point " << i << ", grid point " << n;
-      }
+      EXPECT_NEAR(taken, least, 1e-9) << "point " << i;
     }
   }
 }
@@ -376,8 +365,8 @@ TEST(fit_block, parts_of_a_block_are_fitted_by_their_own_points_only) {
     EXPECT_EQ(block.motion.offset, (std::array<std::int32_t, 3>{9, 8, 7})) << count;
     EXPECT_FALSE(block.motion.turns);
     EXPECT_TRUE(is_without_residuals(block));
-    const FittedBlock key = fit_in_space(values, count, grid_corners(), {kReach});
-    expect_sound(key, values, count, grid_corners(), {}, {}, {kReach});
+    const FittedBlock key = fit_in_space(values, count, grid_corners(), kReach);
+    expect_sound(key, values, count, grid_corners(), {}, {}, kReach);
   }
 }
 
@@ -390,9 +379,8 @@ TEST(fit_block, blocks_of_any_numbers_are_sound) {
     for (auto& x : values) x = random.in(-size, size);
     const auto corners = round % 2 == 0 ? grid_corners() : no_corners();
     const std::size_t count = 1 + random.below(64);
-    const Grid grid = round % 4 < 2 ? Grid{kReach} : Grid{kCentredReach, true};
-    fitted(values, x1, x2, round % 3 != 0, corners, count, grid);
-    expect_sound(fit_in_space(values, count, corners, grid), values, count, corners, {}, {}, grid);
+    fitted(values, x1, x2, round % 3 != 0, corners, count);
+    expect_sound(fit_in_space(values, count, corners, kReach), values, count, corners, {}, {}, kReach);
   }
 }
 

@@ -200,8 +200,6 @@ TEST(geometry_cache, each_rule_has_its_name) {
   file = good;
   file[8] = std::byte(9);
   EXPECT_EQ(rule_of(file), "cache-version");
-  file[8] = std::byte(0);
-  EXPECT_EQ(rule_of(file), "cache-version");
   file = good;
   file[12] = std::byte(1);
   EXPECT_EQ(rule_of(file), "cache-value");
@@ -222,12 +220,11 @@ TEST(geometry_cache, a_mesh_has_one_stream_of_each_kind_in_their_order) {
   take.meshes[0].streams.push_back({GeometryKind::normals, take.meshes[0].streams[0].frames, 0.5});
   Bytes file = *encode_geometry_cache(take);
   const GeometryStream normals = GeometryCache::open(file)->meshes()[0].streams[1];
-  // The start of a stream in the directory: kind and grid, step, ...
-  Bytes head(1 + sizeof(float), std::byte(normals.centred ? 0x81 : 1));
+  Bytes head(1 + sizeof(float), std::byte(1));  // the start of a stream in the directory: kind, step, ...
   std::memcpy(&head[1], &normals.step, sizeof(float));
   const auto found = std::search(file.begin(), file.end(), head.begin(), head.end());
   ASSERT_NE(found, file.end());
-  *found &= std::byte(0x80);  // positions a second time
+  *found = std::byte(0);  // positions a second time
   sign(file);
   const auto cache = GeometryCache::open(file);
   ASSERT_FALSE(cache.has_value());

@@ -50,7 +50,7 @@ TEST(bake_command, bakes_a_clip_within_the_budget_and_info_tells_about_it) {
     EXPECT_THAT(baked.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   EXPECT_EQ(info.status, 0);
-  EXPECT_THAT(info.out, HasSubstr("geometry cache, version 2"));
+  EXPECT_THAT(info.out, HasSubstr("geometry cache, version 1"));
   const auto json = nlohmann::json::parse(run_tool({"info", "--json", out}).out);
   EXPECT_LE(json["geometry_cache"]["meshes"][0]["measured_m"].get<double>(), 3e-4);
 

@@ -53,7 +53,7 @@ std::optional<ExitCode> print_geometry_info(const std::string& file, bool json, 
     print_json({{"file", file}, {"geometry_cache", geometry_json(cache)}}, many);
     return ExitCode::done;
   }
-  print_result("{}{}geometry cache, version {}\n", visible_text(file), many ? ": " : "\n", cache.version());
+  print_result("{}{}geometry cache, version {}\n", visible_text(file), many ? ": " : "\n", kGeometryFileVersion);
   if (!many) print_result_text(geometry_table(cache));
   return ExitCode::done;
 }
