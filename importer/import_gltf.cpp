@@ -151,7 +151,7 @@ class Import {
     return true;
   }
 
-  /// Channels and samplers that are left out for an error which only touches animations.
+  /// Says in a report which part of an animation is dropped because of an error at `place`, while the import goes on.
   static std::string_view consequence(std::string_view place) {
     return place.find("/channels/") != place.npos ? "; the channel is left out"
                                                   : "; it is left out, with the animation channels that use it";

@@ -23,7 +23,7 @@ std::vector<std::string> arguments_of(int argc, const char* const* argv);
 /// A variable of the environment; empty where it is not set.
 std::string environment_variable(const char* name);
 
-/// True for a terminal that takes escape sequences. False for files, pipes and other devices.
+/// True for a terminal, on Windows only if it takes escape sequences. False for files, pipes and other devices.
 bool is_terminal(int descriptor) noexcept;
 
 std::uint64_t process_number() noexcept;

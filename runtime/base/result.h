@@ -38,7 +38,7 @@ enum class ErrorCode {
   not_a_fraction,        ///< a number is outside [0, 1]
   two_times,             ///< one vertex source is asked for two times in one frame
   too_large,             ///< a finite number is so large that results could overflow
-  no_cut,                ///< no first half of a frame was run, which the second half could follow
+  no_cut,                ///< the second half of a frame was called without its first half
   unknown_character,     ///< the job thread has no such character, or it was removed
   follows_itself,        ///< a character would follow itself, directly or by way of others
 };

@@ -7,7 +7,7 @@
 #include "runtime/base/result.h"
 #include "runtime/c/types.h"
 
-// The beginning and the end of every function of C: its pointers, its exceptions, its code.
+// Shared by all C functions: checks pointers on entry, and turns exceptions and C++ codes into C codes on exit.
 
 namespace sinew::c {
 

@@ -33,15 +33,15 @@ SINEW_API int sinew_looks_like_clips(const void* bytes, size_t byte_count);
 SINEW_API sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void* bytes, size_t byte_count,
                                        sinew_messages** messages);
 
-/// Boxes that hold the mesh instances at every time of a clip that plays alone and in full, known before any pose is.
-/// Test them against the view, then leave out what is not seen (sinew_frame_input: out_of_view, asleep).
-/// in   needs  for their kinds of skinning and their skeleton LOD; null = sinew_default_needs
+/// Boxes that hold the mesh instances at every time of a clip, if it plays alone at weight 1. They need no pose, so
+/// test them against the view before a frame, and skip what is not seen (sinew_frame_input: out_of_view, asleep).
+/// in   needs  only kinds of skinning and skeleton LOD are used; null = sinew_default_needs
 ///      clip   SINEW_NONE = the rest pose
 /// out  boxes[capacity]  in the space below sinew_frame_input.root
-///      count  boxes written: one for each instance, or 0 where nothing is known and everything must be taken for in
-///             view (meshes that correctives morph, skinned meshes with parts that are not skinned, very long clips)
+///      count  boxes written: one for each instance, or 0 where none can be computed. Treat everything as in view then.
+///             0 for meshes that correctives morph, skinned meshes with parts that are not skinned, and very long clips
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_SIZE_MISMATCH (capacity below the instances),
-///      what sinew_plan_create answers of needs
+///      the errors of sinew_plan_create for the needs
 /// cost O(keys * joints + vertices), of asset files that hold boxes O(instances); allocates
 SINEW_API sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, uint32_t clip,
                                         sinew_box* boxes, size_t capacity, size_t* count);

@@ -21,7 +21,7 @@ struct Convert;
 template <class OfC, class Own>
 inline constexpr bool kSameBytes = std::is_same_v<OfC, Own>;
 
-/// The bytes of one struct in another that holds the same.
+/// Copies the bytes of a struct to one of another type with the same content.
 template <class From, class To>
 void copy_bytes(const From& from, To& to) noexcept {
   static_assert(std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
@@ -39,7 +39,7 @@ struct Convert<OfC, Own> {
   static void write(const Own& own, OfC& out) noexcept { copy_bytes(own, out); }
 };
 
-/// A handle of C++ types that C carries without looking inside. It may be larger than what it holds.
+/// Rule for a C++ value that is stored in an opaque C struct, which may be larger.
 template <class OfC, class Own>
 struct ConvertInside {
   static_assert(sizeof(Own) <= sizeof(OfC) && alignof(Own) <= alignof(OfC));

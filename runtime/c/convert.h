@@ -46,7 +46,7 @@ struct Convert<std::uint32_t, bool> {
   static void write(bool own, std::uint32_t& out) noexcept { out = own ? 1 : 0; }
 };
 
-/// Numbers of other widths. A number that C++ has no room for does not exist there.
+/// Converts between integers of different widths. A number that does not fit into the C++ type is unsupported.
 template <std::unsigned_integral OfC, std::unsigned_integral Own>
 requires(!std::same_as<OfC, Own> && !std::same_as<Own, bool>) struct Convert<OfC, Own> {
   static sinew_error read(OfC given, Own& own) noexcept {

@@ -12,8 +12,8 @@
 
 namespace sinew::c {
 
-/// All fields of a struct. Others than those above may be among them: whatever has a name, `read` and `write`. One with
-/// a `rule` is refused by it.
+/// The fields of a struct: those of field.h, and any other type with `name`, `read` and `write`. If a field has a
+/// `rule`, its refusal states that rule.
 template <class... F>
 struct Fields {
   std::tuple<F...> all;
@@ -57,7 +57,7 @@ constexpr Fields<F...> fields(F... one) noexcept {
   return {{one...}};
 }
 
-/// A struct of C with the numbers of one of C++, such as the defaults.
+/// Makes the C struct that stands for a C++ struct, for example to return the defaults.
 template <class OfC, class Own, class... F>
 OfC written(const Fields<F...>& fields, const Own& own) noexcept {
   OfC out{};

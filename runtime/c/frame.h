@@ -11,9 +11,9 @@ extern "C" {
 #endif
 
 typedef enum sinew_layer_kind {
-  SINEW_LAYER_BLEND = 0,        ///< averaged with its like by weight
-  SINEW_LAYER_ADD_TO_REST = 1,  ///< adds what the clip differs from the rest pose
-  SINEW_LAYER_ADD_TO_START = 2  ///< adds what the clip differs from its own first instant
+  SINEW_LAYER_BLEND = 0,        ///< averaged with the other blending layers by weight
+  SINEW_LAYER_ADD_TO_REST = 1,  ///< adds the difference of the clip from the rest pose
+  SINEW_LAYER_ADD_TO_START = 2  ///< adds the difference of the clip from its own first pose
 } sinew_layer_kind;
 /// Added to a kind: the clip plays with left and right exchanged, its morph weights too (sinew_needs.mirror). Masks
 /// weigh joints of the mirrored pose.
@@ -43,27 +43,27 @@ typedef struct sinew_geometry_input {
 
 typedef struct sinew_frame_input {
   size_t struct_size;
-  const sinew_layer* layers;         ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
+  const sinew_layer* layers;         ///< none = rest pose, which also gets the remainder of weights that sum to < 1
   size_t layer_count;                ///< at most max_layers + max_adding_layers
   sinew_floats weights;              ///< all morph weights in place of the clips' own; empty = the clips'
   sinew_affine root;                 ///< placed above all root joints
   const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded;
                                      ///< null = all in view
   uint32_t asleep;                 ///< 1 = nobody needs anything of the character: no work is done, the result is empty
-  const sinew_layer* next_layers;  ///< layers of a later time; not looked at while interpolation_factor is 0
+  const sinew_layer* next_layers;  ///< layers of a later time; not read while interpolation_factor is 0
   size_t next_layer_count;         ///< at most max_layers + max_adding_layers
   float interpolation_factor;      ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`; needs
                                    ///< SINEW_NEED_BETWEEN_UPDATES, else 0
   const sinew_geometry_input* geometry;  ///< [sinew_needs.cached_instances] null = nothing plays
   size_t geometry_count;                 ///< of these, or 0
-  const sinew_page* const* pages;        ///< [layer_count] the keys of layers whose clips lie in pages. Null, and null
-                                         ///< elements: the clips have them. Pages live, and stay as
-                                         ///< they are, as long as frames get the layers
+  const sinew_page* const* pages;        ///< [layer_count] for layers whose clip is in pages: the page with its keys.
+                                         ///< Null, or a null element, if the clip has its keys itself. Pages must
+                                         ///< stay alive and unchanged as long as frames use the layers
   const sinew_page* const* next_pages;   ///< [next_layer_count] the same for next_layers
-  const sinew_pose_op* program;  ///< [op_count] makes the pose in place of layers, of which there are none then;
-                                 ///< needs sinew_needs.program
-  size_t op_count;               ///< 0 = the layers make the pose
-  const sinew_program_inputs* program_inputs;  ///< what indices of the program name; null = nothing
+  const sinew_pose_op* program;          ///< [op_count] makes the pose in place of layers, which must then be empty;
+                                         ///< needs sinew_needs.program
+  size_t op_count;                       ///< 0 = the layers make the pose
+  const sinew_program_inputs* program_inputs;  ///< the lists that its operations index; null = all empty
 } sinew_frame_input;
 
 /// No layers and no program, root identity, interpolation factor 0; struct_size is set.
@@ -75,8 +75,8 @@ typedef struct sinew_frame sinew_frame;
 /// in   plan  must outlive the frame;   allocator  null = operator new; copied. Asked once, for sinew_plan_frame_bytes
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
-/// The same in the caller's block, of at least sinew_plan_frame_bytes at a multiple of SINEW_FRAME_ALIGNMENT, which
-/// must outlive the frame.
+/// sinew_frame_create in a block of the caller, which must outlive the frame. The block has at least
+/// sinew_plan_frame_bytes and begins at a multiple of SINEW_FRAME_ALIGNMENT.
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
 SINEW_API sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
 SINEW_API void sinew_frame_destroy(sinew_frame* frame);

@@ -16,9 +16,9 @@ constexpr std::size_t aligned(std::size_t bytes) noexcept {
   return (bytes + SINEW_FRAME_ALIGNMENT - 1) / SINEW_FRAME_ALIGNMENT * SINEW_FRAME_ALIGNMENT;
 }
 
-/// Memory that arrays are taken out of, one after another.
+/// A linear allocator of arrays.
 struct Block {
-  std::byte* start = nullptr;  ///< at a multiple of SINEW_FRAME_ALIGNMENT; null: bytes are counted alone
+  std::byte* start = nullptr;  ///< at a multiple of SINEW_FRAME_ALIGNMENT; null: take() only counts bytes
   std::size_t used = 0;
 
   template <class T>
@@ -33,7 +33,7 @@ struct Block {
   }
 };
 
-/// Room for what an input of a plan lists, as the runtime takes it.
+/// Room for the C++ lists of one frame input, as long as the plan's needs allow.
 struct InputRoom {
   InputRoom(const sinew_plan& plan, Block& block);
 
@@ -45,7 +45,7 @@ struct InputRoom {
   std::span<JointMask> masks;
 };
 
-/// The same as C has it. Procedures are the caller's list.
+/// Room for the C lists of one frame input. It has no procedures: an input refers to the caller's own list.
 struct InputRoomOfC {
   InputRoomOfC(const sinew_plan& plan, Block& block);
 

@@ -29,7 +29,7 @@ typedef struct sinew_jobs_options {
 } sinew_jobs_options;
 SINEW_API sinew_jobs_options sinew_default_jobs_options(void);
 
-/// in   options  null = the defaults; copied, what its pointers name must outlive the jobs
+/// in   options  null = the defaults; copied, but the objects it points to must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (frame_buffers), SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
 /// Finishes the frame in flight. Without a thread of its own: drops what was not taken; tasks that were taken must have
@@ -39,7 +39,7 @@ SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 /// in   plan  must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
-/// Characters leave, change plans and follow each other while frames run; the next submit takes it up. Nothing waits.
+/// The functions below change characters while frames run, without waiting. Changes apply from the next submit on.
 /// The last result of a character that is removed stays until the next submit. Its followers follow nobody from then
 /// on.
 /// err  SINEW_NULL_ARGUMENT, SINEW_UNKNOWN_CHARACTER, SINEW_OUT_OF_MEMORY
@@ -57,9 +57,9 @@ SINEW_API sinew_error sinew_jobs_stop_following(sinew_jobs* jobs, uint32_t follo
 /// All characters, in the order in which they were added; valid until one is added or removed.
 SINEW_API sinew_indices sinew_jobs_characters(const sinew_jobs* jobs);
 
-/// Queues one frame: inputs[i] is what the i-th of sinew_jobs_characters shows. They are copied, but for pages and the
-/// procedures of programs, which stay as they are until the frame is done. All inputs have the same struct_size, which
-/// is how far they are apart.
+/// Queues one frame: inputs[i] is what the i-th of sinew_jobs_characters shows. Inputs are copied, except for pages and
+/// the procedures of programs, which must not change until the frame is done. All inputs have the same struct_size,
+/// which is the stride of the array.
 /// out  ticket  names the frame: 1 for the first, rising by one; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
 ///      weights, poses or masks of another size), SINEW_TOO_MANY_LAYERS, SINEW_UNSUPPORTED (kind of layer, space of an
@@ -72,8 +72,8 @@ typedef struct sinew_character_input {
   uint32_t character;
 } sinew_character_input;
 
-/// Queues one frame in which these inputs are new. All other characters keep theirs, whose pages and procedures then
-/// have to stay. One that never had an input is not run.
+/// Queues one frame in which these inputs are new. All other characters keep their last input, so the pages and
+/// procedures that it refers to must stay valid. A character that never had an input is not run.
 /// err  those above, SINEW_UNKNOWN_CHARACTER
 SINEW_API sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, size_t count,
                                                 uint64_t* ticket);
@@ -85,7 +85,7 @@ SINEW_API sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
 /// Answers 1 if there was something to run.
 SINEW_API int sinew_jobs_poll(sinew_jobs* jobs);
 
-/// One run of characters of a frame: a value that may be handed to any thread or fibre. Its inside is the library's.
+/// A task that evaluates some characters of one frame. It may be copied to any thread or fibre; its fields are private.
 typedef struct sinew_task {
   void* inside[2];
 } sinew_task;

@@ -44,7 +44,8 @@ SINEW_API uint32_t sinew_library_find(const sinew_library* library, const char* 
 /// sinew_plan_create for the clips of a library in place of the scene's own: sinew_layer.clip is an index into the
 /// library as it is now. Morph weights and properties bind to the scene by name.
 /// in   library  may go, or grow, afterwards;   scene  must outlive the plan
-/// out  unbound  as in sinew_library_add; names that only other outfits have are listed, too
+/// out  unbound  as in sinew_library_add. Names that this scene lacks are listed even if other scenes of the library's
+///               skeleton have them
 /// err  as sinew_plan_create
 SINEW_API sinew_error sinew_plan_create_from_library(const sinew_scene* scene, const sinew_library* library,
                                                      const sinew_needs* needs, sinew_messages** unbound,

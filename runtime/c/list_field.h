@@ -9,15 +9,15 @@
 
 namespace sinew::c {
 
-/// A list of C, and why it is refused.
+/// Names a C list in refusals, and says how a list is refused that is too long.
 struct ListName {
   const char* name;
   sinew_error too_long;
   const char* rule = nullptr;  ///< of a list that is too long
 };
 
-/// Reads a list into `room`. `entries` are those that were read.
-/// err  SINEW_NULL_ARGUMENT, that of the name, those of the fields
+/// Reads a list into `room`. `entries` becomes the part of `room` that was filled.
+/// err  SINEW_NULL_ARGUMENT, ListName::too_long, those of the fields
 template <class OfC, class Own, class... F>
 NotRead read_list(const ListName& list, const Fields<F...>& fields, const OfC* given, std::size_t count,
                   std::span<Own> room, std::span<const Own>& entries) noexcept {

@@ -16,8 +16,9 @@ extern "C" {
 /// in   scene  may go afterwards
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints log joints), without names O(joints^2); allocates
 SINEW_API sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
-/// Same, about a reference pose, which mirroring leaves as it is. It should be symmetric. sinew_mirror_create chooses
-/// the bind pose if the rest pose is asymmetric and the bind pose by less than half as much, otherwise the rest pose.
+/// sinew_mirror_create about the reference pose asked for, which should be symmetric. Mirroring leaves it as it is.
+/// With SINEW_REFERENCE_CHOSEN it is chosen as by sinew_mirror_create: the rest pose, or the bind pose if that is less
+/// than half as asymmetric.
 /// in   reference  sinew_reference
 ///      given      of the scene; read for SINEW_REFERENCE_GIVEN only
 /// err  as sinew_mirror_create, and SINEW_UNSUPPORTED (reference), SINEW_SIZE_MISMATCH (given)

@@ -5,14 +5,14 @@
 
 namespace sinew::c {
 
-/// Why something of C was not read. `where` has the place and always a rule; its code means nothing, since some of C's
-/// have no twin.
+/// Why a C value was refused. `where` says at which place and by which rule. `where.error` is not used: some C codes
+/// have no C++ counterpart.
 struct [[nodiscard]] NotRead {
   sinew_error error = SINEW_OK;
   Refusal where;
 };
 
-/// Without a rule of its own, the sentence of the code is the rule.
+/// If `where` has no rule, the description of the code becomes its rule.
 inline NotRead refuse(sinew_error error, Refusal where) noexcept {
   if (where.rule == nullptr) where.rule = sinew_describe(error);
   return {error, where};

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/// A long clip of which a bounded number of pages is in memory, those around the time that plays:
+/// A long clip in pages. Only a bounded number of pages around the playing time is in memory:
 ///
 ///     sinew_paged_clip_at(paged, time_s, 0, page);                     // each frame, before it runs
 ///     layer.time_s = sinew_page_time_s(page);
@@ -19,8 +19,7 @@ extern "C" {
 ///       sinew_paged_clip_load_page(paged, number, bytes, byte_count, NULL, NULL);
 ///
 /// sinew_assets_read_first_keys (sinew_assets.h) tells where the pages lie in a file, and sinew_assets_load_page takes
-/// them as they lie there, packed or not. One thread plays; loaders may be
-/// several, and need not keep up.
+/// their bytes from there, packed or not. One thread plays. Any number of threads may load, and pages may come late.
 typedef struct sinew_paged_clip sinew_paged_clip;
 
 /// The page that a paged clip plays at a time, with its keys. Made once and used again.
@@ -30,8 +29,8 @@ typedef struct sinew_page_window {
   size_t struct_size;
   size_t pages;            ///< most in memory, at least 2
   uint32_t loops;          ///< 1 = the page after the last one is the first
-  const sinew_plan* plan;  ///< with a skeleton LOD: pages are for frames of it and of plans with the same one; may go
-                           ///< afterwards. Null = for plans of all joints
+  const sinew_plan* plan;  ///< gives the skeleton LOD: pages suit only plans with the same one. Not kept. Null = all
+                           ///< joints
 } sinew_page_window;
 SINEW_API sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop, all joints
 
@@ -57,7 +56,8 @@ SINEW_API int sinew_page_is_missing(const sinew_page* page);  ///< 1 = the page 
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE;  cost O(window), a lock that loaders hold for as long; allocates nothing
 SINEW_API sinew_error sinew_paged_clip_at(sinew_paged_clip* paged, double time_s, uint32_t backwards, sinew_page* page);
 
-/// The most urgent page that is not loaded; 0: all of the window are.
+/// Finds the page that should be loaded next. Returns 0 if every page of the window is loaded, else 1.
+/// out  page  the most urgent page that is not loaded
 SINEW_API int sinew_paged_clip_next_page(const sinew_paged_clip* paged, size_t* page);
 
 /// Takes a page, if the window still has it.

@@ -54,7 +54,7 @@ typedef struct sinew_needs {
   const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied
   sinew_indices cached_instances;  ///< rising: mesh instances that sinew_frame_input.geometry may play in; copied
   const sinew_mirror* mirror;      ///< of the same scene, for SINEW_LAYER_MIRRORED; null = nothing is mirrored; shared
-  const sinew_program_room* program;  ///< of sinew_frame_input.program, the most of each; null = no programs; copied
+  const sinew_program_room* program;  ///< upper limits of the programs that frames run; null = no programs; copied
 } sinew_needs;
 
 /// Everything but bounds, palettes, hidden meshes, adding layers, poses between updates and cuts. There are 4 layers

@@ -14,12 +14,12 @@ typedef enum sinew_play_mode {
   SINEW_PLAY_ONCE = 3        ///< as clamp, and is finished there
 } sinew_play_mode;
 
-/// The clock of one clip of one character: a value, to be copied and dropped freely. Its inside is the library's.
+/// The clock of one clip of one character: a value, to be copied and dropped freely. Its fields are private.
 typedef struct sinew_clock {
   double inside[8];
 } sinew_clock;
 
-/// A stretch of play, for sinew_crossed_events. Its inside is the library's.
+/// The time that one step of a clock played, for sinew_crossed_events and root motion. Its fields are private.
 typedef struct sinew_step {
   double inside[8];
 } sinew_step;

@@ -32,8 +32,8 @@ typedef enum sinew_op_kind {
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
 /// is the upper pose, in an addition the layer. This struct never grows: its 16 bytes may be stored and sent.
 typedef struct sinew_pose_op {
-  double time_s;   ///< sample: seconds in the clip;  mean: its threshold in (0, 1], up to which the rest pose fills
-                   ///< weights up;  override, procedure: its share in [0, 1]
+  double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1]; if the weights sum to less, the rest
+                   ///< pose gets the remainder;  override, procedure: its share in [0, 1]
   float weight;    ///< finite, >= 0
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;
                    ///< additions: 0 to turn joints in their parent's frame, 1 in their own
@@ -45,7 +45,7 @@ typedef struct sinew_pose_op {
 /// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0.
 SINEW_API sinew_pose_op sinew_default_op(uint32_t kind);
 
-/// Memory that programs need, and the lists that they refer to: the most of each.
+/// Upper limits of what the programs of a plan use: operations, stack slots, and the lists that they index.
 typedef struct sinew_program_room {
   size_t struct_size;
   uint32_t ops;                               ///< at most SINEW_MOST_OPS
@@ -53,7 +53,7 @@ typedef struct sinew_program_room {
   uint32_t externals, overrides, procedures;  ///< of the caller, at most 65535 of each
   uint32_t masks;                             ///< of sinew_needs and of the caller together, at most 255
   uint32_t overridden_joints;                 ///< of all overrides together
-  uint32_t overlays_in_model_space;           ///< 1: there are SINEW_OP_OVERLAY_MODEL
+  uint32_t overlays_in_model_space;           ///< 1 if programs use SINEW_OP_OVERLAY_MODEL
 } sinew_program_room;
 
 /// The room that a program needs. Lists are as long as its largest index asks for. `overridden_joints` is left at 0,
@@ -103,20 +103,20 @@ typedef struct sinew_joint_mask {
   uint64_t version;
 } sinew_joint_mask;
 
-/// The pose that a procedure may change, in memory of the frame. It ends with the call.
+/// The pose that a procedure may change, in memory of the frame. Valid only during the call.
 typedef struct sinew_procedure_pose {
-  size_t struct_size;     ///< of the library's version
+  size_t struct_size;     ///< sizeof this struct in the library; fields beyond it do not exist
   sinew_pose local;       ///< may be written
   float* weights;         ///< [weight_count] may be written
   size_t weight_count;    ///< 0 where sinew_frame_input.weights gives all morph weights
   float* properties;      ///< [property_count] may be written
   size_t property_count;  ///< 0 where they are not wanted
-  float share;            ///< (0, 1] of the operation; what it means is the procedure's own
+  float share;            ///< (0, 1] the share of the operation, which the procedure interprets
 } sinew_procedure_pose;
 
 /// A function of the caller that changes the pose in the middle of a program. It runs on the thread that runs the
-/// frame, and must return: it must not throw or longjmp. An equal version promises that it makes an equal pose of an
-/// equal one.
+/// frame, and must return: it must not throw or longjmp. An unchanged version promises the same output pose for the
+/// same input pose.
 typedef struct sinew_pose_procedure {
   void (*run)(void* context, const sinew_procedure_pose* pose);
   void* context;
@@ -133,14 +133,14 @@ typedef struct sinew_program_inputs {
   size_t external_count;
   const sinew_joint_overrides* overrides;
   size_t override_count;
-  const sinew_pose_procedure* procedures;  ///< called where they lie: the list stays as it is until the frames that get
-                                           ///< it are done, also where other inputs are copied
+  const sinew_pose_procedure* procedures;  ///< not copied, even where other inputs are: must not change until the
+                                           ///< frames that use it are done
   size_t procedure_count;
   const sinew_joint_mask* masks;
   size_t mask_count;
-  const sinew_page* const* pages;  ///< [operations] the keys of those that sample clips which lie in pages. Null, and
-                                   ///< null elements: the clips have them. Pages live, and stay as they are, as long as
-                                   ///< frames get them
+  const sinew_page* const* pages;  ///< [operations] for those that sample a clip in pages: the page with its keys.
+                                   ///< Null, or a null element, if the clip has its keys itself. Pages must stay alive
+                                   ///< and unchanged as long as frames use them
 } sinew_program_inputs;
 
 #ifdef __cplusplus

@@ -29,10 +29,11 @@ typedef enum sinew_translation_rule {
   SINEW_HIPS_BY_HEIGHT = 0,  ///< the path of top joints and hips is scaled by the ratio of heights; other bones keep
                              ///< their lengths
   SINEW_BY_LENGTH = 1,       ///< each is scaled by the ratio of the lengths of its bone: bones may stretch
-  SINEW_KEEP = 2             ///< all keep their place against the parent
+  SINEW_KEEP = 2             ///< all keep their rest translation
 } sinew_translation_rule;
 
-/// A rule for a joint of the target and all below it, as far as no other one is given there. This struct never grows.
+/// A rule for a joint of the target and its descendants, down to those with a rule of their own. This struct never
+/// grows.
 typedef struct sinew_chain_rule {
   uint32_t joint;
   uint32_t rule;  ///< sinew_translation_rule
@@ -76,7 +77,8 @@ typedef struct sinew_skeleton_map_info {
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
 
-/// A pose of the source on the target. Its twist joints share what hands, feet, upper arms and thighs are twisted.
+/// Retargets a pose of the source to the target. Twist joints of the target share the twist of hands, feet, upper arms
+/// and thighs.
 /// in   pose  of the source
 /// out  scratch     of the source; what it holds afterwards is of no use. Must not overlap `pose`
 ///      retargeted  of the target; must not overlap the others

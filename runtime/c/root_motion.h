@@ -58,7 +58,7 @@ SINEW_API sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, 
 SINEW_API sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip, uint32_t joint,
                                         const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out);
 
-/// The same of one clip of a library, whose keys are those of its compiled clip. Refers to nothing that it is made of.
+/// Root motion of one clip of a library, from the keys of its compiled clip. It keeps no reference to scene or library.
 typedef struct sinew_root_track sinew_root_track;
 
 /// in   library  the clip is one of it, bound to the scene by names, as in sinew_plan_create_from_library

@@ -13,7 +13,7 @@ extern "C" {
 ///      clips[clip_count]    that play, SINEW_NONE = the rest pose; none = all clips
 ///      needs                for their kinds of skinning; null = sinew_default_needs
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE (tolerance not finite or negative), SINEW_INDEX_OUT_OF_RANGE (clip),
-///      SINEW_OUT_OF_MEMORY, what sinew_plan_create answers of needs
+///      SINEW_OUT_OF_MEMORY, the errors of sinew_plan_create for the needs
 /// cost O(keys * joints) and more, allocates: for loading, not for frames
 SINEW_API sinew_error sinew_skeleton_lod_create(const sinew_scene* scene, double tolerance_m, const uint32_t* clips,
                                                 size_t clip_count, const sinew_needs* needs, sinew_skeleton_lod** out);

@@ -18,7 +18,7 @@
 
 namespace sinew::c {
 
-/// Bytes of a struct's first version; callers with smaller ones never were. A struct that grows keeps its old size
+/// Bytes of a struct's first version; no caller has a smaller one. A struct that grows keeps its old size
 /// here: what was added begins there, not in the padding of the old struct.
 template <class T>
 inline constexpr std::size_t kFirstVersionBytes = sizeof(T);

@@ -14,8 +14,8 @@
 // Structs that may grow begin with struct_size, which the caller sets to sizeof. The library reads and writes no more
 // than that. It is also the step of arrays, so all elements of an array have the same. An older program runs with a
 // newer library, where new fields take their defaults. A newer program runs with an older library as long as it leaves
-// the new fields zero. Null pointers and numbers that make no sense answer codes, or
-// nothing.
+// the new fields zero. For null pointers and invalid numbers,
+// functions return an error code or an empty result.
 //
 // No exception leaves a function. Different handles may be used by different threads. Scenes and plans do not change
 // after they were made (but for sinew_clips_load, which plans forbid), and any number of threads may read them.
@@ -60,7 +60,7 @@ typedef enum sinew_error {
   SINEW_NOT_A_FRACTION = 20,      ///< a number is outside [0, 1]
   SINEW_TWO_TIMES = 21,           ///< one vertex source is asked for two times in one frame
   SINEW_TOO_LARGE = 22,           ///< a finite number is so large that results could overflow
-  SINEW_NO_CUT = 23,              ///< no first half of a frame was run, which the second half could follow
+  SINEW_NO_CUT = 23,              ///< the second half of a frame was called without its first half
   SINEW_UNKNOWN_CHARACTER = 24,   ///< the jobs have no such character, or it was removed
   SINEW_FOLLOWS_ITSELF = 25,      ///< a character would follow itself, directly or by way of others
   SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is

@@ -14,7 +14,7 @@ typedef enum sinew_update_level {
   SINEW_UPDATE_EVERY_FOURTH = 2
 } sinew_update_level;
 
-/// Where levels change, as parts of the picture's height.
+/// Sizes in the picture below which levels change, as fractions of its height.
 typedef struct sinew_update_rates {
   size_t struct_size;
   double second_below;  ///< smaller characters are evaluated in every second frame

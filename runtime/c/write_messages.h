@@ -9,13 +9,13 @@
 
 namespace sinew::c {
 
-/// Gives lines to a C caller that wants them.
-/// out  out  null = not wanted
+/// Hands messages to a C caller, who owns them.
+/// out  out  null = the caller wants none
 inline void write_messages(std::vector<std::string> lines, sinew_messages** out) {
   if (out != nullptr) *out = new sinew_messages{std::move(lines)};
 }
 
-/// The same of a file that was refused.
+/// Hands over the one message about a refused file, and returns SINEW_BAD_FILE.
 inline sinew_error bad_file(std::string line, sinew_messages** out) {
   write_messages({std::move(line)}, out);
   return SINEW_BAD_FILE;

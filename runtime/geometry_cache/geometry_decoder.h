@@ -70,10 +70,11 @@ class SINEW_API GeometryDecoder {
   /// Place of `time_s` between the previous frame (0) and the held frame (1); 1 after `decode`.
   float part() const noexcept { return part_; }
 
-  /// Writes the points of a stream in file order, for meshes whose index buffer was reordered by
+  /// Writes the points of a stream in file order. It suits meshes whose indices were mapped from vertices to points by
   /// GeometryStream::point_of_vertex.
-  /// in   stream  counts over all meshes, one mesh after another
-  /// out  [point_count]  metres;   err  out_of_range (also if no frame is held), size_mismatch
+  /// in   stream  index over the streams of all meshes, one mesh after another
+  /// out  [point_count]  positions in metres, or normals or colours, by GeometryStream::kind
+  /// err  out_of_range (also if no frame is held), size_mismatch
   /// cost O(points), no allocation
   GeometryStatus write_points(std::size_t stream, std::span<glm::vec3> out) const noexcept;
 

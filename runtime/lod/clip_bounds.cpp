@@ -132,7 +132,8 @@ void attach_left_out_parts(std::span<const JointMapping> joint_map, std::vector<
   parts = std::move(hung);
 }
 
-/// The parts of an instance; empty if they are not known.
+/// Splits the vertices of an instance by the joints that they follow. Returns no parts if joints alone cannot bound the
+/// vertices: correctives morph them, or only some primitives are skinned.
 std::vector<Part> parts_of(const Scene& scene, const Animation* animation, std::uint32_t i) {
   const MeshInstance& instance = scene.instances[i];
   const std::vector<Primitive>& primitives = scene.meshes[instance.mesh].primitives;

@@ -13,7 +13,7 @@ namespace sinew {
 /// of a walk.
 struct BindPose {
   std::vector<Transform> local;        ///< [J] rotations unit; the bits of the rest pose wherever both agree
-  std::vector<bool> is_bound;          ///< [J] an inverse bind matrix tells where the joint stands
+  std::vector<bool> is_bound;          ///< [J] the pose of the joint comes from an inverse bind matrix
   std::vector<std::uint32_t> differs;  ///< rising; joints that stand elsewhere at rest, relative to their parent.
   /// Rising; skins that were bound in another pose than a skin with more joints. `local` has the pose of the latter.
   std::vector<std::uint32_t> other_skins;
@@ -26,15 +26,16 @@ struct BindPose {
 /// eq   M_j = X inverse(inverse_bind_j);  local_j = inverse(M_parent) M_j, without shear.
 ///      X cancels below the nearest ancestor a in the same skin: M_j = M_a inverse_bind_a inverse(inverse_bind_j)
 ///
-/// X places the space in which a skin was bound, which may be scaled or turned (centimetres, z up). Candidates are the
-/// model matrices of the mesh's node, of the ancestors of the skin's top joints, and the identity. X is the one that
-/// leaves the top joints nearest to where they rest. Nodes with another unit, or that would turn top joints by more
-/// than 60 degrees, are no candidates. If none is left, X is made of quarter turns and a factor, if these leave the
-/// first top joint near its rest pose. Otherwise that joint stands where it rests. It also does so if all joints of the
-/// skin stand to each other as they were bound.
+/// X maps from the space in which a skin was bound to model space. The former may be scaled or turned (centimetres, z
+/// up). Candidates for X are the model matrices of the mesh's node and of the ancestors of the skin's top joints, and
+/// the identity. X is the candidate that leaves the top joints nearest to their rest pose. A candidate is rejected if
+/// it scales a top joint, turns it by more than 60 degrees, or moves it by more than `size`. If none
+/// is left, X combines quarter turns and a scale, if that leaves the first top joint near its rest pose. Otherwise X
+/// places that joint at its rest pose. X also does so if the joints of the skin are posed alike, relative to each
+/// other, at bind and at rest.
 ///
 /// Joints outside of skins keep their rest transform relative to their parent, and so do joints with fixed matrices.
-/// Skins with more joints come first; a joint takes its place from the first skin that lists it. A skin says nothing if
+/// Skins with more joints come first; a joint takes its place from the first skin that lists it. A skin is ignored if
 /// its inverse bind matrices are all the same or cannot be inverted.
 /// cost O(J * depth + joints of skins), allocates
 SINEW_API BindPose bind_pose(const Scene& scene);

@@ -305,7 +305,7 @@ PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kin
   return stage;
 }
 
-/// Vertices that sources give, and what frames keep beside them.
+/// Primitives that may take their vertices from a geometry cache, and the frame memory for these vertices.
 PlanStage describe_geometry_cache(const CompiledPlan& plan) {
   PlanStage stage{"geometry_cache", false, "", 0, 0};
   std::uint64_t played = 0, with_surface = 0;

@@ -84,8 +84,8 @@ SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& sou
 /// skeleton has a root joint, the hips carry the whole path.
 ///
 /// The map carries rotations relative to the reference pose, which is the rest pose unless the options give another
-/// one. Notation: W rotations of the reference and G of the pose in model space, m the nearest mapped ancestor of j,
-/// Q = G_m^-1 G_j the rotation of j relative to m (over all joints between). Primes mark the target, and P' is the
+/// one. Notation: W rotations of the reference and G of the pose in model space, m the nearest mapped ancestor of j.
+/// Q = G_m^-1 G_j is the rotation of j relative to m (over all joints between). Primes mark the target, and P' is the
 /// parent of j'.
 /// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = B Q A,  B = W'_P'^-1 W'_m C'_m^-1 W_m,  A = W_j^-1 C'_j
 ///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1, L the local reference rotation

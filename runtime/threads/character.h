@@ -23,13 +23,13 @@ struct Character {
     for (std::uint8_t b = 0; b < frame_buffers; ++b) buffers.emplace_back(shown, memory);
   }
 
-  /// Asks for the memory that a frame needs first.
+  /// Prefetches the members that a frame reads first.
   void prefetch() const noexcept {
     const auto* begin = reinterpret_cast<const std::byte*>(this);
     sinew::prefetch(begin, static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&inputs) - begin));
   }
 
-  // Of whoever runs the frame.
+  // Used only by the thread that runs the frame of this character.
   FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
   const FrameBuffer* last_good = nullptr;
   ErrorCode error = ErrorCode::ok;  // of the frame that has just run
@@ -39,11 +39,11 @@ struct Character {
   std::vector<FrameBuffer> buffers;
   TripleSlots slots;
 
-  // Of the thread that submits. One input is that of the newest frame submitted. The other is free: the frame that used
-  // it is finished, since only one frame may wait.
+  // Used only by the thread that submits. One input belongs to the newest submitted frame. The other is free when the
+  // next frame is accepted: only one frame may be queued, so every frame that used it has finished.
   std::array<InputCopy, 2> inputs;
   std::uint8_t newest_input = 0;
-  std::uint64_t input_of_frame = 0;  // for which the newest input was given; 0 = none yet
+  std::uint64_t input_of_frame = 0;  // the frame for which the newest input was given; 0 = none yet
 };
 
 }  // namespace sinew

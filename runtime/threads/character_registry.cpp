@@ -127,7 +127,7 @@ void CharacterRegistry::begin_frame(std::uint64_t number, std::uint64_t finished
 void CharacterRegistry::assign_input(Id id, const FrameInput& input) {
   Slot& slot = slot_of(id);
   Character& character = *slot.now;
-  if (character.input_of_frame != frame_) character.newest_input ^= 1;  // else it is named twice in one frame
+  if (character.input_of_frame != frame_) character.newest_input ^= 1;  // otherwise this submit lists it twice
   character.input_of_frame = frame_;
   InputCopy& copy = character.inputs[character.newest_input];
   copy.assign(input);

@@ -12,9 +12,9 @@
 
 namespace sinew {
 
-/// The characters of a job thread by their ids. All of it belongs to the thread that submits. Frames in flight see
-/// copies of its roster. So characters join, leave and change their plans while frames run; memory of those that left
-/// is freed once no frame uses it.
+/// The characters of a job thread by their ids. Only the thread that submits uses it. Frames in flight use copies of
+/// its roster, so characters may be added, removed and given new plans meanwhile. The memory of removed characters is
+/// freed when no frame uses it any more.
 class CharacterRegistry {
  public:
   /// An index in the low bits, and the generation of that index above: an id is never used for two characters.
@@ -36,14 +36,14 @@ class CharacterRegistry {
   ErrorCode stop_following(Id follower);
 
   ErrorCode check_input(Id id, const FrameInput& input) const noexcept;
-  /// Inputs that follow are those of frame `number`. Frees what only frames up to `finished` used.
+  /// Inputs assigned from now on belong to frame `number`. Frees characters that no frame after `finished` uses.
   void begin_frame(std::uint64_t number, std::uint64_t finished) noexcept;
   /// Copies an input that check_input() accepts. It stands for later frames, too, until another is given.
   void assign_input(Id id, const FrameInput& input);
   /// All characters with their newest inputs.     cost  O(1), O(characters) after they have changed; allocates nothing
   const Roster& roster() noexcept;
 
-  /// Every character has a frame buffer to write into. Always true for three buffers.
+  /// True if every character has a frame buffer to write into; always true for three buffers.
   bool can_write() const noexcept;
   /// The newest published result, unchanged until asked for again; null before the first.
   const FrameResult* latest(Id id) noexcept;

@@ -9,8 +9,8 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kLooksAhead = 4;  // characters, whose state arrives while as many inputs are looked at
-constexpr std::size_t kPastCachesBytes = std::size_t{16} << 20;  // frames of all characters that no caches hold
+constexpr std::size_t kLooksAhead = 4;                           // prefetch distance in characters
+constexpr std::size_t kPastCachesBytes = std::size_t{16} << 20;  // frame memory of all characters that exceeds caches
 
 /// The input of an entry. A follower's root is relative to the joint of its leader.
 FrameInput input_of(const Roster& roster, const Roster::Entry& entry) noexcept {
@@ -78,9 +78,9 @@ bool Crowd::run_task(std::size_t task) noexcept {
   return tasks_run_.fetch_add(1, std::memory_order_acq_rel) + 1 == count;
 }
 
-/// Memory of a crowd has left the caches when its turn comes. Looking at all inputs of a part first lets their
-/// characters arrive together, and tells whose frame to ask for while the one before it runs. Followers are looked at
-/// when their turn comes, since their leader has to run first.
+/// Between two frames the memory of a large crowd leaves the caches. So a first loop prefetches characters and finds
+/// those whose input has changed. The second loop then prefetches the next frame buffer while the one before it runs.
+/// Followers are examined in the second loop only, because their leader has to run first.
 void Crowd::run_part(std::size_t part) noexcept {
   const std::uint64_t number = started_.load(std::memory_order_acquire);
   const std::vector<Roster::Entry>& entries = running_.entries;

@@ -10,13 +10,15 @@
 namespace sinew {
 
 /// One frame of all characters of a job thread, cut into tasks that any thread may run.
-/// A frame goes: queue, start, run_task for every task once and on any threads, publish by whoever ran the last one.
+/// For each frame call queue() and start(), then run_task() once for every task, on any threads. The thread that ends
+/// the last task calls publish().
 class Crowd {
  public:
   /// in   inline_below_bytes  a frame of less memory than this is one task
   explicit Crowd(std::size_t inline_below_bytes) noexcept : inline_below_bytes_(inline_below_bytes) {}
 
-  /// Rosters of up to `count` characters then allocate nothing. Like queue() it may be called while a frame runs.
+  /// Reserves memory, so that queue() allocates nothing for up to `count` characters. Both may be called while a frame
+  /// runs.
   void make_room(std::size_t count);
   /// Copies the roster of a frame, which start() then takes.
   void queue(const Roster& roster);
@@ -37,10 +39,10 @@ class Crowd {
   void run_part(std::size_t part) noexcept;
 
   std::size_t inline_below_bytes_;
-  Roster queued_, running_, spare_;  // the spare one takes the place of one that has too little room
+  Roster queued_, running_, spare_;  // spare_ replaces queued_ where that has too little capacity
 
-  // These make the writes of one thread visible to the others before and after the tasks, even if the executor orders
-  // nothing. They also reveal an executor that leaves out or repeats a task.
+  // Acquire and release on these order memory before, between and after the tasks, even if the executor does not
+  // synchronise. The count also reveals an executor that leaves out or repeats a task.
   alignas(64) std::atomic<std::uint64_t> started_{0};  // read by all
   alignas(64) std::atomic<std::size_t> tasks_run_{0};  // written by all
 };

@@ -20,8 +20,8 @@ namespace sinew {
 using Ticket = std::uint64_t;
 
 /// Runs `body(i)` exactly once for every i in [0, count), on any threads, and returns when all are done. It must not
-/// throw. An engine passes its own job system here. Results are the same bits whichever thread runs which i. One i is
-/// a run of characters worth some microseconds, so a crowd of simple characters needs no batches of the executor's own.
+/// throw. An engine passes its own job system here. Results are the same bits whichever thread runs which i. Each i
+/// evaluates several characters, some microseconds of work, so the executor need not group them.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
@@ -30,9 +30,11 @@ struct JobThreadOptions {
   /// A frame is one task, and is not handed to the executor, if the sum of Plan::frame_bytes() of all characters is
   /// below this. That sum grows with the work. Waking sleeping threads takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;
-  std::size_t part_bytes = std::size_t{1} << 17;  ///< consecutive characters that are one task: at least so much
-  /// Of frame buffers and copies of inputs; null = operator new. Must outlive the job thread. Only the thread that
-  /// submits asks it: when characters are added or replaced, in the submit after one has left, and in the destructor.
+  /// A task takes consecutive characters until the sum of their Plan::frame_bytes() reaches this.
+  std::size_t part_bytes = std::size_t{1} << 17;
+  /// Allocates frame buffers and copies of inputs; null = operator new. Must outlive the job thread. Only the thread
+  /// that submits calls it: when a character is added or gets another plan, after one was removed, and in the
+  /// destructor.
   std::pmr::memory_resource* frame_memory = nullptr;
   bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
   /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame
@@ -50,8 +52,8 @@ SINEW_API ErrorCode check(const JobThreadOptions& options) noexcept;  ///< unsup
 /// that have only one thread. poll() runs the frame, or take_task() hands it out in pieces for any threads or fibres.
 /// The last task to end publishes the results. No call but wait() and the destructor blocks.
 ///
-/// Characters join, leave, and change their plans at any time. The next submit takes that up; frames that are queued or
-/// run already are not touched.
+/// Characters may be added, removed and given other plans at any time. Such changes apply from the next submit on, not
+/// to frames that are queued or running.
 /// owns  one worker thread unless own_thread is false, the frame buffers of all characters
 /// thread-safe  poll, take_task, tasks, done and wait from any thread; all else from one
 class SINEW_API JobThread {
@@ -99,8 +101,8 @@ class SINEW_API JobThread {
   /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
   ///      too_many_layers (more than Needs::in.layer_room), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
-  /// Queues one frame in which these inputs are new. All other characters keep theirs, whose pages and procedures then
-  /// have to stay. One that never had an input is not run.
+  /// Queues one frame in which these inputs are new. All other characters keep their last input, so the pages and
+  /// procedures that it refers to must stay valid. A character that never had an input is not run.
   /// err  those above, unknown_character
   Result<Ticket> submit(std::span<const CharacterInput> changed);
 
@@ -110,7 +112,7 @@ class SINEW_API JobThread {
   /// waits for tasks that other threads have taken.
   void wait(Ticket ticket) const;
 
-  /// One run of characters of a frame; a value of two words.
+  /// Evaluates some characters of one frame. A task is a small value: two machine words.
   class SINEW_API Task {
    public:
     Task() = default;  ///< an empty task, which must not be run

@@ -30,7 +30,7 @@ struct Roster {
   /// Adds an entry behind all others. Without a leader it begins a new part if the last one has at least `part_bytes`.
   void append(const Entry& entry, std::size_t part_bytes);
   void clear() noexcept;
-  /// Entries up to `count`, and a copy of such a roster into this one, then allocate nothing.
+  /// Afterwards neither appending up to `count` entries nor assigning a roster of that size allocates.
   void reserve(std::size_t count);
   bool has_room_for(const Roster& other) const noexcept {
     return entries.capacity() >= other.entries.size() && part_end.capacity() >= other.part_end.size();

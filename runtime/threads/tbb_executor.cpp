@@ -4,8 +4,8 @@
 
 #include "runtime/threads/default_executor.h"
 
-// The thread sanitizer cannot see inside the system's libtbb, so TBB's own templates would look like races. Its build
-// therefore does not instrument this file.
+// The thread sanitizer cannot see inside the system's libtbb, so TBB's own templates would look like races. Builds with
+// that sanitizer therefore do not instrument this file.
 // Annotations below declare the one guarantee of TBB: the bodies see what the caller wrote, and the caller sees
 // afterwards what the bodies wrote.
 #ifdef SINEW_TELL_THREAD_SANITIZER

@@ -59,14 +59,14 @@ class ThreadPool {
 
   std::mutex mutex_;
   std::condition_variable work_came_, item_ended_;
-  std::vector<Loop*> open_;  // loops of which items wait
+  std::vector<Loop*> open_;  // loops with items that no thread has taken yet
 };
 
 }  // namespace
 
 void run_in_parallel(std::size_t count, const std::function<void(std::size_t)>& body) {
   if (count == 0) return;
-  static ThreadPool& pool = *new ThreadPool;  // see there
+  static ThreadPool& pool = *new ThreadPool;  // never destroyed; ThreadPool says why
   pool.run(count, body);
 }
 

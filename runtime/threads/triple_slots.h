@@ -15,12 +15,13 @@ class TripleSlots {
   /// in   buffer_count  3, or 2 (see above)
   explicit TripleSlots(std::uint8_t buffer_count = 3) noexcept : absent_(buffer_count) {}
 
-  /// Reader, while nothing is written: prepare_to_write will find a buffer. Always true for three buffers.
+  /// True if prepare_to_write() will find a buffer; always true for three buffers. The reader may call it while no
+  /// writer is active.
   bool can_write() const noexcept {
     return writing_ != absent_ || (middle_.load(std::memory_order_relaxed) & kFresh) == 0;
   }
 
-  /// Writer, before it writes: takes the buffer that the reader has given back, where it has none.
+  /// Writer, before it writes: if it has no buffer, takes the one that the reader has given back.
   void prepare_to_write() noexcept {
     if (writing_ == absent_) writing_ = middle_.exchange(absent_, std::memory_order_acq_rel) & kIndex;
   }
@@ -28,8 +29,8 @@ class TripleSlots {
   /// Writer: the buffer to write into.
   std::uint8_t writing() const noexcept { return writing_; }
 
-  /// Writer: the buffer is complete. The next one to write is the one that was finished before and never read, or that
-  /// the reader has given back.
+  /// Writer: hands over its complete buffer. In exchange it gets the one that was published before and never read, or
+  /// the one that the reader has given back. With two buffers it may get none.
   void publish() noexcept {
     const std::uint8_t given = static_cast<std::uint8_t>(writing_ | kFresh);
     writing_ = middle_.exchange(given, std::memory_order_acq_rel) & kIndex;
@@ -49,7 +50,7 @@ class TripleSlots {
  private:
   static constexpr std::uint8_t kIndex = 3, kFresh = 4;
 
-  std::uint8_t absent_;  // the index that stands for no buffer: 2 of two buffers, never met with three
+  std::uint8_t absent_;  // index that means "no buffer": 2 for two buffers; 3, which never occurs, for three
   std::uint8_t writing_ = 0;
   alignas(64) std::atomic<std::uint8_t> middle_{1};
   alignas(64) std::uint8_t reading_ = 2;

@@ -79,7 +79,8 @@ TEST(cost_stored_frames, halves_of_every_size_are_exact) {
   expect_same(decoded(frames, 1.0).at("halves"), changed(frames, as_half, 0.0f), "halves");
 }
 
-/// If numbers jump between both extremes, their residuals are four times as large.
+/// If numbers alternate between -m and m, a prediction by velocity is wrong by 4 m. The product fits into 16 bits for
+/// m = 8191, not for 8192.
 TEST(cost_stored_frames, numbers_that_do_not_fit_into_16_bits_take_32) {
   for (const float most : {8191.0f, 8192.0f}) {
     PointFrames frames(5, std::vector<glm::vec3>(16, glm::vec3(most)));

@@ -89,7 +89,8 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
   return metres;
 }
 
-/// Casts the rays of one pose after another, all within the distance that is asked for or the first pose gives.
+/// Casts the rays of one pose after another. All poses have the same largest distance of occluders: the one asked for,
+/// or else one derived from the first pose.
 /// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
   auto visibility = poses_of(options, scene);

@@ -26,10 +26,10 @@ class NpzFile {
   /// out   its number
   std::size_t add(const NpyArray& array);
 
-  /// The next numbers of an array. A contract holds that an array takes no more than its shape says.
+  /// Appends numbers to an array. CONTRACT: no array gets more bytes than its shape holds.
   void append(std::size_t array, std::string_view bytes);
 
-  /// Writes what is held, and the directory. A contract holds that every array is full.
+  /// Writes the buffered numbers and the zip directory. CONTRACT: every array is full.
   void finish();
 
  private:

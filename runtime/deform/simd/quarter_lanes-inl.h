@@ -109,8 +109,8 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past
   }
 }
 
-/// Vertex of a lane after transposing quarters. Transposition is four by four within each block, so nothing crosses
-/// blocks.
+/// The vertex of the tile that a lane holds after transpose_blocks(): x, y and z of all vertices in one vector each. It
+/// transposes the four quarters within each 128-bit block, so no lane crosses blocks.
 constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
 /// Normalises the vectors of a tile, with an exact square root and division. Returns the lanes (vertex_of_quarter_lane)

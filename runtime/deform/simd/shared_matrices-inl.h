@@ -47,19 +47,19 @@ constexpr std::size_t lane_of_vertex(std::size_t vertex) {
   return lane;
 }
 
-/// Permutes from the order of vertices in memory.
+/// Permutes one number per vertex from memory order to the lane order of load_shared().
 HWY_INLINE Wide shared_from_memory(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) { return vertex_of_shared_lane(lane); });
   return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
-/// Permutes from the order of lane_memory-inl.h.
+/// Permutes from the lane order of lane_memory-inl.h to that of load_shared().
 HWY_INLINE Wide shared_from_lanes(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) { return lane_of_vertex(vertex_of_shared_lane(lane)); });
   return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
-/// Permutes to the order of lane_memory-inl.h.
+/// Permutes from the lane order of load_shared() to that of lane_memory-inl.h.
 HWY_INLINE Wide lanes_from_shared(Wide v) {
   if constexpr (!kInTriples) return v;
   static constexpr LaneTable kTable([](std::size_t lane) {

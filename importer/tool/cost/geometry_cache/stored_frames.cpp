@@ -57,7 +57,7 @@ class Halves : public StoredFrames {
   std::vector<std::vector<std::uint16_t>> frames_;
 };
 
-/// Whole numbers as bytes, by zstd.
+/// Packs the bytes of integers by zstd at level 19.
 struct ByZstd {
   static Bytes pack(const Bytes& plain, std::size_t) {
     Bytes out(ZSTD_compressBound(plain.size()));
@@ -69,7 +69,7 @@ struct ByZstd {
   }
 };
 
-/// Whole numbers as vertices, by meshoptimizer.
+/// Packs integers by meshoptimizer's vertex codec, `stride` bytes a vertex.
 struct ByMeshopt {
   static Bytes pack(const Bytes& plain, std::size_t stride) {
     const std::size_t count = plain.size() / stride;
