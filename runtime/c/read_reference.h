@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/animation/pose_reference.h"
 #include "runtime/c/pose_span.h"
 #include "runtime/c/reference.h"
 #include "runtime/model/bind_pose.h"

@@ -33,8 +33,7 @@ struct JobThreadOptions {
   /// A task takes consecutive characters until the sum of their Plan::frame_bytes() reaches this.
   std::size_t part_bytes = std::size_t{1} << 17;
   /// Allocates frame buffers and copies of inputs; null = operator new. Must outlive the job thread. Only the thread
-  /// that submits calls it: when a character is added or gets another plan, after one was removed, and in the
-  /// destructor.
+  /// that submits calls it: when characters are added, replaced or removed, and in the destructor.
   std::pmr::memory_resource* frame_memory = nullptr;
   bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
   /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame

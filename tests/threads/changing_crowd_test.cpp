@@ -2,6 +2,8 @@
 // Characters that join, leave, change their plans and follow each other while frames run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory_resource>
 #include <optional>
