@@ -94,7 +94,9 @@ bool rename_over(const std::filesystem::path& from, const std::filesystem::path&
 
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   std::filesystem::path out = path;
-  out += "." + std::to_string(::getpid()) + ".tmp";
+  out += ".";
+  out += std::to_string(::getpid());
+  out += ".tmp";
   return out;
 }
 
