@@ -27,7 +27,7 @@ endforeach()
 
 # Engines include what lies beside detail/, and each header names the others as <sinew/...>.
 file(GLOB_RECURSE headers RELATIVE ${SCRATCH}/moved/include ${SCRATCH}/moved/include/*)
-set(internal "-inl\\.h$|/simd/|clip_layout|byte_stream|varint|packed_keys|key_times|frame_(memory|tables|layout|work)|influence_dispatch|prefetch|checksum|all_finite|_checks|c/(call|conversion|convert|enum_pairs|enums|field|fields|handles|frame_input|input_room|list_field|struct_versions)\\.h$")
+set(internal "-inl\\.h$|/simd/|clip_layout|byte_stream|varint|packed_keys|key_times|frame_(memory|tables|layout|work)|influence_dispatch|prefetch|checksum|all_finite|_checks|c/glue/|c/(handles|frame_input|input_room)\\.h$")
 foreach(header IN LISTS headers)
   if(NOT header MATCHES "^sinew/(detail/.+/)?[a-z_0-9]+\\.h$" OR header MATCHES "${internal}")
     message(FATAL_ERROR "include/${header} is installed, and is internal")

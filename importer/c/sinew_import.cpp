@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "importer/import_gltf.h"
-#include "runtime/c/call.h"
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/handles.h"
 
 using namespace sinew;

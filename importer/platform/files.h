@@ -20,18 +20,18 @@ int open_to_read(const std::filesystem::path& path) noexcept;
 
 /// Fails where the file exists.   out   a descriptor, or -1
 int create_new(const std::filesystem::path& path) noexcept;
-/// Opens what is there already: a pipe, a terminal, a device.   out   a descriptor, or -1
+/// Opens an existing pipe, terminal or device to write.   out   a descriptor, or -1
 int open_to_write(const std::filesystem::path& path) noexcept;
-/// A file without a name, which goes with its descriptor.   out   a descriptor, or -1
+/// Creates a temporary file, which is deleted when its descriptor is closed.   out   a descriptor, or -1
 int open_temporary();
-/// A second descriptor of the same file and place.   out   a descriptor, or -1
+/// Duplicates a descriptor. Both share the position in the file.   out   a descriptor, or -1
 int duplicate(int descriptor) noexcept;
 void close(int descriptor) noexcept;
 
-/// Nothing for folders, pipes and devices.
+/// Returns the size of a regular file, and no value for folders, pipes and devices.
 std::optional<std::uint64_t> regular_size(int descriptor) noexcept;
 FileIdentity identity_of(int descriptor) noexcept;
-/// Nothing where no file has this name.
+/// Returns no value if no file has this name.
 std::optional<FileIdentity> identity_at(const std::filesystem::path& path) noexcept;
 
 /// Fills `out` from where the last call ended.   out   false where the file ends early
@@ -41,14 +41,14 @@ std::optional<std::size_t> read_some(int descriptor, std::span<std::byte> out) n
 bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept;
 /// Waits until the disk has all bytes that were written.
 bool flush_to_disk(int descriptor) noexcept;
-/// The next call reads or writes at this place.
+/// Sets the position at which the next call reads or writes.
 bool seek(int descriptor, std::uint64_t place) noexcept;
 
 bool remove(const std::filesystem::path& path) noexcept;
-/// Gives a file another name, in place of the file that has it.
+/// Renames a file, and replaces the file that has the new name.
 bool rename_over(const std::filesystem::path& from, const std::filesystem::path& to) noexcept;
 
-/// A name beside `path` that no other process uses at this time.
+/// Makes a name in the folder of `path` that no other process uses at this time.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 }  // namespace sinew::platform

@@ -17,24 +17,24 @@ inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2
 /// text in the code page of the console. Call it once, before anything is printed.
 void prepare_standard_streams();
 
-/// The words of the command line.   in   argc, argv   of main(), which Windows gives in the code page of the system
+/// Splits the command line into words.   in   argc, argv   of main(); in Windows in the code page of the system
 std::vector<std::string> arguments_of(int argc, const char* const* argv);
 
-/// A variable of the environment; empty where it is not set.
+/// Reads an environment variable.   out   empty if it is not set
 std::string environment_variable(const char* name);
 
-/// True for a terminal, on Windows only if it takes escape sequences. False for files, pipes and other devices.
+/// Tells whether a descriptor is a terminal, on Windows one that takes escape sequences. Files and pipes are none.
 bool is_terminal(int descriptor) noexcept;
 
 std::uint64_t process_number() noexcept;
 
-/// The user's folder for what programs may make again; empty where there is none.
+/// Finds the user's cache folder.   out   empty if there is none
 std::filesystem::path user_cache_folder();
 
-/// The folder of the running program; empty where the system does not tell.
+/// Finds the folder of the running program.   out   empty if the system does not tell
 std::filesystem::path program_folder();
 
-/// The name of the file that holds a program: with .exe on Windows.
+/// Adds .exe to the name of a program on Windows.
 std::string program_file(const std::string& name);
 
 /// Runs a program and waits for its end. It inherits the environment; its stderr is discarded.

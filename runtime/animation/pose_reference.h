@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// The pose that mirroring and retargeting measure motion from.
+/// The pose that counts as standing still: mirroring and retargeting carry over how far joints have moved from it.
 enum class PoseReference : std::uint8_t {
   rest,  ///< the transforms of the nodes
   bind,  ///< the pose in which meshes were bound to their skins (model/bind_pose.h)

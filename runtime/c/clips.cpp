@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/write_messages.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/needs.h"
-#include "runtime/c/write_messages.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/plan/check_needs.h"

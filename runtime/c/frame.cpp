@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "runtime/c/call.h"
 #include "runtime/c/cut_frame.h"
 #include "runtime/c/frame_input.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/input_room.h"
-#include "runtime/c/pose_span.h"
-#include "runtime/c/struct_versions.h"
 #include "runtime/plan/cut_frame.h"
 #include "runtime/plan/frame_buffer.h"
 #include "runtime/plan/run_plan.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/frame_input.h"
 
-#include "runtime/c/enums.h"
-#include "runtime/c/list_field.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/list_field.h"
 #include "runtime/c/page_handle.h"
 #include "runtime/c/program_input.h"
 #include "runtime/c/vertex_source.h"

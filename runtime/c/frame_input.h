@@ -3,9 +3,9 @@
 #include <span>
 
 #include "runtime/c/frame.h"
+#include "runtime/c/glue/not_read.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/input_room.h"
-#include "runtime/c/not_read.h"
 #include "runtime/plan/frame_input.h"
 
 namespace sinew::c {

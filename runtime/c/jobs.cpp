@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/c/call.h"
-#include "runtime/c/fields.h"
 #include "runtime/c/frame_input.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/input_room.h"
 #include "runtime/threads/job_thread.h"

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/needs.h"
 #include "runtime/c/unbound.h"

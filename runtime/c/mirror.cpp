@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/mirror.h"
 
-#include "runtime/c/call.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/read_reference.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/pose_span.h"
-#include "runtime/c/read_reference.h"
-#include "runtime/c/struct_versions.h"
 #include "runtime/model/mirror_scene.h"
 
 using namespace sinew;

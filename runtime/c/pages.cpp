@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "runtime/c/call.h"
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/fields.h"
+#include "runtime/c/glue/write_messages.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/page_handle.h"
-#include "runtime/c/write_messages.h"
 
 using namespace sinew;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/plan.h"
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/needs.h"
-#include "runtime/c/struct_versions.h"
 
 using namespace sinew;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/playback.h"
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
-#include "runtime/c/enums.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/enums.h"
 #include "runtime/playback/event_cursor.h"
 #include "runtime/playback/playback_clock.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/c/call.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/pose_span.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/pose_span.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
 

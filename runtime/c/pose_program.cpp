@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "runtime/c/call.h"
-#include "runtime/c/enums.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/enums.h"
 #include "runtime/c/program_room.h"
 
 using namespace sinew;

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 
-#include "runtime/c/enums.h"
-#include "runtime/c/list_field.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/list_field.h"
+#include "runtime/c/glue/pose_span.h"
 #include "runtime/c/page_handle.h"
 #include "runtime/c/pose_program.h"
-#include "runtime/c/pose_span.h"
 
 namespace sinew::c {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/pose_program.h"
 #include "runtime/pose_program/pose_program.h"
 

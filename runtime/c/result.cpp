@@ -3,11 +3,11 @@
 
 #include <span>
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/pose_span.h"
-#include "runtime/c/struct_versions.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_result.h"
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/c/call.h"
-#include "runtime/c/enums.h"
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/fields.h"
+#include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/read_reference.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/pose_span.h"
-#include "runtime/c/read_reference.h"
 #include "runtime/c/unbound.h"
 #include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/map_scenes.h"

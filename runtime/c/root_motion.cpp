@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "runtime/animation/joint_tracks.h"
-#include "runtime/c/call.h"
-#include "runtime/c/enums.h"
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/handles.h"
 #include "runtime/clip/decompile_clip.h"
 #include "runtime/playback/root_motion.h"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string_view>
 
-#include "runtime/c/call.h"
-#include "runtime/c/enums.h"
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/handles.h"
 
 namespace {

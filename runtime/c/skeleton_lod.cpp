@@ -5,11 +5,11 @@
 #include <cmath>
 #include <span>
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/needs.h"
-#include "runtime/c/struct_versions.h"
 
 using namespace sinew;
 

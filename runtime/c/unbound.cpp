@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "runtime/c/convert.h"
-#include "runtime/c/enums.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/enums.h"
 
 namespace sinew::c {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/c/call.h"
-#include "runtime/c/enums.h"
-#include "runtime/c/fields.h"
 #include "runtime/c/frame_input.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/enums.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/lod/interpolated_input.h"
 #include "runtime/lod/update_rate.h"
 

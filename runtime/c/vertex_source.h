@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/c/convert.h"
 #include "runtime/c/frame.h"
+#include "runtime/c/glue/convert.h"
 #include "runtime/plan/vertex_source.h"
 
 namespace sinew::c {

@@ -8,9 +8,9 @@
 
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"
-#include "runtime/c/call.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/write_messages.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/write_messages.h"
 
 using namespace sinew;
 

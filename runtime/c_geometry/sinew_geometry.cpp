@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/c/call.h"
-#include "runtime/c/convert.h"
-#include "runtime/c/enum_pairs.h"
+#include "runtime/c/glue/call.h"
+#include "runtime/c/glue/convert.h"
+#include "runtime/c/glue/enum_pairs.h"
+#include "runtime/c/glue/struct_versions.h"
+#include "runtime/c/glue/write_messages.h"
 #include "runtime/c/handles.h"
-#include "runtime/c/struct_versions.h"
 #include "runtime/c/vertex_source.h"
-#include "runtime/c/write_messages.h"
 #include "runtime/geometry_cache/frame_window.h"
 #include "runtime/geometry_cache/geometry_player.h"
 #include "runtime/geometry_cache/scene_of_cache.h"

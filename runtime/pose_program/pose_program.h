@@ -18,7 +18,7 @@ namespace sinew {
 using PoseProgramSpan = std::span<const PoseOp>;
 inline constexpr std::size_t kMostPoseOps = 255;
 
-/// Limits that find_fault checks a program against: the tables that it may refer to, and its memory.
+/// Sizes of the tables that a program may index, and of its memory. find_fault refuses programs that go beyond.
 struct PoseProgramLimits {
   std::size_t clips = 0, externals = 0, masks = 0, overrides = 0, procedures = 0;
   bool mirror = false;                  ///< mirror tables are there

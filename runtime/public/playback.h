@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Time: clocks that loop, clamp or swing, events that a step crosses, curves of an engine's own values with triggers,
-/// and the motion of the root. Frames know nothing of it: a clock gives ClipLayer::time_s, and root motion moves
-/// FrameInput::root.
+/// Playback outside of frames. PlaybackClock advances clip times (loop, clamp, ping-pong), EventCursor finds the events
+/// that a step of it crosses. Curves are values of an engine's own over time, and find_edges makes events of them. Root
+/// motion moves FrameInput::root, and a clock gives ClipLayer::time_s.
 ///
 ///     sinew::PlaybackClock clock(clip.duration_s());
 ///     const sinew::PlaybackStep step = clock.advance(frame_s);

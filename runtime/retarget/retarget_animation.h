@@ -16,12 +16,12 @@ SINEW_API void retarget_pose(const SkeletonMap& map, const Skeleton& source, con
                              std::span<const Transformd> pose, std::span<Transformd> out) noexcept;
 
 /// Retargets an animation of the source to the target. Where a target joint follows a single track, each key is mapped
-/// by itself and keeps its interpolation. The map is linear
-/// in the key, so nothing is resampled: at every time the result equals retarget_pose up to rounding. On its own
-/// skeleton an animation keeps its bits. If a reference pose is not the rest pose, joints without tracks that would
-/// rest elsewhere get constant ones. Several source joints may add up, as in a spine with more joints. The target joint
-/// then gets linear keys at the key times of all of them and halfway between. Scales are left out unless the skeletons
-/// share names. For morph weights and properties see retarget_weights.h and retarget_properties.h.
+/// by itself and keeps its interpolation. The map is linear in the key, so nothing is resampled: at every time the
+/// result equals retarget_pose up to rounding. An animation that is retargeted to its own skeleton keeps its bits. If a
+/// reference pose is not the rest pose, a joint without tracks may have to stand elsewhere than at rest. It gets a
+/// constant track then. Several source joints may add up, as in a spine with more joints. The target joint then gets
+/// linear keys at the key times of all of them and halfway between. Scales are left out unless the skeletons share
+/// names. For morph weights and properties see retarget_weights.h and retarget_properties.h.
 /// in   animation  of the source; must have passed its checks
 /// cost O(keys * joints between mapped ones), allocates
 SINEW_API Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,

@@ -38,7 +38,7 @@ class CharacterRegistry {
   ErrorCode check_input(Id id, const FrameInput& input) const noexcept;
   /// Inputs assigned from now on belong to frame `number`. Frees characters that no frame after `finished` uses.
   void begin_frame(std::uint64_t number, std::uint64_t finished) noexcept;
-  /// Copies an input that check_input() accepts. It stands for later frames, too, until another is given.
+  /// Copies an input that check_input() accepts. Later frames use the copy, too, until another input is assigned.
   void assign_input(Id id, const FrameInput& input);
   /// All characters with their newest inputs.     cost  O(1), O(characters) after they have changed; allocates nothing
   const Roster& roster() noexcept;

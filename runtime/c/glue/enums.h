@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/result.h"
-#include "runtime/c/enum_pairs.h"
 #include "runtime/c/frame.h"
+#include "runtime/c/glue/enum_pairs.h"
 #include "runtime/c/library.h"
 #include "runtime/c/playback.h"
 #include "runtime/c/pose_program.h"

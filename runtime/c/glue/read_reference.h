@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/animation/pose_reference.h"
-#include "runtime/c/pose_span.h"
+#include "runtime/c/glue/pose_span.h"
 #include "runtime/c/reference.h"
 #include "runtime/model/bind_pose.h"
 

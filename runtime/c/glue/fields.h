@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <tuple>
 
-#include "runtime/c/field.h"
-#include "runtime/c/not_read.h"
-#include "runtime/c/struct_versions.h"
+#include "runtime/c/glue/field.h"
+#include "runtime/c/glue/not_read.h"
+#include "runtime/c/glue/struct_versions.h"
 
 // A struct of C and the struct of C++ that it stands for, described field by field once. Reading, writing and defaults
 // go through that list.

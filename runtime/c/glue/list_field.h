@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/c/fields.h"
+#include "runtime/c/glue/fields.h"
 #include "runtime/c/input_room.h"
 
 namespace sinew::c {
 
-/// Names a C list in refusals, and says how a list is refused that is too long.
+/// How refusals speak of a list of C: its name, and the code and rule for a list that is too long.
 struct ListName {
   const char* name;
   sinew_error too_long;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/convert.h"
 
 // A field of a struct of C, and the member of a struct of C++ that it stands for.
 

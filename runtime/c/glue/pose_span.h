@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/c/convert.h"
+#include "runtime/c/glue/convert.h"
 #include "runtime/c/pose.h"
 #include "runtime/pose/pose.h"
 

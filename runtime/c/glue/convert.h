@@ -11,8 +11,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "runtime/c/conversion.h"
-#include "runtime/c/enum_pairs.h"
+#include "runtime/c/glue/conversion.h"
+#include "runtime/c/glue/enum_pairs.h"
 #include "runtime/c/types.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/joint_matrix.h"
