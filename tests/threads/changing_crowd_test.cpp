@@ -93,7 +93,12 @@ TEST(changing_crowd, a_result_of_a_character_that_left_stays_until_the_next_subm
   EXPECT_EQ(jobs.submit(std::vector<Changed>{{1, {}}}).error(), ErrorCode::unknown_character);
   EXPECT_EQ(jobs.submit(std::vector<Changed>{{77, {}}}).error(), ErrorCode::unknown_character);
   EXPECT_EQ(std::vector<Id>(jobs.characters().begin(), jobs.characters().end()), (std::vector<Id>{0, 2}));
+  ASSERT_TRUE(jobs.submit(std::span<const Changed>{}));
+  EXPECT_EQ(memory.bytes, of_three) << "the frame before still runs it";
   (*in_flight)();
+  jobs.wait(3);
+  ASSERT_TRUE(jobs.submit(std::span<const Changed>{}));
+  EXPECT_LT(memory.bytes, of_three);
 }
 
 TEST(changing_crowd, memory_goes_back_when_no_frame_uses_it_and_ids_are_not_used_again) {
