@@ -135,10 +135,13 @@ void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), s
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
   const Program program = make_program();
-  if (argc == 3 && std::string_view(argv[1]) == "--generate") {  // for the build; no help shows it
-    const auto text = generated_text(program, argv[2]);
-    if (!text) return fail_with(ExitCode::wrong_usage, "--generate: man, bash, zsh or fish");
-    print(*text);
+  const Words words(argv + std::min(argc, 1), argv + argc);
+  if (words == Words{"--man-page"}) {  // for the build; no help shows it
+    print(man_page(program));
+    return ExitCode::done;
+  }
+  if (!words.empty() && words.front() == "--complete") {  // for shells (help/shells/)
+    print(candidates(program, {words.begin() + 1, words.end()}));
     return ExitCode::done;
   }
   CLI::App app("", "sinew");

@@ -50,12 +50,14 @@ TEST_F(CommandTexts, usage_has_arguments_and_the_options_that_are_needed) {
   EXPECT_EQ(usage(command_), "sinew paint [OPTIONS] FILE... [LAST] -o OUT.png");
 }
 
-TEST_F(CommandTexts, names_and_values) {
-  EXPECT_EQ(names_and_value(option("FILE")), "FILE...");
-  EXPECT_EQ(names_and_value(option("LAST")), "LAST");
+TEST_F(CommandTexts, explains_arguments_and_options_in_order) {
+  using Row = std::pair<std::string, std::string>;
   EXPECT_THAT(option("--output").names, ElementsAre("-o", "--output"));
-  EXPECT_EQ(names_and_value(option("--output")), "-o,--output OUT.png");
-  EXPECT_EQ(names_and_value(option("--quick")), "--quick");
+  std::vector<std::string> names;
+  for (const Row& row : explained(command_, true)) names.push_back(row.first);
+  for (const Row& row : explained(command_, false)) names.push_back(row.first);
+  EXPECT_THAT(names, testing::IsSupersetOf({"FILE...", "LAST", "-o,--output OUT.png", "--quick"}));
+  EXPECT_EQ(names.front(), "FILE...");
 }
 
 TEST_F(CommandTexts, only_an_argument_with_a_list_takes_many) {
@@ -64,22 +66,15 @@ TEST_F(CommandTexts, only_an_argument_with_a_list_takes_many) {
   EXPECT_FALSE(option("--list").takes_many());
 }
 
-TEST_F(CommandTexts, the_name_of_a_value_tells_paths) {
-  EXPECT_TRUE(is_path(option("FILE")) && is_path(option("--output")));
-  EXPECT_FALSE(is_path(option("LAST")) || is_path(option("--list")) || is_path(option("--quick")));
-}
-
 TEST_F(CommandTexts, choices_and_bare_values_are_named_once) {
-  EXPECT_EQ(full_text(option("--rule")), "How (default: wet). One of: wet, dry");
-  EXPECT_EQ(full_text(option("--thick")), "How thick (without a value: 3)");
-  Option how;
-  how.about = "How: wet or dry";
-  how.choices = {"wet", "dry"};
-  EXPECT_EQ(full_text(how), "How: wet or dry");
-  how.choices.emplace_back("oil");
-  EXPECT_EQ(full_text(how), "How: wet or dry. One of: wet, dry, oil");
-  how.value = "oil";
-  EXPECT_EQ(full_text(how), "How: wet or dry");
+  Command command("mix", "Mix");
+  command.option("--oil", "KIND", &one_, "How: wet or dry").one_of({"wet", "dry", "oil"});
+  command.option("--water", "KIND", &one_, "How: wet or dry").one_of({"wet", "dry"});
+  command.option("--thick", "N", &one_, "How thick").bare("3");
+  std::vector<std::string> texts;
+  for (const auto& row : explained(command, false)) texts.push_back(row.second);
+  EXPECT_THAT(texts, testing::IsSupersetOf({"How: wet or dry. One of: wet, dry, oil", "How: wet or dry",
+                                            "How thick (without a value: 3)"}));
 }
 
 }  // namespace

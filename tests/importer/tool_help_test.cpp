@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -162,58 +161,42 @@ TEST(help, says_what_an_option_takes_and_what_happens_without_it) {
   }
 }
 
-TEST(help, hides_what_only_the_build_uses) {
-  EXPECT_THAT(run_tool({"--help"}).out, Not(HasSubstr("--generate")));
-  EXPECT_EQ(run_tool({"--generate", "pdf"}).status, 2);
+TEST(help, hides_options_for_the_build_and_for_shells) {
+  EXPECT_THAT(run_tool({"--help"}).out, Not(testing::AnyOf(HasSubstr("--man-page"), HasSubstr("--complete"))));
 }
 
-bool holds_word(const std::string& text, const std::string& word) {
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-    const char next = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-    if (std::isalnum(static_cast<unsigned char>(next)) == 0 && next != '-') return true;
+/// The words that shells offer in place of the last one.
+std::vector<std::string> candidates(std::vector<std::string> words) {
+  words.insert(words.begin(), "--complete");
+  std::vector<std::string> out;
+  for (const std::string& line : lines_of(run_tool(words).out)) out.push_back(line.substr(0, line.find('\t')));
+  return out;
+}
+
+TEST(completion, offers_every_option_of_every_command) {
+  EXPECT_THAT(candidates({""}), testing::IsSupersetOf(commands()));
+  for (const std::string& command : commands()) {
+    EXPECT_GE(options_of(command).size(), 2u);
+    EXPECT_THAT(candidates({command, "--"}), testing::IsSubsetOf(options_of(command)));
+    EXPECT_THAT(candidates({command, "-"}), testing::UnorderedElementsAreArray(options_of(command)));
   }
-  return false;
 }
 
-/// How each form writes "--output".
-std::string in_form(const std::string& form, const std::string& option) {
-  if (form == "fish") return option.starts_with("--") ? "-l " + option.substr(2) : "-s " + option.substr(1);
-  if (form != "man") return option;
-  std::string escaped;
-  for (const char c : option) escaped += c == '-' ? "\\-" : std::string(1, c);
-  return escaped;
+TEST(completion, offers_choices_of_options_and_says_what_options_do) {
+  EXPECT_THAT(candidates({"sample", "x.glb", "--format", "n"}), ElementsAre("npy", "npz"));
+  EXPECT_THAT(candidates({"plan", "x.glb", "--needs", "joints,pal"}), ElementsAre("joints,palettes"));
+  EXPECT_THAT(run_tool({"--complete", "sample", "--ver"}).out, testing::MatchesRegex("--vertices\t.+\n"));
 }
 
-/// The part of a form that is about one command.
-std::string part_about(const std::string& form, const std::string& text, const std::string& command) {
-  if (form == "man") {
-    const std::size_t begin = text.find(".SS \\fBsinew " + in_form(form, command));
-    EXPECT_NE(begin, text.npos) << command;
-    return text.substr(begin, text.find(".SS ", begin + 1) - begin);
-  }
-  std::string part;
-  const std::string case_of = form == "bash" ? "    " + command + ") " : "    " + command + ")";
-  if (form == "zsh") {
-    const std::size_t begin = text.find(case_of + "\n");
-    EXPECT_NE(begin, text.npos) << command;
-    return text.substr(begin, text.find(";;", begin) - begin);
-  }
-  for (const std::string& line : lines_of(text))
-    if (line.starts_with(case_of) || line.find("seen_subcommand_from " + command + "'") != line.npos)
-      part += line + '\n';
-  return part;
-}
-
-TEST(shell_files, zsh_is_told_which_arguments_are_many_files) {
-  const std::string zsh = run_tool({"--generate", "zsh"}).out;
-  for (const char* command : {"info", "check", "sample", "plan"})
-    EXPECT_THAT(part_about("zsh", zsh, command), HasSubstr("'*:FILE:_files'")) << command;
-  EXPECT_THAT(part_about("zsh", zsh, "verify"), HasSubstr("':GOLDEN:_files'"));
-  EXPECT_THAT(part_about("zsh", zsh, "bake"), HasSubstr("':FILE:_files'"));
+TEST(completion, leaves_files_and_unknown_commands_to_the_shell) {
+  EXPECT_THAT(candidates({"info", "fo"}), IsEmpty());
+  EXPECT_THAT(candidates({"sample", "x.glb", "-o", "-"}), IsEmpty());
+  EXPECT_THAT(candidates({"nothing", "-"}), IsEmpty());
+  EXPECT_THAT(candidates({}), IsEmpty());
 }
 
 TEST(shell_files, the_manual_has_the_text_of_the_help) {
-  const std::string man = run_tool({"--generate", "man"}).out;
+  const std::string man = run_tool({"--man-page"}).out;
   const auto plain = [](std::string text) {
     std::string out;
     for (const char c : text)
@@ -221,8 +204,11 @@ TEST(shell_files, the_manual_has_the_text_of_the_help) {
     return out;
   };
   EXPECT_THAT(plain(man), HasSubstr(plain("Everything that the file says is carried: extras, extensions")));
-  const std::string part = part_about("man", man, "convert");
-  EXPECT_THAT(part, HasSubstr("\\fB\\-\\-budget\\fR \\fI")) << "an option and its value are two words";
+  const std::size_t at = man.find(".SS \\fBsinew convert");
+  ASSERT_NE(at, man.npos);
+  const std::string part = man.substr(at, man.find(".SS ", at + 1) - at);
+  EXPECT_THAT(part, HasSubstr("\n.B \\-\\-budget ")) << "an option and its value are two words";
+  for (const std::string& option : options_of("convert")) EXPECT_THAT(plain(part), HasSubstr(option));
   std::size_t begun = 0, ended = 0;
   for (const std::string& line : lines_of(man)) {
     begun += line == ".nf";
@@ -232,22 +218,6 @@ TEST(shell_files, the_manual_has_the_text_of_the_help) {
   EXPECT_EQ(begun, ended);
   EXPECT_GT(begun, 0u);
   EXPECT_THAT(part, HasSubstr(".PP\nEverything that the file says")) << "a paragraph of its own";
-}
-
-TEST(shell_files, have_every_option_of_every_command) {
-  for (const char* form : {"man", "bash", "zsh", "fish"}) {
-    const CommandOutcome made = run_tool({"--generate", form});
-    ASSERT_EQ(made.status, 0) << made.err;
-    for (const std::string& command : commands()) {
-      const std::string part = part_about(form, made.out, command);
-      const auto options = options_of(command);
-      EXPECT_GE(options.size(), 2u);
-      for (const std::string& option : options) {
-        EXPECT_TRUE(holds_word(part, in_form(form, option))) << form << ": " << command << ' ' << option << '\n'
-                                                             << part;
-      }
-    }
-  }
 }
 
 bool is_installed(const char* program) {
@@ -262,17 +232,15 @@ std::string printed(const ToolModelFile& folder, const std::string& command) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A shell file, written to disk.
-std::string made(const ToolModelFile& folder, const std::string& form) {
-  const std::string file = folder.beside(form);
-  std::ofstream(file) << run_tool({"--generate", form}).out;
-  return file;
-}
+/// The command that makes a shell find this build of sinew.
+const std::string kPath = "PATH=" SINEW_TOOL_FOLDER ":$PATH; export PATH; ";
+const std::string kShells = SINEW_SHELL_FILES;
 
 TEST(shell_files, roff_takes_the_manual_page_without_a_warning) {
   if (!is_installed("groff")) GTEST_SKIP() << "no groff";
   const ToolModelFile folder;
-  const std::string page = made(folder, "man");
+  const std::string page = folder.beside("sinew.1");
+  std::ofstream(page) << run_tool({"--man-page"}).out;
   EXPECT_EQ(printed(folder, "groff -man -ww -z -Tutf8 " + page), "");
   const std::string text = printed(folder, "groff -man -Tascii -P-cbou " + page);
   for (const char* words : {"SINEW(1)", "NAME", "SYNOPSIS", "--output", "sinew sample"})
@@ -281,7 +249,7 @@ TEST(shell_files, roff_takes_the_manual_page_without_a_warning) {
 
 /// Bash's completions of the last word of a command line.
 std::vector<std::string> offered(const ToolModelFile& folder, const std::string& words) {
-  std::string text = printed(folder, "bash -c 'source " + folder.beside("bash") + "; COMP_WORDS=(" + words +
+  std::string text = printed(folder, kPath + "bash -c 'source " + kShells + "/sinew.bash; COMP_WORDS=(" + words +
                                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _sinew; printf \"%s\\n\" "
                                          "\"${COMPREPLY[@]}\"'");
   return lines_of(text);
@@ -289,7 +257,6 @@ std::vector<std::string> offered(const ToolModelFile& folder, const std::string&
 
 TEST(shell_files, bash_completes_commands_options_and_values) {
   const ToolModelFile folder;
-  made(folder, "bash");
   EXPECT_THAT(offered(folder, "sinew co"), testing::IsSupersetOf({"convert", "compile"}));
   EXPECT_THAT(offered(folder, "sinew sample --ver"), ElementsAre("--vertices"));
   EXPECT_THAT(offered(folder, "sinew sample x.glb --format n"), ElementsAre("npy", "npz"));
@@ -301,9 +268,7 @@ TEST(shell_files, bash_completes_commands_options_and_values) {
 /// Zsh's list after Tab, in an interactive shell on its own terminal. It is ready for keys once it edits a line:
 /// before, the terminal is not raw and takes them itself.
 std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words) {
-  const std::string functions = folder.beside("functions"), script = folder.beside("tab.zsh");
-  std::filesystem::create_directory(functions);
-  std::ofstream(functions + "/_sinew") << run_tool({"--generate", "zsh"}).out;
+  const std::string script = folder.beside("tab.zsh");
   std::ofstream(script) << R"(zmodload zsh/zpty
 zpty tab zsh -f -i
 zpty -w tab 'PS1=; TERM=dumb; unsetopt zle_bracketed_paste prompt_cr prompt_sp; stty -echo cols 200 rows 500'
@@ -317,7 +282,7 @@ print -r -- $listed
 zpty -d tab
 )";
   const std::string shown =
-      printed(folder, "timeout 600 zsh -f " + script + " " + functions + " '" + words + "' </dev/null");
+      printed(folder, kPath + "timeout 600 zsh -f " + script + " " + kShells + " '" + words + "' </dev/null");
   const std::size_t first = shown.find(words), again = shown.find(words, first + 1);  // as they were typed, drawn again
   EXPECT_NE(first, shown.npos) << shown;
   if (first == shown.npos || again == shown.npos) return {};
@@ -327,7 +292,7 @@ zpty -d tab
 TEST(shell_files, zsh_completes_commands_options_values_and_files) {
   if (!is_installed("zsh")) GTEST_SKIP() << "no zsh";
   const ToolModelFile folder;
-  EXPECT_EQ(printed(folder, "zsh -n " + made(folder, "zsh")), "");
+  EXPECT_EQ(printed(folder, "zsh -n " + kShells + "/_sinew"), "");
   const std::string all = listed_by_zsh(folder, "sinew ");
   for (const std::string& command : commands()) EXPECT_THAT(all, HasSubstr("\n" + command + " "));
   const std::string option = listed_by_zsh(folder, "sinew sample --v");
@@ -345,12 +310,12 @@ TEST(shell_files, zsh_completes_commands_options_values_and_files) {
 TEST(shell_files, fish_completes_commands_and_values) {
   if (!is_installed("fish")) GTEST_SKIP() << "no fish";
   const ToolModelFile folder;
-  EXPECT_EQ(printed(folder, "fish --no-execute " + made(folder, "fish")), "");
-  const std::string values = printed(
-      folder, "fish --no-config -c 'source " + folder.beside("fish") + "; complete -C \"sinew sample --format \"'");
+  EXPECT_EQ(printed(folder, "fish --no-execute " + kShells + "/sinew.fish"), "");
+  const std::string values = printed(folder, kPath + "fish --no-config -c 'source " + kShells +
+                                                 "/sinew.fish; complete -C \"sinew sample --format \"'");
   for (const char* format : {"json", "csv", "npy", "npz"}) EXPECT_THAT(values, HasSubstr(format));
   const std::string commands_of_fish =
-      printed(folder, "fish --no-config -c 'source " + folder.beside("fish") + "; complete -C \"sinew \"'");
+      printed(folder, kPath + "fish --no-config -c 'source " + kShells + "/sinew.fish; complete -C \"sinew \"'");
   for (const std::string& command : commands()) EXPECT_THAT(commands_of_fish, HasSubstr(command));
 }
 

@@ -27,11 +27,27 @@ std::string table(const std::string& title, const std::vector<Row>& rows) {
   return out;
 }
 
-std::string options_table(const std::string& title, const Command& command, bool arguments) {
-  std::vector<Row> rows;
-  for (const Option& option : command.options)
-    if (option.is_argument() == arguments) rows.emplace_back(names_and_value(option), full_text(option));
-  return table(title, rows);
+std::string joined(const std::vector<std::string>& words, const char* separator) {
+  std::string text;
+  for (const std::string& word : words) (text += text.empty() ? "" : separator) += word;
+  return text;
+}
+
+std::string names_and_value(const Option& option) {
+  const std::string value = option.value + (option.takes_many() ? "..." : "");
+  return joined(option.names, ",") + (option.names.empty() || value.empty() ? "" : " ") + value;
+}
+
+/// `about`, with the choices and the bare value if it does not name them.
+std::string full_text(const Option& option) {
+  const auto is_named = [&](const std::string& word) {
+    return (option.about + option.value).find(word) != std::string::npos;
+  };
+  std::string text = option.about;
+  if (!option.value_if_bare.empty()) text += " (without a value: " + option.value_if_bare + ')';
+  if (!std::all_of(option.choices.begin(), option.choices.end(), is_named))
+    text += ". One of: " + joined(option.choices, ", ");
+  return text;
 }
 
 std::string begin(const std::string& summary, const std::string& details) {
@@ -44,13 +60,13 @@ std::string help_text(const Program& program) {
   std::vector<Row> commands;
   for (const Command& command : program.commands) commands.emplace_back(command.name, command.summary);
   return begin("sinew: " + program.self.summary, program.self.details) + "\nUsage: sinew COMMAND ...\n" +
-         table("Commands", commands) + options_table("Options", program.self, false) + '\n' +
+         table("Commands", commands) + table("Options", explained(program.self, false)) + '\n' +
          wrapped(program.ending, 0, 0) + '\n';
 }
 
 std::string help_text(const Command& command) {
   return begin(command.summary, command.details) + "\nUsage: " + wrapped(usage(command), 9, 7) + '\n' +
-         options_table("Arguments", command, true) + options_table("Options", command, false);
+         table("Arguments", explained(command, true)) + table("Options", explained(command, false));
 }
 
 std::string usage(const Command& command) {
@@ -63,33 +79,11 @@ std::string usage(const Command& command) {
   return text;
 }
 
-std::string names_and_value(const Option& option) {
-  const std::string value = option.value + (option.takes_many() ? "..." : "");
-  return joined(option.names, ",") + (option.names.empty() || value.empty() ? "" : " ") + value;
-}
-
-std::string full_text(const Option& option) {
-  const auto is_named = [&](const std::string& word) {
-    return (option.about + option.value).find(word) != std::string::npos;
-  };
-  std::string text = option.about;
-  if (!option.value_if_bare.empty()) text += " (without a value: " + option.value_if_bare + ')';
-  if (!std::all_of(option.choices.begin(), option.choices.end(), is_named))
-    text += ". One of: " + joined(option.choices, ", ");
-  return text;
-}
-
-bool is_path(const Option& option) {
-  static const std::vector<std::string> kWords = {"FILE",   "OUT",   "IN",     "DIR",   "GOLDEN",
-                                                  "SOURCE", "CACHE", "FOLDER", "CLIPS", "CHARACTER"};
-  const std::string first = option.value.substr(0, option.value.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"));
-  return std::find(kWords.begin(), kWords.end(), first) != kWords.end();
-}
-
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
-  std::string text;
-  for (const std::string& word : words) (text += text.empty() ? "" : separator) += word;
-  return text;
+std::vector<Row> explained(const Command& command, bool arguments) {
+  std::vector<Row> rows;
+  for (const Option& option : command.options)
+    if (option.is_argument() == arguments) rows.emplace_back(names_and_value(option), full_text(option));
+  return rows;
 }
 
 }  // namespace sinew::tool

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "importer/tool/command.h"
 
@@ -16,28 +16,14 @@ std::string help_text(const Command& command);
 /// The manual page sinew(1), in the man macros of roff.
 std::string man_page(const Program& program);
 
-/// Scripts with which shells complete commands, options and values.
-std::string bash_completion(const Program& program);
-std::string zsh_completion(const Program& program);
-std::string fish_completion(const Program& program);
-
-/// One of the texts above.
-/// in    kind   "man", "bash", "zsh" or "fish"; nothing is returned for others
-std::optional<std::string> generated_text(const Program& program, std::string_view kind);
+/// Words that may stand in place of the last one, as "word<Tab>description" lines. There are none where files belong.
+/// in   words   of the command line after "sinew", up to the one that is being typed
+std::string candidates(const Program& program, const std::vector<std::string>& words);
 
 /// "sinew sample [OPTIONS] FILE... -o OUT"
 std::string usage(const Command& command);
 
-/// "-o,--output OUT"
-std::string names_and_value(const Option& option);
-
-/// `about`, with the choices and the bare value if it does not name them.
-std::string full_text(const Option& option);
-
-/// True if the value is a file or a folder, which the name of the value tells.
-bool is_path(const Option& option);
-
-/// Words with `separator` between them.
-std::string joined(const std::vector<std::string>& words, std::string_view separator);
+/// "-o,--output OUT" and what it means, for the options or for the arguments of a command.
+std::vector<std::pair<std::string, std::string>> explained(const Command& command, bool arguments);
 
 }  // namespace sinew::tool

@@ -29,14 +29,8 @@ std::string paragraphs_of(std::string_view text) {
 
 std::string options_of(const Command& command, bool arguments) {
   std::string out;
-  for (const Option& option : command.options) {
-    if (option.is_argument() != arguments) continue;
-    std::string names;
-    for (const std::string& name : option.names) names += (names.empty() ? "\\fB" : ", \\fB") + escaped(name) + "\\fR";
-    if (!names.empty() && !option.value.empty()) names += ' ';
-    if (!option.value.empty()) names += "\\fI" + escaped(option.value + (option.takes_many() ? "..." : "")) + "\\fR";
-    out += ".TP\n" + names + '\n' + escaped(full_text(option)) + '\n';
-  }
+  for (const auto& [name, text] : explained(command, arguments))
+    out += ".TP\n.B " + escaped(name) + '\n' + escaped(text) + '\n';
   return out;
 }
 
