@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "importer/platform/files.h"
 #include "importer/write/glb_file.h"
 #include "importer/write/replace_file.h"
 #include "importer/write/write_scene.h"
@@ -51,7 +52,8 @@ ImportResult<std::size_t> export_glb(const Scene& scene, const std::filesystem::
   auto bytes = export_glb(scene, options);
   if (!bytes) return tl::unexpected(std::move(bytes).error());
   if (auto fault = write::replace_file(file, *bytes))
-    return tl::unexpected(ImportError{file.string(), {Severity::error, "write-file", "", *std::move(fault)}, {}, {}});
+    return tl::unexpected(
+        ImportError{platform::text_of(file), {Severity::error, "write-file", "", *std::move(fault)}, {}, {}});
   return bytes->size();
 }
 

@@ -33,6 +33,7 @@
 #include "importer/file/read_document.h"
 #include "importer/file/sandboxed_files.h"
 #include "importer/issue_log.h"
+#include "importer/platform/files.h"
 #include "importer/read/check_accessors.h"
 #include "importer/read/check_bounds.h"
 #include "importer/read/check_unused.h"
@@ -271,7 +272,7 @@ ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run r
 
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options) {
   IssueLog log(options.max_listed_per_rule);
-  const std::string name = file.string();
+  const std::string name = platform::text_of(file);
   return guarded(name, log, [&]() -> std::optional<ImportedFile> {
     SandboxedFiles files(file.parent_path(), options.max_file_bytes);
     auto bytes = files.read_path(file);

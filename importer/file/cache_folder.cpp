@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "importer/platform/files.h"
 #include "importer/platform/program.h"
 
 namespace sinew {
@@ -16,7 +17,7 @@ std::filesystem::path default_cache_folder() {
 
 std::filesystem::path cache_folder_called(std::string_view name) {
   if (name.empty()) return default_cache_folder();
-  return name == "none" ? std::filesystem::path() : std::filesystem::path(name);
+  return name == "none" ? std::filesystem::path() : platform::path_of(name);
 }
 
 }  // namespace sinew

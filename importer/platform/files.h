@@ -6,11 +6,20 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 /// Calls of the operating system about files: files_posix.cpp, and its twin files_windows.cpp. Files are descriptors of
 /// the C library, as zlib takes them; none translates ends of lines. Where a call fails, errno says why.
 namespace sinew::platform {
+
+/// Convert between paths and texts in UTF-8. std::filesystem::path reads a std::string in the code page of Windows,
+/// which loses other letters.
+inline std::filesystem::path path_of(std::string_view text) { return std::u8string(text.begin(), text.end()); }
+inline std::string text_of(const std::filesystem::path& path) {
+  const std::u8string text = path.u8string();
+  return {text.begin(), text.end()};
+}
 
 /// Names a file on the disk, whatever its path: device and number of its entry.
 using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;

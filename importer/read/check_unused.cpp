@@ -125,7 +125,7 @@ void check_unused_samplers(const gltf::Document& document, IssueLog& log) {
       const gltf::AnimationSampler& sampler = samplers[s];
       if (used[s] || sampler.input == kNone || sampler.output == kNone) continue;
       total += document.accessors[sampler.input].count + 16 * document.accessors[sampler.output].count;
-      if (total > kMaxTotal) return;
+      if (total > kMaxUnusedElements) return;
       SamplerCheck(document, pointer("animations", a, "samplers", s), log).run(sampler);
     }
   }

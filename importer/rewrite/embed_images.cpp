@@ -7,6 +7,7 @@
 #include "importer/file/data_uri.h"
 #include "importer/file/json_pointer.h"
 #include "importer/file/sandboxed_files.h"
+#include "importer/platform/files.h"
 
 namespace sinew::rewrite {
 namespace {
@@ -24,7 +25,7 @@ constexpr Signature kSignatures[] = {
 
 void name_after_file(const std::string& uri, Json& image) {
   if (is_data_uri(uri) || image.contains("name")) return;
-  if (const auto path = percent_decode(uri)) image["name"] = std::filesystem::path(*path).stem().string();
+  if (const auto path = percent_decode(uri)) image["name"] = platform::text_of(platform::path_of(*path).stem());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "importer/platform/files.h"
 #include "importer/tool/commands.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ AssetFileOptions blocks_of(const CompileOptions& options) {
 }
 
 ExitCode compile_file(const CompileOptions& options, const std::string& in, const std::string& out, bool many) {
-  const ResultsToStderr redirected(is_standard_output(out));
+  const ResultsToStderr redirected(is_standard_output(platform::path_of(out)));
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   const auto tolerances = joint_tolerances(options.joint_tolerances);
@@ -103,7 +104,8 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   import.make_tangents = import.keep_encoded_images = blocks.model;
   auto file = load_file(in, import);
   if (!file) return ExitCode::input_at_fault;
-  if (const auto error = find_output_error(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *error);
+  if (const auto error = find_output_error(platform::path_of(out), file->facts.files))
+    return fail_with(ExitCode::wrong_usage, *error);
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;
@@ -113,7 +115,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   const ClipBoxes boxes = blocks.model && blocks.clips ? bound_clips(scene) : ClipBoxes();
   blocks.clip_boxes = boxes;
   const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
-  if (const ExitCode code = write_output(out, bytes); code != ExitCode::done) return code;
+  if (const ExitCode code = write_output(platform::path_of(out), bytes); code != ExitCode::done) return code;
   if (!many)
     print_result_text(certificate_table(scene.clips, scene.skeleton.names) +
                       lod_lines(lods, scene.skeleton.joint_count()));

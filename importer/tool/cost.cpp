@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "importer/platform/files.h"
 #include "importer/tool/commands.h"
 
 #include <filesystem>
@@ -38,7 +39,7 @@ std::string command_of(const CostOptions& options) {
 }
 
 std::string description_of(const std::string& file, const Scene& scene) {
-  return fmt::format("{}: {}, {}, {}, {:.3g} m large", std::filesystem::path(file).filename().string(),
+  return fmt::format("{}: {}, {}, {}, {:.3g} m large", platform::text_of(platform::path_of(file).filename()),
                      counted(scene.skeleton.joint_count(), "joint"), counted(scene.clips.size(), "clip"),
                      counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
@@ -49,12 +50,12 @@ constexpr double kDoneBeforeFilters = 0.9;
 ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
   report.subject = subject;
   report.command = command_of(options);
-  if (const auto failed = cost::write_report(report, options.folder)) {
+  if (const auto failed = cost::write_report(report, platform::path_of(options.folder))) {
     return fail_with(ExitCode::machine_lacks, fmt::format("{}: {}", options.folder, *failed));
   }
   for (const cost::Group& group : report.groups)
     print_result("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
-  print_result("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
+  print_result("{}\n", platform::text_of(platform::path_of(options.folder) / "report.html"));
   return ExitCode::done;
 }
 
@@ -90,7 +91,7 @@ ExitCode report_on_cache(const CacheFile& file, const CostOptions& options) {
   cost::Report report = cost::make_geometry_report(std::move(*take), asked_m, effort, show);
   progress.wipe();
   const std::string subject =
-      fmt::format("{}: {} of {}", std::filesystem::path(options.file).filename().string(),
+      fmt::format("{}: {} of {}", platform::text_of(platform::path_of(options.file).filename()),
                   counted(file.cache.frame_count(), "frame"), counted(file.cache.meshes().size(), "primitive"));
   return finish(std::move(report), subject, options);
 }
@@ -104,13 +105,13 @@ ExitCode report_on_showcase(const CostOptions& options) {
 
 /// Refuses a folder that cannot become the report, with a message.
 std::optional<ExitCode> refuse_folder(const CostOptions& options, std::span<const std::filesystem::path> inputs) {
-  const std::string why = cost::find_folder_error(options.folder, inputs);
+  const std::string why = cost::find_folder_error(platform::path_of(options.folder), inputs);
   if (why.empty()) return std::nullopt;
   return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
 }
 
 ExitCode report_cost(const CostOptions& options) {
-  const std::filesystem::path named[] = {options.file};
+  const std::filesystem::path named[] = {platform::path_of(options.file)};
   if (const auto refused = refuse_folder(options, named)) return *refused;
   if (options.file.empty()) return report_on_showcase(options);
   if (const auto cache = read_cache(options.file, true))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "importer/platform/files.h"
 #include "importer/tool/commands.h"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ ExitCode sample_file(SampleOptions options) {
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   if (!options.output.empty())
-    if (const auto error = find_output_error(options.output, file->facts.files))
+    if (const auto error = find_output_error(platform::path_of(options.output), file->facts.files))
       return fail_with(ExitCode::wrong_usage, *error);
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());
@@ -113,7 +114,7 @@ ExitCode sample_file(SampleOptions options) {
 ExitCode sample_input(SampleOptions options, const Input& input, bool many) {
   options.file = input.path;
   if (many) options.output = input.output;
-  if (is_standard_output(options.output)) options.output.clear();
+  if (is_standard_output(platform::path_of(options.output))) options.output.clear();
   const ExitCode code = sample_file(options);
   if (many && code == ExitCode::done) print_result("{}: written\n", visible_text(options.output));
   return code;

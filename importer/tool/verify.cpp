@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "importer/platform/files.h"
 #include "importer/tool/commands.h"
 
 #include <algorithm>
@@ -183,9 +184,10 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
 
 /// The poses that `sinew sample` wrote for a file of a folder.
 std::string golden_of(const std::string& folder, const Input& file) {
-  const std::filesystem::path poses = (std::filesystem::path(folder) / file.below).replace_extension(".json");
+  const std::filesystem::path poses =
+      (platform::path_of(folder) / platform::path_of(file.below)).replace_extension(".json");
   std::error_code error;
-  return std::filesystem::exists(poses, error) ? poses.string() : poses.string() + ".gz";
+  return std::filesystem::exists(poses, error) ? platform::text_of(poses) : platform::text_of(poses) + ".gz";
 }
 
 ExitCode verify_input(VerifyOptions options, const Input& file, bool many) {

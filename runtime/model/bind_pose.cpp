@@ -21,7 +21,7 @@ constexpr double kSameUnit = 0.05;      // relative difference of units; a pose 
 constexpr double kMostTurned = 1.05;    // radians that a pose may turn the top joint of a skin: 60 degrees
 constexpr double kFarthest = 1.0;       // fraction of the size that a pose may move the top joint of a skin
 constexpr double kTurnedLittle = 0.52;  // as kMostTurned, for spaces that no node has: 30 degrees
-constexpr double kNear = 0.25;          // as kFarthest, for spaces that no node has
+constexpr double kNearest = 0.25;       // as kFarthest, for spaces that no node has
 constexpr double kRounds = 0.01;        // relative distance of a unit from a power of ten that counts as rounding
 
 double unit_of(const Affined& m) noexcept { return std::cbrt(std::abs(determinant(m))); }
@@ -237,7 +237,7 @@ class Posing {
     const Mat3<double> turn = quarter_turns(matrix_from_unit_quat(decompose_polar(linear_part(near)).quat));
     const Affined turned = above * affine_from(turn * unit, Vec3<double>(0.0));
     const Difference off = difference_of(turned * *skin.find(first), carried(first));
-    return off.angle_rad <= kTurnedLittle && off.distance <= kNear * pose_.size ? turned : as_rested;
+    return off.angle_rad <= kTurnedLittle && off.distance <= kNearest * pose_.size ? turned : as_rested;
   }
 
   /// True if the joints of a skin stand to each other as they were bound. A file may put such a body anywhere.

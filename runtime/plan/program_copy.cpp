@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "runtime/base/size_or_none.h"
 #include "runtime/plan/compiled_plan.h"
 
 namespace sinew {
@@ -12,10 +13,6 @@ namespace {
 constexpr std::size_t kPoseAlignment = 64;
 
 std::size_t pose_bytes(std::size_t joints) noexcept { return PoseSpan::floats_for(joints) * sizeof(float); }
-
-bool has_size_or_none(std::span<const float> numbers, std::size_t count) noexcept {
-  return numbers.empty() || numbers.size() == count;
-}
 
 /// Copies numbers to `to`, and moves `to` behind them.
 std::span<const float> take(std::span<const float> numbers, float*& to) noexcept {

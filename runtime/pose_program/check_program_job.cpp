@@ -2,14 +2,11 @@
 #include <algorithm>
 
 #include "runtime/base/all_finite.h"
+#include "runtime/base/size_or_none.h"
 #include "runtime/pose_program/run_pose_program.h"
 
 namespace sinew {
 namespace {
-
-bool has_size_or_none(std::span<const float> numbers, std::size_t count) noexcept {
-  return numbers.empty() || numbers.size() == count;
-}
 
 ErrorCode check_assets(const PoseProgramAssets& assets) noexcept {
   if (assets.skeleton == nullptr) return ErrorCode::size_mismatch;

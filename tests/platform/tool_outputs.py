@@ -18,6 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 RECORD = HERE / 'tool_outputs.txt'
 MODELS = ['clips-of-all-kinds.gltf', 'hierarchy-matrices-shear-and-mirrors.gltf', 'interpolation-cubicspline.glb', 'morph-cubicspline.glb',
           'random-3.glb', 'skin-eight-influences.glb', 'skin-morphed.glb', 'sparse.glb']
+ENVIRONMENT = {**os.environ, 'LC_ALL': 'C.UTF-8', 'SINEW_CACHE': 'none'}  # by the locale wine names files
 UNICODE = 'Fußgänger 走.glb'  # no code page of one byte holds it
 
 
@@ -27,7 +28,7 @@ class Runs:
 
     def run(self, *words, status=0, text=None):
         """Stdout, after the status was checked and the text searched for in all that was printed."""
-        done = subprocess.run([*self.command, *words], cwd=self.folder, capture_output=True, timeout=120)
+        done = subprocess.run([*self.command, *words], cwd=self.folder, env=ENVIRONMENT, capture_output=True, timeout=120)
         messages = done.stderr.decode('utf-8', 'replace')
         if done.returncode != status:
             self.faults.append(f'sinew {" ".join(words)}: status {done.returncode}, not {status}: {messages[:500]}')
@@ -113,7 +114,7 @@ def names_streams_and_places(runs):
     if left:
         runs.faults.append(f'temporary files are left: {left}')
     with open(runs.folder / model, 'rb') as file:
-        done = subprocess.run([*runs.command, 'sample', '-'], cwd=runs.folder, stdin=file, capture_output=True, timeout=120)
+        done = subprocess.run([*runs.command, 'sample', '-'], cwd=runs.folder, env=ENVIRONMENT, stdin=file, capture_output=True, timeout=120)
     if done.stdout.replace(b'"model": "-"', f'"model": "{model}"'.encode()) != plain:
         runs.faults.append(f'the standard input gives other poses: {done.stdout[:300]!r} {done.stderr[:300]!r}')
 

@@ -15,6 +15,7 @@
 #include "importer/ambient/ambient_attribute.h"
 #include "importer/ambient/bake_key_poses.h"
 #include "importer/file/json_pointer.h"
+#include "importer/platform/files.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/files/model_output.h"
@@ -147,7 +148,7 @@ std::string summary(const VertexVisibility& visibility, const std::vector<AddedA
 }
 
 ExitCode bake_ao(const BakeAoOptions& options) {
-  const ResultsToStderr redirected(is_standard_output(options.out));
+  const ResultsToStderr redirected(is_standard_output(platform::path_of(options.out)));
   const auto output = model_output(options.out);
   if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   ImportOptions import;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "importer/file/regular_file.h"
+#include "importer/platform/files.h"
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/clip/clip_file.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 /// The first bytes of a file, at most `size`; none where it is no regular file.
 std::vector<std::byte> read_head(const std::string& path, std::uint64_t size) {
-  const RegularFile file(path);
+  const RegularFile file(platform::path_of(path));
   const auto whole = file.opened() ? file.size() : std::nullopt;
   std::vector<std::byte> bytes(static_cast<std::size_t>(std::min(size, whole.value_or(0))));
   if (!file.read(bytes)) bytes.clear();

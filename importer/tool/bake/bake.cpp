@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
+#include "importer/platform/files.h"
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/take_source.h"
 #include "importer/tool/commands.h"
@@ -57,7 +58,7 @@ tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
 }
 
 ExitCode bake_file(BakeOptions& options) {
-  const ResultsToStderr redirected(is_standard_output(options.out));
+  const ResultsToStderr redirected(is_standard_output(platform::path_of(options.out)));
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   options.source.budget = *budget;
@@ -70,7 +71,7 @@ ExitCode bake_file(BakeOptions& options) {
   const auto bytes =
       encode_geometry_cache(*take, {.segment_frames = options.segment, .keep_triangles = !options.without_triangles});
   if (!bytes) return fail_with(ExitCode::input_at_fault, options.source.file, bytes.error().issue);
-  if (const ExitCode code = write_output(options.out, *bytes); code != ExitCode::done) return code;
+  if (const ExitCode code = write_output(platform::path_of(options.out), *bytes); code != ExitCode::done) return code;
   const auto cache = GeometryCache::open(*bytes);
   print_result("{}{}\n", geometry_table(*cache), options.out);
   return ExitCode::done;

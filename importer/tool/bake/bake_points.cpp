@@ -12,6 +12,7 @@
 
 #include "importer/file/sandboxed_files.h"
 #include "importer/geometry_cache/read_obj.h"
+#include "importer/platform/files.h"
 #include "importer/tool/messages.h"
 #include "runtime/base/contract.h"
 
@@ -28,13 +29,13 @@ ImportResult<std::vector<std::byte>> read_file(const std::filesystem::path& path
   auto bytes = SandboxedFiles(std::nullopt, kMostFileBytes).read_path(path);
   if (bytes) return std::move(*bytes);
   const bool is_large = bytes.error().kind == FileFault::Kind::too_large;
-  return refuse(path.string(), is_large ? "file-too-large" : "file-unreadable", bytes.error().detail);
+  return refuse(platform::text_of(path), is_large ? "file-too-large" : "file-unreadable", bytes.error().detail);
 }
 
 ImportResult<ObjMesh> read_obj_file(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  return read_obj({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+  return read_obj({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, platform::text_of(path));
 }
 
 TakeMesh mesh_of(std::string name, std::size_t vertices, std::vector<std::uint32_t> triangles) {
@@ -49,7 +50,7 @@ TakeMesh mesh_of(std::string name, std::size_t vertices, std::vector<std::uint32
 /// in  rest  in the order of the points
 ImportResult<PointCache> read_points(const PointsOptions& options, std::span<const glm::vec3> rest,
                                      std::string& found) {
-  const auto bytes = read_file(options.file);
+  const auto bytes = read_file(platform::path_of(options.file));
   if (!bytes) return tl::unexpected(bytes.error());
   auto points = read_point_cache(*bytes, options.file, options.fps);
   if (!points) return points;
@@ -108,8 +109,8 @@ ImportResult<BakedPoints> bake_points(const std::filesystem::path& obj, const Po
   std::string found;
   auto points = read_points(options, mesh->positions, found);
   if (!points) return tl::unexpected(points.error());
-  return moved_by(mesh_of(obj.stem().string(), mesh->positions.size(), std::move(mesh->triangles)), std::move(*points),
-                  std::move(found));
+  return moved_by(mesh_of(platform::text_of(obj.stem()), mesh->positions.size(), std::move(mesh->triangles)),
+                  std::move(*points), std::move(found));
 }
 
 ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& options) {
@@ -135,22 +136,23 @@ ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& o
 }
 
 ImportResult<std::vector<std::filesystem::path>> numbered_obj_files(const std::filesystem::path& first) {
-  const auto name = numbered(first.stem().string());
+  const auto name = numbered(platform::text_of(first.stem()));
   if (!name)
-    return refuse(first.string(), "obj-frames",
+    return refuse(platform::text_of(first), "obj-frames",
                   "its name ends in no number, and there is no point cache: give --points");
   std::vector<std::filesystem::path> files;
   std::filesystem::path next = first;
   do {
     files.push_back(next);
-    next = first.parent_path() / name->name(name->number + files.size(), first.extension().string());
+    next = first.parent_path() /
+           platform::path_of(name->name(name->number + files.size(), platform::text_of(first.extension())));
   } while (std::filesystem::exists(next));
   return files;
 }
 
 ImportResult<BakedPoints> bake_numbered_obj(const std::vector<std::filesystem::path>& files, double fps) {
   CONTRACT(!files.empty());
-  const auto name = numbered(files.front().stem().string());
+  const auto name = numbered(platform::text_of(files.front().stem()));
   BakedPoints out;
   out.take.frame_s = 1.0 / fps;
   for (const std::filesystem::path& path : files) {
@@ -160,11 +162,11 @@ ImportResult<BakedPoints> bake_numbered_obj(const std::vector<std::filesystem::p
       out.take.meshes.push_back(mesh_of(name ? name->before : "", mesh->positions.size(), mesh->triangles));
     TakeMesh& taken = out.take.meshes[0];
     if (mesh->positions.size() != taken.vertex_count || mesh->triangles != taken.triangles)
-      return refuse(path.string(), "obj-topology",
-                    "it has other faces or another number of vertices than " + files.front().string());
+      return refuse(platform::text_of(path), "obj-topology",
+                    "it has other faces or another number of vertices than " + platform::text_of(files.front()));
     taken.streams[0].frames.push_back(std::move(mesh->positions));
   }
-  out.found = fmt::format("{} to {}: {}", files.front().string(), files.back().filename().string(),
+  out.found = fmt::format("{} to {}: {}", platform::text_of(files.front()), platform::text_of(files.back().filename()),
                           counted(files.size(), "frame"));
   return out;
 }

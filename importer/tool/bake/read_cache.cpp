@@ -9,12 +9,13 @@
 #include <fmt/core.h>
 
 #include "importer/file/regular_file.h"
+#include "importer/platform/files.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
 
 std::optional<tl::expected<CacheFile, ExitCode>> read_cache(const std::string& file, bool whole) {
-  const RegularFile opened(file);
+  const RegularFile opened(platform::path_of(file));
   const std::uint64_t size = opened.opened() ? opened.size().value_or(0) : 0;
   CacheFile out;
   const auto read = [&](std::uint64_t count) {

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
 #include "importer/tool/bake/bake_points.h"
 #include "importer/tool/bake/bake_scene.h"
 #include "importer/tool/clip_choice.h"
@@ -25,7 +26,7 @@ namespace {
 using TakeOrExit = tl::expected<GeometryTake, ExitCode>;
 
 bool is_obj(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
+  std::string extension = platform::text_of(platform::path_of(file).extension());
   for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return extension == ".obj";
 }
@@ -54,7 +55,7 @@ TakeOrExit finished_take(ImportResult<BakedPoints> baked, const Length& budget) 
 }
 
 std::optional<std::string> output_error(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
-  return source.output.empty() ? std::nullopt : find_output_error(source.output, inputs);
+  return source.output.empty() ? std::nullopt : find_output_error(platform::path_of(source.output), inputs);
 }
 
 PointsOptions points_options(const TakeSource& source) {
@@ -66,7 +67,7 @@ PointsOptions points_options(const TakeSource& source) {
 TakeOrExit take_of_obj(const TakeSource& source) {
   if (source.clip) return wrong_usage("--clip: an .obj file has no clips");
   if (source.points) {
-    const std::filesystem::path inputs[] = {source.file, *source.points};
+    const std::filesystem::path inputs[] = {platform::path_of(source.file), platform::path_of(*source.points)};
     if (const auto error = output_error(source, inputs)) return wrong_usage(*error);
     return finished_take(bake_points(inputs[0], points_options(source)), source.budget);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/batch/input_list.h"
+#include "importer/platform/files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -36,7 +37,7 @@ class FolderWalk {
 
  private:
   void remark(const fs::path& folder, std::string text, bool fault) {
-    out_.push_back({folder.string(), {}, std::move(text), fault, {}});
+    out_.push_back({platform::text_of(folder), {}, std::move(text), fault, {}});
   }
 
   void enter(const fs::path& folder, const fs::path& below) {
@@ -57,8 +58,8 @@ class FolderWalk {
     if (fs::is_directory(path, error)) {
       has_folders_ = true;
       if (recursive_) enter(path, below);
-    } else if (is_named_as(kind_, path.string())) {
-      out_.push_back({path.string(), below.string(), {}, false, {}});
+    } else if (is_named_as(kind_, platform::text_of(path))) {
+      out_.push_back({platform::text_of(path), platform::text_of(below), {}, false, {}});
     }
   }
 
@@ -72,7 +73,7 @@ class FolderWalk {
 }  // namespace
 
 bool is_named_as(FileKind kind, const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
+  std::string extension = platform::text_of(platform::path_of(file).extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (kind == FileKind::geometry_caches) return extension == ".sgeo";
@@ -85,11 +86,11 @@ InputList list_inputs(const std::vector<std::string>& arguments, bool recursive,
   list.many = arguments.size() > 1;
   for (const std::string& argument : arguments) {
     std::error_code error;
-    if (argument != kStandardInput && fs::is_directory(argument, error)) {
+    if (argument != kStandardInput && fs::is_directory(platform::path_of(argument), error)) {
       list.many = true;
-      FolderWalk(recursive, kind, list.inputs).run(argument);
+      FolderWalk(recursive, kind, list.inputs).run(platform::path_of(argument));
     } else {
-      list.inputs.push_back({argument, fs::path(argument).filename().string(), {}, false, {}});
+      list.inputs.push_back({argument, platform::text_of(platform::path_of(argument).filename()), {}, false, {}});
     }
   }
   return list;

@@ -19,19 +19,22 @@ tl::expected<void, std::string> name_outputs(InputList& list, const std::string&
   for (Input& input : list.inputs) {
     if (!input.remark.empty()) continue;
     if (input.path == kStandardInput) return tl::unexpected(std::string("-: has no name for its output"));
-    input.output = (fs::path(folder) / input.below).replace_extension(extension).string();
+    input.output = platform::text_of(
+        (platform::path_of(folder) / platform::path_of(input.below)).replace_extension(platform::path_of(extension)));
     const auto [other, fresh] = input_of.try_emplace(input.output, input.path);
     if (!fresh)
       return tl::unexpected(
           fmt::format("{} would be written for {} and for {}", input.output, other->second, input.path));
-    if (const auto identity = platform::identity_at(input.path)) inputs.insert(*identity);
+    if (const auto identity = platform::identity_at(platform::path_of(input.path))) inputs.insert(*identity);
   }
   for (const auto& [output, input] : input_of) {
     if (const auto identity = platform::identity_at(output); identity && inputs.contains(*identity))
       return tl::unexpected(output + " is read; it is left as it is");
     std::error_code error;
-    fs::create_directories(fs::path(output).parent_path(), error);
-    if (error) return tl::unexpected(fmt::format("{}: {}", fs::path(output).parent_path().string(), error.message()));
+    fs::create_directories(platform::path_of(output).parent_path(), error);
+    if (error)
+      return tl::unexpected(
+          fmt::format("{}: {}", platform::text_of(platform::path_of(output).parent_path()), error.message()));
   }
   return {};
 }

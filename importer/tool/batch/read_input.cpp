@@ -33,7 +33,7 @@ std::optional<std::vector<std::byte>> read_standard_input(std::uint64_t most) {
 }  // namespace
 
 ImportResult<ImportedFile> read_input(const std::string& file, const ImportOptions& options) {
-  if (file != kStandardInput) return import_gltf(file, options);
+  if (file != kStandardInput) return import_gltf(platform::path_of(file), options);
   const auto bytes = read_standard_input(options.max_file_bytes);
   if (bytes) return import_gltf(*bytes, file, options);
   return tl::unexpected(ImportError{file, {Severity::error, "file-unreadable", "", std::strerror(errno)}, {}, {}});

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
 #include "importer/rewrite_gltf.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
@@ -45,7 +46,7 @@ std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t b
 tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) {
   auto output = model_output(options.out);
   if (!output) return output;
-  if (is_stream(options.out)) {
+  if (is_stream(platform::path_of(options.out))) {
     if (options.format == "gltf") return tl::unexpected(options.out + ": a .gltf needs a place for its .bin");
     if (options.budget || options.fps)
       return tl::unexpected(options.out + ": cannot be read again and measured, as --budget and --fps do");
@@ -95,7 +96,7 @@ ExitCode convert_clips(const ConvertOptions& options, const ImportedFile& model,
 }
 
 ExitCode convert_file(const ConvertOptions& options, bool many) {
-  const ResultsToStderr redirected(is_standard_output(options.out));
+  const ResultsToStderr redirected(is_standard_output(platform::path_of(options.out)));
   const auto output = output_of(options);
   if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   const auto budget = parse_length(options.budget.value_or("0"));

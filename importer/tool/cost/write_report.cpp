@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
 #include "importer/platform/program.h"
 #include "importer/tool/cost/report_json.h"
 #include "importer/tool/files/output.h"
@@ -22,7 +23,7 @@ constexpr std::string_view kFiles[] = {"report.json", "report.csv", "report.html
 fs::path without_slash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
 fs::path beside(const fs::path& folder, std::string_view ending) {
-  return folder.string() + fmt::format(".{}.{}", platform::process_number(), ending);
+  return platform::path_of(platform::text_of(folder) + fmt::format(".{}.{}", platform::process_number(), ending));
 }
 
 std::optional<std::string> write_file(const fs::path& file, const std::string& text) {
@@ -30,7 +31,7 @@ std::optional<std::string> write_file(const fs::path& file, const std::string& t
   stream << text;
   stream.close();
   if (stream) return std::nullopt;
-  return fmt::format("{} cannot be written", file.string());
+  return fmt::format("{} cannot be written", platform::text_of(file));
 }
 
 std::string json_of(const Report& report) {
@@ -69,11 +70,11 @@ std::string find_folder_error(const fs::path& given, std::span<const fs::path> i
   const fs::path folder = without_slash(given),
                  parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
-  if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", parent.string());
+  if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", platform::text_of(parent));
   if (!fs::exists(folder, error)) return {};
   if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "exists and is not a folder";
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+    const std::string name = platform::text_of(entry.path().filename());
     if (std::find(std::begin(kFiles), std::end(kFiles), name) == std::end(kFiles))
       return fmt::format("holds {}, which is no part of a report; it is left as it is", name);
     if (const auto in_use = tool::find_output_error(entry.path(), inputs)) return *in_use;
@@ -84,7 +85,8 @@ std::string find_folder_error(const fs::path& given, std::span<const fs::path> i
 std::optional<std::string> write_report(const Report& report, const fs::path& given) {
   const fs::path folder = without_slash(given), made = beside(folder, "new");
   std::error_code error;
-  if (!fs::create_directory(made, error)) return fmt::format("{} cannot be made: {}", made.string(), error.message());
+  if (!fs::create_directory(made, error))
+    return fmt::format("{} cannot be made: {}", platform::text_of(made), error.message());
   auto failed = fill(report, made);
   if (!failed) failed = put_in_place(made, folder);
   if (failed) fs::remove_all(made, error);

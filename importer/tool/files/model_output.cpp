@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
 #include "importer/tool/files/output.h"
 #include "importer/tool/messages.h"
 #include "importer/write/replace_file.h"
@@ -18,14 +19,15 @@ ExitCode write_files(const ModelOutput& output, const RewrittenFile& model) {
   const write::FileContent files[] = {{output.buffer, model.buffer}, {output.file, model.file}};
   const auto error = write::replace_files(files);
   if (!error) return ExitCode::done;
-  return fail_with(ExitCode::machine_lacks, output.file.string(), {Severity::error, "write-file", "", *error});
+  return fail_with(ExitCode::machine_lacks, platform::text_of(output.file),
+                   {Severity::error, "write-file", "", *error});
 }
 
 }  // namespace
 
 tl::expected<ModelOutput, std::string> model_output(const std::string& out) {
-  ModelOutput output{out, {}};
-  if (is_stream(out)) return output;
+  ModelOutput output{platform::path_of(out), {}};
+  if (is_stream(output.file)) return output;
   if (output.file.extension() == ".gltf") output.buffer = fs::path(output.file).replace_extension(".bin");
   if (output.file.extension() != ".glb" && output.buffer.empty())
     return tl::unexpected(out + ": OUT must end in .glb or .gltf, which says what is written");
@@ -46,7 +48,7 @@ tl::expected<std::size_t, ExitCode> write_model(const ImportedFile& model, const
                                                 RewriteOptions changes, const std::vector<std::string>& drop,
                                                 const ModelOutput& output) {
   changes.drop.insert(drop.begin(), drop.end());
-  changes.buffer_uri = output.buffer.filename().string();
+  changes.buffer_uri = platform::text_of(output.buffer.filename());
   const auto written = rewrite_gltf(model, changes);
   if (!written) return tl::unexpected(print_rewrite_error(in, written.error()));
   return write_rewritten(*written, in, output);

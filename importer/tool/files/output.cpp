@@ -47,19 +47,20 @@ bool is_stream(const fs::path& output) {
 std::optional<std::string> find_output_error(const fs::path& output, std::span<const fs::path> inputs) {
   std::error_code error;
   const auto is_output = [&](const fs::path& input) { return fs::equivalent(input, output, error); };
-  if (std::any_of(inputs.begin(), inputs.end(), is_output)) return output.string() + " is read; it is left as it is";
+  if (std::any_of(inputs.begin(), inputs.end(), is_output))
+    return platform::text_of(output) + " is read; it is left as it is";
   if (is_stream(output)) return std::nullopt;
   if (fs::exists(output, error) && !fs::is_regular_file(output, error))
-    return output.string() + " exists and is not a regular file";
+    return platform::text_of(output) + " exists and is not a regular file";
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
+  if (!fs::is_directory(folder, error)) return "there is no folder " + platform::text_of(folder);
   return std::nullopt;
 }
 
 ExitCode write_output(const fs::path& output, std::span<const std::byte> bytes) {
   const auto error = is_stream(output) ? write_stream(output, bytes) : write::replace_file(output, bytes);
   if (!error) return ExitCode::done;
-  return fail_with(ExitCode::machine_lacks, output.string(), {Severity::error, "write-file", "", *error});
+  return fail_with(ExitCode::machine_lacks, platform::text_of(output), {Severity::error, "write-file", "", *error});
 }
 
 }  // namespace sinew::tool

@@ -22,14 +22,15 @@ StreamedFile::StreamedFile(const std::string& file_or_empty) {
     return;
   }
   const bool compressed = file_or_empty.ends_with(".gz");
-  if (is_stream(file_or_empty)) {
-    const int stream = platform::open_to_write(file_or_empty);
+  const std::filesystem::path path = platform::path_of(file_or_empty);
+  if (is_stream(path)) {
+    const int stream = platform::open_to_write(path);
     if (stream >= 0) file_ = gzdopen(stream, compressed ? "wb6" : "wbT");
     return;
   }
   std::error_code error;
-  target_ = std::filesystem::canonical(file_or_empty, error);
-  if (error) target_ = file_or_empty;  // a new file
+  target_ = std::filesystem::canonical(path, error);
+  if (error) target_ = path;  // a new file
   unfinished_ = platform::temporary_beside(target_);
   const int file = platform::create_new(unfinished_);
   if (file < 0) return;

@@ -12,6 +12,7 @@
 #include <rapidjson/reader.h>
 
 #include "importer/file/regular_file.h"
+#include "importer/platform/files.h"
 #include "importer/tool/poses/pose_events.h"
 
 namespace sinew::tool {
@@ -111,7 +112,7 @@ tl::expected<PoseSummary, ImportIssue> parse_poses(std::string_view text, const 
 }
 
 tl::expected<PoseSummary, ImportIssue> read_poses(const std::string& file, const PoseSink& sink) {
-  const RegularFile opened(file);
+  const RegularFile opened(platform::path_of(file));
   if (!opened.opened()) return tl::unexpected(file_issue(std::strerror(errno)));
   const auto packed_bytes = opened.size();
   if (!packed_bytes) return tl::unexpected(file_issue("is not a regular file"));

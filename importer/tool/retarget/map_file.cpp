@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "importer/platform/files.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
@@ -59,8 +60,9 @@ std::optional<TranslationRule> translation_rule(const std::string& name) {
 
 tl::expected<void, std::string> read_map_file(const std::string& file, const Skeleton& source, const Skeleton& target,
                                               SkeletonMapOptions& options) {
-  if (!std::filesystem::is_regular_file(file)) return tl::unexpected(file + ": is no file");
-  std::ifstream stream{std::filesystem::path(file)};
+  const std::filesystem::path path = platform::path_of(file);
+  if (!std::filesystem::is_regular_file(path)) return tl::unexpected(file + ": is no file");
+  std::ifstream stream{path};
   const json map = json::parse(stream, nullptr, false);
   if (!map.is_object() || map.empty())
     return tl::unexpected(file + ": is no JSON of the form {\"joints\": {\"TARGET NAME\": \"SOURCE NAME\"}}");

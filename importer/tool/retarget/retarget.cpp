@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "importer/platform/files.h"
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite/carried_document.h"
 #include "importer/tool/commands.h"
@@ -152,7 +153,7 @@ void print_references(const RetargetOptions& options, const SkeletonMap& map, co
 }
 
 ExitCode retarget(const RetargetOptions& options) {
-  const ResultsToStderr redirected(is_standard_output(options.out));
+  const ResultsToStderr redirected(is_standard_output(platform::path_of(options.out)));
   const auto output = model_output(options.out);
   if (!output) return fail_with(ExitCode::wrong_usage, output.error());
   ImportOptions plain;
