@@ -47,7 +47,7 @@ struct MirrorOptions {
   /// exported from the middle of a walk. Empty = the rest pose, or what make_mirror_map of a scene chooses
   /// (model/mirror_scene.h).
   std::span<const Transform> reference = {};
-  double angle_tolerance_rad = 1e-4;  ///< axes of partners that are mirror images within this count as exact ones
+  double angle_tolerance_rad = 1e-4;  ///< axes of partners that are mirror images within this angle count as exact
   double length_tolerance = 1e-5;     ///< as above for positions, relative to the size of the skeleton
 };
 

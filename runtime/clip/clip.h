@@ -22,15 +22,15 @@ namespace sinew {
 /// distance between a corner of the box as the clip places it and the true position. Linear skinning averages over
 /// joints, so no vertex has a larger error.
 struct ClipCertificate {
-  double asked_m = 0.0;
+  double asked_m = 0.0;               ///< the error budget
   double measured_m = 0.0;            ///< largest sum of joint error and morph weight error at one time
   double weights_m = 0.0;             ///< largest morph weight error over the clip, as the displacement of vertices
   double worst_time_s = 0.0;          ///< time of `measured_m`
   std::uint32_t worst_joint = kNone;  ///< kNone if no joint has an error
   std::uint32_t times_checked = 0;
   std::uint32_t animated_joints = 0;             ///< joints with tracks in the authoring form
-  std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; a folded track counts one
-  /// In a file (clip_file.h): of the clip with every key in full float, and of this clip.
+  std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; a folded track counts as one key
+  /// Size in a file (clip_file.h): with every key in full float, and as this clip is stored.
   std::uint64_t source_bytes = 0, bytes = 0;
 
   /// False only if the budget is below the error of float arithmetic itself. Then the clip keeps every key in full

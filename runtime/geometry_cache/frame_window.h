@@ -58,7 +58,7 @@ class SINEW_API FrameWindow {
   /// cost O(frames^2) of the window, and the reads;  no allocation
   void prefetch(std::uint32_t next) noexcept;
 
-  operator FrameSource() noexcept;  ///< valid as long as this; requests a frame that is missing
+  operator FrameSource() noexcept;  ///< valid as long as this window; a request for a missing frame starts its read
 
   std::size_t pending_reads() const noexcept;
   std::uint32_t frames_loaded() const noexcept;  ///< loaded frames; may be called while another thread plays

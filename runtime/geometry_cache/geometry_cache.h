@@ -35,7 +35,7 @@ struct GeometryStream {
   float step = 0.0f;                           ///< quantisation step: values are integer multiples of it
   std::uint32_t point_count = 0;               ///< number of points in the file
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices] the point of each vertex of the mesh
-  std::vector<std::uint8_t> corners;           ///< [3 * 64 * blocks] as MoveBlocksJob::corners
+  std::vector<std::uint8_t> corners;           ///< [3 * 64 * blocks] for each point the three points that predict it
   std::uint32_t most_payload = 0;              ///< bytes of packed residuals in the largest frame
   double asked = 0.0;     ///< requested error bound: metres, or the length of a difference of normals or colours
   double measured = 0.0;  ///< largest error of a decoded value in any frame, measured after decoding
@@ -53,7 +53,7 @@ struct GeometryCertificate {
 struct GeometryMesh {
   std::string name;
   std::uint32_t vertex_count = 0;
-  std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = stored elsewhere
+  std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = the cache does not store them; the scene does
   std::vector<GeometryStream> streams;   ///< at most one of each kind, in the order of kinds; positions always exist
   GeometryCertificate certificate;
   Aabb bounds;  ///< of all frames

@@ -42,8 +42,8 @@ class SINEW_API GeometryPlayer {
   GeometryInput at(double time_s, float weight = 1.0f) noexcept { return {source(), time_s, weight}; }
   VertexSource source() noexcept;  ///< valid as long as this
 
-  /// Contains the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so instances can be
-  /// culled before they play.
+  /// A box that contains the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so
+  /// instances can be culled before they play.
   /// in   instance  one of instances()
   Aabb bounds(std::uint32_t instance, double time_s) const noexcept;
 

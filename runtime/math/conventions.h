@@ -3,7 +3,8 @@
 /// Read this first: the conventions of every header in sinew.
 ///
 /// - Right-handed axes, +Y up, glTF's +Z forward. Metres, seconds, radians.
-/// - Column vectors: `p_world = world_from_local * p_local`; in a product adjacent words match.
+/// - Column vectors: `p_world = world_from_local * p_local`. Space names on both sides of a `*` are equal: here
+///   `local`.
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
 /// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n).

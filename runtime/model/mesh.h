@@ -25,8 +25,8 @@ struct VariantMaterial {
   friend bool operator==(const VariantMaterial&, const VariantMaterial&) = default;
 };
 
-/// One draw: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list and a
-/// material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
+/// One draw call: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list
+/// and a material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
 struct Primitive {
   Topology topology = Topology::triangles;
   std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per point, line or triangle; always present, always < V
@@ -42,7 +42,7 @@ struct Primitive {
   std::uint32_t material = kNone;
   std::vector<VariantMaterial> variant_materials;  ///< sorted by variant; other variants use `material`
   std::vector<std::uint32_t> source_vertex;        ///< [V] vertex index in the file; empty = unchanged
-  bool flat_normals = false;  ///< the file has no normals: they are those of the faces, also after morphing
+  bool flat_normals = false;  ///< the file has no normals: each face gets its own normal, computed again after morphing
   Aabb bounds;                ///< contains all positions
 
   std::size_t vertex_count() const noexcept { return positions.size(); }

@@ -17,8 +17,8 @@ struct SparseDeltas {
   bool empty() const noexcept { return vertices.empty(); }
 };
 
+/// One morph target of a primitive. Tangents change in x, y, z only; colours are clamped to [0, 1] after the sum.
 /// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets")
-/// Tangents change in x, y, z only; colours are clamped to [0, 1] after the sum.
 struct MorphTarget {
   SparseDeltas<glm::vec3> positions, normals, tangents;
   SparseDeltas<glm::vec4> colors;                  ///< COLOR_0

@@ -27,8 +27,8 @@ struct InfluenceGroup {
 };
 
 /// The joints and weights of each vertex of a primitive. Vertices are grouped by influence count; the groups cover all
-/// vertices and all influences in order. The weights of a vertex sum to 1 and are sorted in descending order, equal
-/// ones by joint. The importer removes zero weights and merges repeated joints.
+/// vertices and all influences in order. The weights of a vertex sum to 1 and are sorted in descending order; equal
+/// weights are sorted by joint. The importer removes zero weights and merges repeated joints.
 struct VertexInfluences {
   std::vector<InfluenceGroup> groups;
   std::vector<std::uint16_t> joints;  ///< index into Skin::joints, influence_count per vertex, vertex after vertex

@@ -36,19 +36,21 @@ struct Outputs {
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 
-/// Features of FrameInput that frames may use. Memory is made for no more.
+/// Features of FrameInput that frames may use. A frame buffer has memory for these and no more.
 struct Inputs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
-                                 ///< Layers that add do not count
+                                 ///< Additive layers do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;  ///< frames with more of them are evaluated anew each time
+  std::uint32_t max_additive_layers = 8;  ///< room to remember the additive layers of the last run. A frame with more
+                                          ///< of them is allowed, but never recognised as unchanged
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
   std::vector<std::vector<float>> masks = {};    ///< [at most 255][J] joint weights >= 0 that layers may name
   /// Mesh instances whose vertices FrameInput::geometry may give, rising.
   std::vector<std::uint32_t> cached_instances = {};
-  PoseProgramRoom program = {};  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.
-                                 ///< `masks` are those of `masks` above and of the input together
+  PoseProgramRoom program = {};  ///< limits of FrameInput::program: the largest count of each kind in any frame
+                                 ///< (room_of gives that of one program). 0 operations = no programs. Its `masks`
+                                 ///< counts the `masks` above and those of the input together
   bool cut = false;  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
 
   /// Room for layers in a frame, blended and additive ones.

@@ -10,9 +10,9 @@
 
 namespace sinew {
 
-/// A pose program with everything that its indices name, in memory of its own.
+/// A pose program with everything that its indices refer to, in memory of its own.
 /// owns  copies of all lists, poses, joints and masks, with room for what the plan declares (Needs::in.program).
-///       Procedures stay the caller's: their context must outlive the frame.
+///       Procedures stay the caller's: their contexts must outlive the frame.
 class SINEW_API ProgramCopy {
  public:
   ProgramCopy(const Plan& plan, std::pmr::memory_resource& memory);
@@ -21,7 +21,7 @@ class SINEW_API ProgramCopy {
   ErrorCode check_room(const FrameInput& input) const noexcept;
   /// in   input  checked by check_room.     cost O(its lists and poses), no allocation
   void assign(const FrameInput& input) noexcept;
-  /// Sets the program of `input` to the copy; valid until the next one is assigned.
+  /// Lets `input` refer to the copied program; valid until the next program is assigned.
   void show(FrameInput& input) const noexcept;
 
  private:

@@ -60,8 +60,8 @@ V hermite(const V& v0, const V& m0, const V& v1, const V& m1, float d, float u) 
 
 }  // namespace detail
 
-/// err  too_few_keys (none), not_finite, times_not_increasing, not_normalised (rotations), unsupported (an unknown step,
-///      or a flag that does not hold)
+/// err  too_few_keys (none), not_finite, times_not_increasing, not_normalised (rotations), unsupported (an unknown
+///      step, or a flag that does not hold)
 /// cost O(K)
 template <class V>
 ErrorCode check(Curve<V> keys) noexcept {
@@ -80,7 +80,8 @@ ErrorCode check(Curve<V> keys) noexcept {
   return ErrorCode::ok;
 }
 
-/// The value at a time. Before the first and after the last key it is theirs; NaN gives the first.
+/// The value at a time. Before the first key it is the value of that key, and after the last key the value of the last.
+/// NaN gives the first.
 /// in   keys  that check() accepts      cost O(log K), no allocation
 template <class V>
 V sample(Curve<V> keys, double time_s) noexcept {

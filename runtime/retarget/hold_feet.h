@@ -15,7 +15,8 @@ namespace sinew {
 /// other proportions move the feet elsewhere. Feet keep their rotation. Thighs and shanks turn (turn_two_bones,
 /// runtime/math/two_bones.h). If legs are too short, the hips come down by at most a fourth of a leg's length.
 /// eq   goal = g + k (p - r): p is the place of the source's ankle or toes, whichever is lower, r its rest place,
-///      g the rest place of the target's joint and k the height ratio. For toes, the ankle moves by what the toes must.
+///      g the rest place of the target's joint and k the height ratio. If p is the toes, the ankle moves as the toes
+///      need.
 ///      The foot goes to goal + (1 - c) (place - goal). c(h) is 1 up to 4 % of the source's leg length above the
 ///      ground, 0 above 12 %, and smooth between. The result depends on the pose alone: nothing is remembered between
 ///      frames.
