@@ -24,7 +24,7 @@ ReferencePose reference_pose(const Skeleton& skeleton, std::span<const Transform
 /// The mirror plane, and the partner of each joint.
 struct JointPairs {
   Vec3<double> normal{1.0, 0.0, 0.0};
-  double offset = 0.0;                  ///< of the plane along its normal
+  double offset = 0.0;                  ///< distance of the plane from the origin, along its normal
   std::vector<std::uint32_t> partner;   ///< [J] itself if it has none; partner[partner[j]] = j
   std::vector<bool> keeps_own;          ///< [J] it has no partner, but its parent has: its local motion is not mirrored
   std::vector<std::uint32_t> unpaired;  ///< as in MirrorMap

@@ -28,8 +28,8 @@
 
 struct sinew_scene {
   sinew::Scene scene;
-  mutable std::atomic<std::size_t> plan_count{0};  // that refer to the scene's clips
-  sinew::ClipBoxes clip_boxes = {};                // of the file, if it has some
+  mutable std::atomic<std::size_t> plan_count{0};  // plans of this scene that exist; they refer to its clips
+  sinew::ClipBoxes clip_boxes = {};                // boxes of the file; empty if it has none
 };
 
 struct sinew_plan {
@@ -43,7 +43,7 @@ struct sinew_plan {
 
   const sinew_scene* scene;
   sinew::Plan plan;
-  std::vector<sinew::PlanStage> stages = plan.stages();  // their texts, which C reads through pointers
+  std::vector<sinew::PlanStage> stages = plan.stages();  // C reads the texts of the stages through pointers into it
 };
 
 struct sinew_skeleton_lod {

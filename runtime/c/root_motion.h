@@ -17,7 +17,7 @@ typedef struct sinew_dual_quat {
 // Null stands for the identity.
 SINEW_API sinew_dual_quat sinew_dual_quat_identity(void);
 SINEW_API sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a,
-                                                  const sinew_dual_quat* b);  ///< b first; unit
+                                                  const sinew_dual_quat* b);  ///< applies b first; the result is unit
 SINEW_API sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion);
 SINEW_API sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);  ///< for sinew_frame_input.root
 
@@ -36,15 +36,15 @@ typedef struct sinew_root_parts {
 } sinew_root_parts;
 SINEW_API sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
 
-/// Where a clip carries the character to at a clip time.
+/// The position and rotation to which a clip has moved the character at a clip time.
 /// in   joint  the root joint;   parts  null = sinew_default_root_parts
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, joint), SINEW_NOT_FINITE,
-///      SINEW_UNSUPPORTED (turn), SINEW_OUT_OF_MEMORY (where several animations of the clip move the joint)
+///      SINEW_UNSUPPORTED (turn), SINEW_OUT_OF_MEMORY (if the joint has tracks in several parts of the animation)
 SINEW_API sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t joint,
                                        const sinew_root_parts* parts, double time_s, sinew_dual_quat* out);
 
-/// How far the character moves in a step of the clock, in its own space. Over rounds of a loop each goes on where the
-/// last one ended, so neither the frame rate nor the number of rounds matters.
+/// How far the character moves in a step of the clock, in its own space. Each round of a loop continues where the last
+/// one ended, so neither the frame rate nor the number of rounds matters.
 ///
 ///     sinew_clock_advance(&clock, dt_s, &step);
 ///     sinew_root_motion(scene, clip, joint, NULL, &step, &motion);
@@ -61,7 +61,7 @@ SINEW_API sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip,
 /// Root motion of one clip of a library, from the keys of its compiled clip. It keeps no reference to scene or library.
 typedef struct sinew_root_track sinew_root_track;
 
-/// in   library  the clip is one of it, bound to the scene by names, as in sinew_plan_create_from_library
+/// in   library  contains the clip, which is bound to the scene by names as in sinew_plan_create_from_library
 /// err  as sinew_root_place, and SINEW_OUT_OF_MEMORY
 /// cost O(names + clips * (joints + weights + properties) + keys of the joint), allocates
 SINEW_API sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, uint32_t clip,
