@@ -17,7 +17,7 @@ namespace sinew {
 struct PackedTrack {
   static constexpr std::uint32_t kMostBits = 24;     ///< per component: float holds such integers exactly
   static constexpr std::uint32_t kMostKeyBits = 56;  ///< per key
-  /// Of components with bits. Sampling divides steps by up to 128, which must be exact.
+  /// Smallest step of a component that has bits. Sampling divides steps by up to 128, and the result must be exact.
   static constexpr float kLeastStep = 0x1p-100f;
   static constexpr std::uint8_t kNoneDerived = 4;
 

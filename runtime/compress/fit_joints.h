@@ -9,9 +9,9 @@
 
 namespace sinew {
 
-/// Leaves keys out of the tracks of joints, from the roots to the tips. Each track holds the error that has come
-/// together so far, of its joint and all below it, within a share of the budget. The shares rise along each path of
-/// joints, up to the whole budget at its end. Later tracks may use the part that earlier ones left.
+/// Leaves keys out of the tracks of joints, from the roots to the tips. After each track, the error that its joint and
+/// all joints below it have accumulated stays within a share of the budget. The shares rise along each path of joints,
+/// up to the whole budget at its end. Later tracks may use the part that earlier ones left.
 class JointFit {
  public:
   /// The arguments must outlive it.

@@ -45,11 +45,11 @@ struct FrameTables {
   std::span<float> input_weights;
   std::span<std::uint8_t> input_out_of_view;  ///< 0 or 1; all 0 where FrameInput::out_of_view is empty
   std::span<ClipLayer> input_next_layers;
-  std::span<const std::uint32_t> cached_instances;  ///< of the needs, where any may play
+  std::span<const std::uint32_t> cached_instances;  ///< Needs::in.cached_instances; empty if no source can play
   std::span<ShownVertices> shown;                   ///< [cached instances] what their sources answered in this frame
   std::span<PlayedGeometry> played;                 ///< [cached instances]
   std::span<std::uint64_t> geometry_since;          ///< [cached instances] of `played`
-  std::span<GeometryInput> input_geometry;  ///< [cached instances] no source where nothing plays or nobody sees it
+  std::span<GeometryInput> input_geometry;          ///< [cached instances] no source: none plays, or out of view
   std::span<PoseOp> input_program;
   std::span<ContentVersion> input_versions;  ///< of all program inputs, list by list
   std::span<KeptUpdate> updates;             ///< [2] of FrameLayout::updates
@@ -78,7 +78,7 @@ struct FrameTables {
         stage_ns(memory.of(at.stage_ns)) {}
 };
 
-/// The entry of a primitive that goes through no stage.
+/// The result of a primitive that goes through no stage.
 inline DeformedPrimitive nothing_deformed(const PrimitivePlan& planned) noexcept {
   DeformedPrimitive shape;
   shape.instance = planned.instance;

@@ -33,7 +33,7 @@ struct Character {
   FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
   const FrameBuffer* last_good = nullptr;
   ErrorCode error = ErrorCode::ok;  // of the frame that has just run
-  bool is_to_run = false;           // its input is not that of the last good frame
+  bool is_to_run = false;           // the input differs from that of the last good frame
 
   Plan plan;
   std::vector<FrameBuffer> buffers;
