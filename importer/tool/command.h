@@ -82,7 +82,7 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
-/// A command that other builds have.
+/// A command that other builds have, but not this one.
 struct LeftOutCommand {
   std::string name;
   std::string reason;  ///< "it was made without Embree"

@@ -31,10 +31,10 @@ std::string usage(const Command& command);
 /// "-o,--output OUT"
 std::string names_and_value(const Option& option);
 
-/// `about`, with the choices and the bare value if it does not name them.
+/// The full text about an option: `about`, and its choices and bare value if `about` does not name them.
 std::string full_text(const Option& option);
 
-/// True if the value is a file or a folder, which the name of the value tells.
+/// True if the value of an option is a file or a folder, which the name of the value tells.
 bool is_path(const Option& option);
 
 /// Words with `separator` between them.

@@ -13,8 +13,7 @@
 
 namespace sinew::tool {
 
-/// The largest difference of the values of one kind of one node or primitive that differ: by how much, and how much is
-/// allowed.
+/// The largest difference among values of one kind in one node or primitive, and the allowed difference.
 struct Deviation {
   std::string where;    ///< "clip 0 "Walk", 1.5 s, node 3 "hand", primitive 0, vertex 17, positions"
   double amount = 0.0;  ///< infinite when the value is missing
@@ -28,7 +27,7 @@ struct Deviation {
   bool is_worse_than(const Deviation& other) const noexcept;
 };
 
-/// Names that deviations show behind numbers, in quotes; a list may be shorter, and a name empty.
+/// Names that deviations show in quotes after numbers; lists may be shorter, and names empty.
 struct PoseNames {
   std::vector<std::string> clips, nodes;
 };
@@ -37,7 +36,7 @@ struct PoseNames {
 /// - Positions, dqs and translations of nodes: the distance. Rotation and scale of nodes: the distance by which they
 ///   move a point that is one model size away, relative to the node's largest matrix entry.
 /// - With `matrix` rotation and scale of nodes instead: the largest difference of a matrix entry, relative to the
-/// largest.
+///   largest.
 /// - Directions: the angle. Weights: the absolute difference; beyond 1 it is relative to the largest.
 /// All tolerances grow by 1.5 times Pose::non_unit of the golden sample, because rotations that are not unit
 /// quaternions may be normalised or not.

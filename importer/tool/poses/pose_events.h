@@ -14,7 +14,7 @@ namespace sinew::tool {
 
 /// Follows the events of a JSON reader (a handler in RapidJSON's sense) through a pose file, and hands out each pose
 /// when it is complete. Holds one pose and the path to the place in the document, and nothing else of the file. After a
-/// wrong value it hands out nothing more, but the reader goes on: a document that is no JSON is the worse fault.
+/// wrong value it hands out no more poses, but the reader goes on: text that is no JSON is the worse fault.
 class PoseEvents {
  public:
   explicit PoseEvents(const PoseSink& sink) : sink_(sink) {}

@@ -28,7 +28,7 @@ class PoseWriter {
 /// The formats of `sinew sample`.
 enum class PoseFormat : std::uint8_t { json, csv, npy, npz };
 
-/// "json", or what the name of a file says: poses.csv, poses.npy, poses.npz.
+/// The format that the name of a file tells: poses.csv, poses.npy, poses.npz; json for other names.
 PoseFormat format_of_name(std::string_view file) noexcept;
 
 /// True if a format holds deformed vertices, and not only nodes.
