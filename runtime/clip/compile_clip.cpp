@@ -57,7 +57,8 @@ class Drafts {
 
 bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }
 
-/// True if the track has the value of its first key at all times. Compares bits, so that folding changes no result.
+/// True if the track has the value of its first key at all times. Compares bits, so that folding it into the base pose
+/// changes no result.
 template <class V>
 bool is_constant(const Track<V>& track) noexcept {
   const auto same = [](const V& a, const V& b) { return std::memcmp(&a, &b, sizeof(V)) == 0; };

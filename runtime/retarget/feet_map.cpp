@@ -29,7 +29,7 @@ std::size_t place_in(const std::vector<LegJoint>& joints, std::uint32_t joint) {
   return static_cast<std::size_t>(found - joints.begin());
 }
 
-/// The chain of a leg; nothing if its joints are not descendants of each other.
+/// The chain of a leg; empty if its joints are not descendants of each other.
 std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg) {
   const auto chain_to = [&](std::uint32_t tip) {
     std::vector<LegJoint> joints;

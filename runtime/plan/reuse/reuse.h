@@ -26,7 +26,7 @@ class Reuse {
   ///      number  FrameResult::frame of this frame
   Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTables& tables, const Run& last,
         const Run& before, bool had_it, std::uint64_t number) noexcept;
-  /// For a frame whose input does not determine its pose, since the caller changed it. Inputs are not compared.
+  /// For the halves of a cut frame. The caller changes the pose between them, so comparing inputs shows nothing.
   Reuse(const CompiledPlan& plan, const FrameTables& tables, const Run& last, const Run& before,
         std::uint64_t number) noexcept;
   Reuse(const Reuse&) = delete;
