@@ -12,7 +12,7 @@
 namespace sinew::rewrite {
 namespace {
 
-/// All uses of an accessor, reduced to the first one and whether all others are equal.
+/// All uses of an accessor: the first one, and a flag that tells if all others are the same.
 struct Use {
   StreamUse use;
   std::string semantic;

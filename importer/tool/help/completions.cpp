@@ -9,7 +9,7 @@
 namespace sinew::tool {
 namespace {
 
-/// A backslash goes before each of `special`; a single quote is written as `quote`.
+/// Text with a backslash before each of `special`, and `quote` in place of a single quote.
 std::string escaped(std::string_view text, std::string_view special, std::string_view quote) {
   std::string out;
   for (const char c : text) {
@@ -29,7 +29,7 @@ std::string all_names(const Command& command) {
   return names;
 }
 
-/// The case of bash for the value of an option. Paths need none: bash completes them itself.
+/// The case statement of bash for the value of an option. Paths need none, because bash completes them itself.
 std::string bash_value(const Command& command, const Option& option) {
   if (option.is_argument() || option.value.empty() || is_path(option) || !option.value_if_bare.empty()) return {};
   std::string patterns;
@@ -52,7 +52,7 @@ std::string fish_line(const std::string& condition, const Option& option) {
   return line + " -d " + in_fish(option.about) + '\n';
 }
 
-/// The words of _arguments for an option: "'--clip[One clip]:NAME:'".
+/// The words for an option that _arguments of zsh takes: "'--clip[One clip]:NAME:'".
 std::string zsh_words(const Option& option) {
   std::string value;
   if (!option.value.empty()) {
@@ -67,7 +67,7 @@ std::string zsh_words(const Option& option) {
   return fmt::format("'({})'{{{}}}'{}{}'", joined(option.names, " "), joined(option.names, ","), about, value);
 }
 
-/// Options first: _arguments takes the first that fits.
+/// All options, then all arguments: _arguments takes the first that fits.
 std::string zsh_options(const Command& command) {
   std::string options, arguments;
   for (const Option& option : command.options)
