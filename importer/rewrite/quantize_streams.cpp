@@ -255,7 +255,8 @@ void renew_bounds(const Stream& stream, Json& accessor) {
 
 /// Lets weights that became 0 name joint 0, as glTF asks. Joints that primitives share with different weights stay.
 void clear_joints(const std::map<std::uint32_t, std::vector<std::size_t>>& zeroed, Streams& streams, Draft& draft) {
-  std::map<std::uint32_t, std::set<std::uint32_t>> weights_of;  // of each accessor of joints
+  // The accessors of weights that are used with each accessor of joints
+  std::map<std::uint32_t, std::set<std::uint32_t>> weights_of;
   for (const Json& mesh : list_of(draft, "meshes"))
     for (const Json& primitive : mesh["primitives"]) {
       const Json& attributes = primitive["attributes"];

@@ -105,7 +105,7 @@ struct Group {
   StreamUse use;
   std::size_t stride;
   Filter filter;
-  int component_type;  ///< for indices and keys
+  int component_type;  ///< set for indices and keys only
   auto operator<=>(const Group&) const = default;
 };
 

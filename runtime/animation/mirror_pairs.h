@@ -12,7 +12,7 @@ namespace sinew {
 struct ReferencePose {
   std::vector<Transformd> local;       ///< [J] rotations unit; fixed matrices are decomposed
   std::vector<Quat<double>> rotation;  ///< [J] model space: the product of the local rotations from the root down
-  std::vector<Affined> model;          ///< [J]
+  std::vector<Affined> model;          ///< [J] model matrices
   double size = 0.0;                   ///< longest side of the box around the joints
 
   Vec3<double> position(std::uint32_t joint) const noexcept { return translation_of(model[joint]); }

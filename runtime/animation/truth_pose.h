@@ -17,8 +17,8 @@ inline Transformd in_double(const Transform& t) noexcept {
 /// A pose in double precision, evaluated from the authoring form. It is the truth that compiled clips are compared
 /// with.
 struct TruthPose {
-  std::vector<Transformd> local;  ///< [J]
-  std::vector<Affined> model;     ///< [J]
+  std::vector<Transformd> local;  ///< [J] transforms relative to the parent joint
+  std::vector<Affined> model;     ///< [J] model matrices
 };
 
 /// Local transforms and model matrices at one time. Joints without tracks have their rest transform.

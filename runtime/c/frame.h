@@ -23,7 +23,7 @@ typedef enum sinew_layer_kind {
 typedef struct sinew_layer {
   double time_s;
   uint32_t clip;
-  uint32_t mask;  ///< of sinew_needs, SINEW_NONE = all joints
+  uint32_t mask;  ///< index into the masks of sinew_needs, SINEW_NONE = all joints
   float weight;
   uint32_t kind;  ///< sinew_layer_kind, and SINEW_LAYER_MIRRORED
 } sinew_layer;
@@ -59,7 +59,7 @@ typedef struct sinew_frame_input {
   const sinew_page* const* pages;        ///< [layer_count] for layers whose clip is in pages: the page with its keys.
                                          ///< Null, or a null element, if the clip has its keys itself. Pages must
                                          ///< stay alive and unchanged as long as frames use the layers
-  const sinew_page* const* next_pages;   ///< [next_layer_count] the same for next_layers
+  const sinew_page* const* next_pages;   ///< [layer_count of next_layers] pages of the next layers
   const sinew_pose_op* program;          ///< [op_count] makes the pose in place of layers, which must then be empty;
                                          ///< needs sinew_needs.program
   size_t op_count;                       ///< 0 = the layers make the pose

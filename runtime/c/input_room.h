@@ -50,7 +50,7 @@ struct InputRoomOfC {
   InputRoomOfC(const sinew_plan& plan, Block& block);
 
   std::span<sinew_layer> layers, next_layers;
-  std::span<const sinew_page*> pages, next_pages;  ///< of the layers
+  std::span<const sinew_page*> pages, next_pages;  ///< pages of layers and of next layers
   std::span<sinew_geometry_input> geometry;
   std::span<sinew_external_pose> externals;
   std::span<sinew_joint_overrides> overrides;

@@ -48,7 +48,7 @@ SINEW_API void sinew_paged_clip_destroy(sinew_paged_clip* paged);
 SINEW_API sinew_error sinew_page_create(sinew_page** out);
 SINEW_API void sinew_page_destroy(sinew_page* page);
 SINEW_API double sinew_page_time_s(
-    const sinew_page* page);  ///< for the layer: the time asked for, or the nearest that is loaded
+    const sinew_page* page);  ///< time for the layer: the requested time, or the nearest that is loaded
 SINEW_API int sinew_page_is_missing(const sinew_page* page);  ///< 1 = the page of that time is not loaded yet
 
 /// Finds the loaded page that is nearest to a time, and moves the window of pages there.

@@ -11,7 +11,7 @@ extern "C" {
 /// Parts of the result that frames compute. The plan leaves out parts without a flag, and they cost nothing.
 enum {
   SINEW_NEED_JOINTS = 1u << 0,     ///< world matrices of all joints
-  SINEW_NEED_POSITIONS = 1u << 1,  ///< deformed vertices
+  SINEW_NEED_POSITIONS = 1u << 1,  ///< positions of deformed vertices
   SINEW_NEED_NORMALS = 1u << 2,
   SINEW_NEED_TANGENTS = 1u << 3,  ///< tangents of primitives that have a normal map in some variant, or no material
   SINEW_NEED_WEIGHTS = 1u << 4,   ///< morph weights with the correctives
@@ -25,7 +25,7 @@ enum {
   SINEW_NEED_TANGENTS_OF_ALL = 1u << 11,  ///< tangents of all primitives, for engines with their own materials
   SINEW_NEED_CUT =
       1u << 12,  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
-  SINEW_NEED_LOCAL_POSE = 1u << 13  ///< sinew_result_info.local
+  SINEW_NEED_LOCAL_POSE = 1u << 13  ///< local transforms (sinew_result_info.local)
 };
 
 typedef enum sinew_skinning {
@@ -46,8 +46,8 @@ typedef struct sinew_needs {
   uint32_t flags;                          ///< SINEW_NEED_*, combined with |
   uint32_t max_layers;                     ///< most layers that blend in one frame, at least 1
   uint32_t max_adding_layers;              ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
-  uint32_t skinning;                       ///< sinew_skinning
-  uint32_t normal_rule;                    ///< sinew_normal_rule
+  uint32_t skinning;                       ///< a value of sinew_skinning
+  uint32_t normal_rule;                    ///< a value of sinew_normal_rule
   uint32_t mask_count;                     ///< at most 255
   const float* masks;                      ///< [mask_count][joints] weights >= 0, one row after another; copied
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied

@@ -34,7 +34,7 @@ SINEW_API sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, ui
 SINEW_API sinew_error sinew_clock_advance(sinew_clock* clock, double dt_s, sinew_step* step);
 SINEW_API sinew_error sinew_clock_seek(sinew_clock* clock, double time_s);  ///< clamped to the clip
 SINEW_API sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed);
-SINEW_API double sinew_clock_time_s(const sinew_clock* clock);  ///< for sinew_layer
+SINEW_API double sinew_clock_time_s(const sinew_clock* clock);  ///< clip time for sinew_layer.time_s
 SINEW_API int64_t sinew_clock_rounds(const sinew_clock* clock);
 SINEW_API int sinew_clock_finished(const sinew_clock* clock);
 

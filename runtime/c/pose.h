@@ -11,7 +11,7 @@ extern "C" {
 /// library knows. This struct never grows.
 typedef struct sinew_pose {
   float* planes;       ///< [sinew_pose_floats(joint_count)] at a multiple of SINEW_POSE_ALIGNMENT bytes
-  size_t joint_count;  ///< of the scene
+  size_t joint_count;  ///< number of joints of the scene
 } sinew_pose;
 #define SINEW_POSE_ALIGNMENT 64
 

@@ -15,7 +15,7 @@ extern "C" {
 typedef enum sinew_op_kind {
   SINEW_OP_REST = 0,              ///< pushes the rest pose
   SINEW_OP_SAMPLE = 1,            ///< pushes clip `index` at `time_s`
-  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< the same, left and right exchanged
+  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< pushes the same with left and right exchanged
   SINEW_OP_REST_MIRRORED = 3,     ///< the rest pose, left and right exchanged
   SINEW_OP_EXTERNAL = 4,          ///< pushes pose `index` of the caller: a ragdoll, the network
   SINEW_OP_MEAN = 5,              ///< weighted mean of the `index` topmost poses; no operands give the rest pose
@@ -27,7 +27,7 @@ typedef enum sinew_op_kind {
   SINEW_OP_PROCEDURE = 11         ///< lets procedure `index` of the caller change the topmost pose: IK, springs
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
-#define SINEW_MOST_OPS 255u  ///< of one program
+#define SINEW_MOST_OPS 255u  ///< most operations of one program
 
 /// One operation. `weight` and `mask` say how much its pose counts in a mean, as the upper pose of an overlay, or as
 /// the layer of an addition. This struct never grows: its 16 bytes may be stored and sent.
@@ -39,7 +39,7 @@ typedef struct sinew_pose_op {
                    ///< additions: 0 to turn joints in their parent's frame, 1 in their own
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
-  uint8_t kind;    ///< sinew_op_kind
+  uint8_t kind;    ///< a value of sinew_op_kind
 } sinew_pose_op;
 
 /// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0.
@@ -50,9 +50,9 @@ typedef struct sinew_program_room {
   size_t struct_size;
   uint32_t ops;                               ///< at most SINEW_MOST_OPS
   uint32_t slots;                             ///< poses on the stack at once, at most `ops`
-  uint32_t externals, overrides, procedures;  ///< of the caller, at most 65535 of each
-  uint32_t masks;                             ///< of sinew_needs and of the caller together, at most 255
-  uint32_t overridden_joints;                 ///< of all overrides together
+  uint32_t externals, overrides, procedures;  ///< entries in each of the caller's lists, at most 65535
+  uint32_t masks;                             ///< masks of sinew_needs and of the caller together, at most 255
+  uint32_t overridden_joints;                 ///< joints of all overrides together
   uint32_t overlays_in_model_space;           ///< 1 if programs use SINEW_OP_OVERLAY_MODEL
 } sinew_program_room;
 
@@ -87,7 +87,7 @@ typedef enum sinew_override_space {
 typedef struct sinew_joint_override {
   uint32_t joint;
   sinew_transform transform;
-  uint8_t space;  ///< sinew_override_space
+  uint8_t space;  ///< a value of sinew_override_space
 } sinew_joint_override;
 
 /// Joints that one operation places, in this order. A parent comes before its children.

@@ -15,9 +15,9 @@ typedef struct sinew_result_info {
   size_t struct_size;
   uint64_t frame;           ///< counts up by one per run
   uint64_t since_frame;     ///< the result is bit-identical since this frame
-  sinew_affines model;      ///< [joints] world matrices
+  sinew_affines model;      ///< [joints] world matrix of each joint
   sinew_floats weights;     ///< all morph weights
-  sinew_floats properties;  ///< animated numbers
+  sinew_floats properties;  ///< animated numbers of materials, lights and cameras
   sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
   size_t instance_count, shape_count;
   sinew_pose local;  ///< local transforms that `model` is composed of; not to be written

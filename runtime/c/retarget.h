@@ -36,15 +36,15 @@ typedef enum sinew_translation_rule {
 /// never grows.
 typedef struct sinew_chain_rule {
   uint32_t joint;
-  uint32_t rule;  ///< sinew_translation_rule
+  uint32_t rule;  ///< a value of sinew_translation_rule
 } sinew_chain_rule;
 
 typedef struct sinew_skeleton_map_options {
   size_t struct_size;
   const sinew_joint_pair* pairs;  ///< if given, only these joints are mapped; copied
   size_t pair_count;
-  uint32_t limbs;                  ///< sinew_limb_directions
-  uint32_t translations;           ///< sinew_translation_rule
+  uint32_t limbs;                  ///< a value of sinew_limb_directions
+  uint32_t translations;           ///< a value of sinew_translation_rule
   const sinew_chain_rule* chains;  ///< exceptions from `translations`; copied
   size_t chain_count;
   /// sinew_reference: poses in which both bodies have the same posture. SINEW_REFERENCE_CHOSEN takes the rest and bind
@@ -65,9 +65,9 @@ SINEW_API void sinew_skeleton_map_destroy(sinew_skeleton_map* map);
 
 typedef struct sinew_skeleton_map_info {
   size_t struct_size;
-  const sinew_joint_pair* pairs;  ///< [pair_count] by rising joints of the target
+  const sinew_joint_pair* pairs;  ///< [pair_count] sorted by joints of the target
   size_t pair_count;
-  sinew_indices unmapped_source, unmapped_target;  ///< rising
+  sinew_indices unmapped_source, unmapped_target;  ///< joints that are not mapped, rising
   double height_ratio;                             ///< target to source
   uint32_t leg_count;                              ///< legs whose feet sinew_hold_feet holds
   uint32_t twist_count;                         ///< twist joints of the target, which share the twist of arms and legs

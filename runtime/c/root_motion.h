@@ -19,7 +19,8 @@ SINEW_API sinew_dual_quat sinew_dual_quat_identity(void);
 SINEW_API sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a,
                                                   const sinew_dual_quat* b);  ///< applies b first; the result is unit
 SINEW_API sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion);
-SINEW_API sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);  ///< for sinew_frame_input.root
+/// The matrix for sinew_frame_input.root
+SINEW_API sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);
 
 /// How much of a root joint's turn carries the character.
 typedef enum sinew_root_turn {
@@ -32,7 +33,7 @@ typedef enum sinew_root_turn {
 typedef struct sinew_root_parts {
   size_t struct_size;
   uint32_t x, y, z;  ///< 1 or 0: translation along the axes of the joint's parent space
-  uint32_t turn;     ///< sinew_root_turn
+  uint32_t turn;     ///< a value of sinew_root_turn
 } sinew_root_parts;
 SINEW_API sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
 

@@ -37,14 +37,14 @@ SINEW_API size_t sinew_mesh_count(const sinew_scene* scene);
 SINEW_API sinew_string sinew_mesh_name(const sinew_scene* scene, uint32_t mesh);
 SINEW_API uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name);
 SINEW_API size_t sinew_primitive_count(const sinew_scene* scene, uint32_t mesh);
-SINEW_API size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< morph targets
+SINEW_API size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< number of morph targets
 SINEW_API sinew_string sinew_target_name(const sinew_scene* scene, uint32_t mesh, uint32_t target);
 
 /// A mesh attached to a joint. Each frame gives one sinew_instance_result for it.
 typedef struct sinew_instance {
   size_t struct_size;
   uint32_t joint, mesh, skin;           ///< skin SINEW_NONE = rigid
-  uint32_t first_weight, weight_count;  ///< its morph targets in the flat array of all morph weights
+  uint32_t first_weight, weight_count;  ///< place of its morph weights in the flat array of all morph weights
 } sinew_instance;
 
 SINEW_API size_t sinew_instance_count(const sinew_scene* scene);
@@ -57,8 +57,8 @@ typedef enum sinew_topology { SINEW_POINTS = 0, SINEW_LINES = 1, SINEW_TRIANGLES
 /// One draw call of a mesh in its rest shape. Absent attributes are empty; others have one entry per vertex.
 typedef struct sinew_primitive {
   size_t struct_size;
-  uint32_t topology;      ///< sinew_topology
-  uint32_t material;      ///< of the file; SINEW_NONE = none
+  uint32_t topology;      ///< a value of sinew_topology
+  uint32_t material;      ///< index of the material in the file; SINEW_NONE = none
   sinew_indices indices;  ///< 1, 2 or 3 per point, line or triangle
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
@@ -75,7 +75,7 @@ SINEW_API sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, uint32
 /// which sum to 1.
 typedef struct sinew_influences {
   const uint16_t* joints;  ///< [count] index into sinew_skin_joints
-  const float* weights;    ///< [count] in descending order
+  const float* weights;    ///< [count] in descending order, summing to 1
   size_t count;            ///< 0 = the primitive is not skinned
 } sinew_influences;
 SINEW_API sinew_influences sinew_vertex_influences(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,

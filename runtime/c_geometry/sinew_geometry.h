@@ -33,7 +33,7 @@ typedef struct sinew_geometry_info {
   uint32_t mesh_count, frame_count;
   uint32_t segment_frames;       ///< most frames that a seek decodes
   double start_s, duration_s;    ///< time of the first frame, and from it to the last
-  double frame_s;                ///< from one frame to the next
+  double frame_s;                ///< seconds from one frame to the next
   uint64_t largest_frame_bytes;  ///< a player with a reader needs memory for window_frames times this
 } sinew_geometry_info;
 SINEW_API sinew_error sinew_geometry_get_info(const sinew_geometry_cache* cache, sinew_geometry_info* out);
@@ -42,8 +42,8 @@ typedef struct sinew_geometry_mesh {
   size_t struct_size;
   sinew_string name;
   uint32_t vertex_count, triangle_count;
-  sinew_box bounds;            ///< of all frames
-  double asked_m, measured_m;  ///< largest distance of a vertex from what was baked: the budget, and what was measured
+  sinew_box bounds;            ///< box around the mesh in all frames
+  double asked_m, measured_m;  ///< largest allowed and largest measured distance of a decoded vertex from its place
 } sinew_geometry_mesh;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, uint32_t mesh,
@@ -121,7 +121,7 @@ typedef struct sinew_geometry_work {
   size_t struct_size;
   uint64_t frames_decoded;  ///< number of frames since the player was made
   uint64_t bytes_asked;     ///< bytes requested from the reader since the player was made
-  uint64_t memory_bytes;    ///< of decoder and window
+  uint64_t memory_bytes;    ///< memory of the decoder and the window
   size_t pending_reads;
 } sinew_geometry_work;
 SINEW_API sinew_error sinew_geometry_player_work(const sinew_geometry_player* player, sinew_geometry_work* out);

@@ -87,7 +87,7 @@ struct TrackBlock {
   Property property = Property::translation;
   Interpolation interpolation = Interpolation::linear;
   std::uint32_t lane_count = 0;
-  std::uint32_t plane_count = 0;       ///< per key
+  std::uint32_t plane_count = 0;       ///< number of planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the weight or number; increasing
   JointPlaces places;                  ///< only if targets are joints; targets of weights and numbers are consecutive

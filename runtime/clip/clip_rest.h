@@ -74,7 +74,7 @@ inline RestNumbers rest_numbers(std::vector<float> numbers) {
 /// Rest values of joints, morph weights and properties. Clips that are compiled with the same ClipRest share them.
 struct ClipRest {
   std::size_t joint_count = 0;
-  RestNumbers pose;  ///< in the order of BasePose::planes
+  RestNumbers pose;  ///< rest transforms, in the order of BasePose::planes
   RestNumbers weights, properties;
 };
 

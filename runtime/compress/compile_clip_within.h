@@ -11,7 +11,7 @@ namespace sinew {
 /// A clip within an error budget.
 struct ClipWithin {
   Animation keys;                 ///< the keys that were kept, in authoring form and not rounded; for writing to a file
-  Clip clip;                      ///< with its certificate
+  Clip clip;                      ///< the compiled clip, with its certificate
   std::uint64_t truth_poses = 0;  ///< number of poses of the authoring form that the search evaluated
 };
 

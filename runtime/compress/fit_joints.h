@@ -34,15 +34,15 @@ class JointFit {
     std::uint32_t joint = 0;     ///< index of the moving joint
     std::uint32_t property = 0;  ///< index into MovingJoint::bone_of
     KeptKeys kept;
-    double weight = 1.0;          ///< relative share
+    double weight = 1.0;          ///< share relative to those of other tracks
     double from = 0.0, to = 0.0;  ///< part of the budget that may be used before and after this track
   };
   /// The times of one part of the animation. Long animations are worked on in parts, which bounds the memory.
   struct Part {
     std::vector<double> times_s;
     bool first = false, last = false;
-    std::vector<std::vector<Transformd>> local;  ///< [moving joints][times] of the truth
-    std::vector<std::vector<Affined>> model;     ///< [moving joints][times] of the truth
+    std::vector<std::vector<Transformd>> local;  ///< [moving joints][times] local transforms of the truth
+    std::vector<std::vector<Affined>> model;     ///< [moving joints][times] model matrices of the truth
   };
 
   void set_shares();
@@ -55,7 +55,7 @@ class JointFit {
   const Skeleton& skeleton_;
   const Animation &truth_, &stored_;
   std::vector<MovingJoint> joints_;
-  std::vector<Stage> stages_;  ///< by joint, parents first
+  std::vector<Stage> stages_;  ///< in the order of joints, parents first
   std::vector<double> times_s_;
   std::size_t times_per_part_ = 0;
   std::vector<Part> kept_parts_;  ///< the only part of a short animation, else empty

@@ -11,7 +11,7 @@ namespace sinew {
 /// sharing out the budget; the compiled clip is measured afterwards.
 struct JointReach {
   double translation = 0.0;  ///< per unit of length in the parent's space
-  double rotation = 0.0;     ///< per radian
+  double rotation = 0.0;     ///< metres per radian
   double scale = 0.0;        ///< per unit of scale
 };
 

@@ -20,7 +20,7 @@ using Keys = std::vector<std::uint32_t>;
 /// Tracks that keep the same keys of the same list.
 struct SharedList {
   Keys keys;
-  std::size_t bytes_per_key = 0;     ///< of the values of all tracks
+  std::size_t bytes_per_key = 0;     ///< bytes of the values of all tracks, per key
   std::vector<std::size_t> members;  ///< indices of tracks
 };
 

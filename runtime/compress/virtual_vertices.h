@@ -15,7 +15,7 @@ namespace sinew {
 struct VirtualVertices {
   static constexpr float kShell = 0.03f;  ///< half-width of the cube of a joint without vertices, in the file's units
 
-  std::vector<Aabb> boxes;           ///< [J] never empty
+  std::vector<Aabb> boxes;           ///< [J] box of each joint, never empty
   std::vector<bool> moves_vertices;  ///< [J] the box contains vertices of a mesh
   /// [W] longest displacement by each morph weight, in mesh space; kShell for empty targets
   std::vector<float> metres_per_weight;

@@ -15,7 +15,7 @@ namespace sinew {
 /// A primitive of a mesh instance, and the mesh of a cache that it takes its vertices from.
 struct GeometryBinding {
   std::uint32_t instance = 0, primitive = 0;
-  std::uint32_t mesh = 0;  ///< of the cache
+  std::uint32_t mesh = 0;  ///< index of the cache's mesh
 };
 
 struct GeometryBindings {

@@ -45,8 +45,8 @@ struct GeometryStream {
 
 /// Largest position errors in metres, over all vertices and frames of a mesh.
 struct GeometryCertificate {
-  double asked_m = 0.0;     ///< as GeometryStream::asked of positions
-  double measured_m = 0.0;  ///< as GeometryStream::measured
+  double asked_m = 0.0;     ///< error budget of positions, as GeometryStream::asked
+  double measured_m = 0.0;  ///< largest measured error of positions, as GeometryStream::measured
   double between_m = -1.0;  ///< halfway between frames, for linearly interpolated positions; negative = not measured
 };
 
@@ -56,7 +56,7 @@ struct GeometryMesh {
   std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = the cache does not store them; the scene does
   std::vector<GeometryStream> streams;   ///< at most one of each kind, in the order of kinds; positions always exist
   GeometryCertificate certificate;
-  Aabb bounds;  ///< of all frames
+  Aabb bounds;  ///< box around the mesh in all frames
 };
 
 /// Where the bytes of a frame lie in the file.
@@ -91,7 +91,7 @@ class SINEW_API GeometryCache {
   }
 
   std::span<const GeometryMesh> meshes() const noexcept { return meshes_; }
-  std::size_t stream_count() const noexcept { return stream_count_; }  ///< of all meshes, one mesh after another
+  std::size_t stream_count() const noexcept { return stream_count_; }  ///< number of streams of all meshes
   std::uint32_t frame_count() const noexcept { return static_cast<std::uint32_t>(frames_.size()); }
   /// Every segment_frames-th frame is a key frame
   std::uint32_t segment_frames() const noexcept { return segment_frames_; }

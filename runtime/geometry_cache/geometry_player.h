@@ -49,7 +49,7 @@ class SINEW_API GeometryPlayer {
 
   const GeometryCache& cache() const noexcept { return cache_; }
   const GeometryDecoder& decoder() const noexcept { return decoder_; }
-  GeometryStatus status() const noexcept { return status_; }  ///< of the last decoded frame
+  GeometryStatus status() const noexcept { return status_; }  ///< status of the last decoded frame
 
  private:
   /// A primitive that the player moves.

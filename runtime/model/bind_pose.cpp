@@ -44,7 +44,7 @@ Difference difference_of(const Affined& a, const Affined& b) noexcept {
 /// Bind matrices of the joints of a skin, in the space in which it was bound.
 struct BoundSkin {
   std::uint32_t skin = 0;
-  std::vector<std::uint32_t> joints;  ///< rising
+  std::vector<std::uint32_t> joints;  ///< joints of the skin, rising
   std::vector<Affined> bind;          ///< parallel to `joints`
   std::vector<std::uint32_t> tops;    ///< rising; joints without an ancestor in the skin
 

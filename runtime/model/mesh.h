@@ -34,7 +34,7 @@ struct Primitive {
   std::vector<glm::vec3> normals;      ///< [V] unit; the importer computes missing ones for triangles
   std::vector<glm::vec4> tangents;     ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
   std::vector<std::vector<glm::vec2>> texcoords;
-  std::vector<glm::vec4> colors;  ///< [V] COLOR_0, linear
+  std::vector<glm::vec4> colors;  ///< [V] vertex colours (COLOR_0), linear
   VertexInfluences influences;    ///< empty = not skinned
   /// [V] rest space, for Skinning::center_of_rotation; empty = none (importer/add_centers_of_rotation.h makes them)
   std::vector<glm::vec3> centers_of_rotation;
@@ -59,7 +59,7 @@ struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
   std::vector<float> default_weights;     ///< [T] mesh.weights of the file, else zeros
-  std::vector<std::string> target_names;  ///< [T] or empty; from extras.targetNames, a common practice
+  std::vector<std::string> target_names;  ///< [T] or empty; many exporters write them to extras.targetNames
 
   std::size_t target_count() const noexcept { return default_weights.size(); }
 };

@@ -21,8 +21,8 @@ struct SparseDeltas {
 /// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets")
 struct MorphTarget {
   SparseDeltas<glm::vec3> positions, normals, tangents;
-  SparseDeltas<glm::vec4> colors;                  ///< COLOR_0
-  std::vector<SparseDeltas<glm::vec2>> texcoords;  ///< TEXCOORD_n
+  SparseDeltas<glm::vec4> colors;                  ///< displacements of COLOR_0
+  std::vector<SparseDeltas<glm::vec2>> texcoords;  ///< displacements of each TEXCOORD_n
 };
 
 /// The morph targets of one primitive; all primitives of a mesh have the same number of targets.

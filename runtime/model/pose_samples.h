@@ -45,7 +45,7 @@ enum class PolynomialTail : std::uint8_t {
 ///      values[S * M]     added to each of these weights in each sample; any sign and size
 struct PoseSamples {
   std::string name;
-  std::vector<PoseDriver> drivers;  ///< [D]
+  std::vector<PoseDriver> drivers;  ///< [D] joints that drive the corrective
   std::vector<glm::quat> rotations;
   std::vector<std::uint32_t> weights;
   std::vector<float> values;

@@ -49,9 +49,9 @@ struct Camera {
   SharedName name;
   std::uint32_t joint = kNone;  ///< kNone = no node uses it
   bool perspective = true;
-  float fov_y_rad = 0.8f;                       ///< perspective
+  float fov_y_rad = 0.8f;                       ///< perspective cameras only
   float aspect = 0.0f;                          ///< 0 = use the window's
-  float half_width = 1.0f, half_height = 1.0f;  ///< orthographic
+  float half_width = 1.0f, half_height = 1.0f;  ///< orthographic cameras only, metres
   float near_m = 0.1f;
   float far_m = 0.0f;  ///< 0 = infinite
 };
@@ -84,7 +84,8 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<MeshInstance> instances;
-  std::vector<std::uint32_t> first_weight;   ///< [instances + 1] into the scene's flat array of morph weights
+  std::vector<std::uint32_t> first_weight;   ///< [instances + 1] index of each instance's first weight in the scene's
+                                             ///< flat array of morph weights
   std::vector<PoseCorrective> correctives;   ///< add to morph weights, depending on joint rotations
   PropertyTable properties;                  ///< all animated properties besides joints and weights
   std::vector<std::uint32_t> hidden_joints;  ///< hidden at rest, with all joints below them (KHR_node_visibility)

@@ -24,8 +24,8 @@ namespace sinew {
 /// owns  its page, so that a later load cannot destroy the keys. Keep it until the frame has run. If a layer is held
 ///       over several frames (lod/update_rate.h), keep it until the last of them has run.
 struct PageSample {
-  Clip page;                ///< for ClipLayer::page or SampleClipJob::clip
-  double time_s = 0.0;      ///< for ClipLayer::time_s
+  Clip page;                ///< the clip for ClipLayer::page or SampleClipJob::clip
+  double time_s = 0.0;      ///< the time for ClipLayer::time_s
   bool is_missing = false;  ///< the page for this time is not loaded; here is the nearest loaded pose
 };
 

@@ -69,9 +69,10 @@ class SINEW_API Plan {
 
   std::span<const PrimitivePlan> primitives() const noexcept;       ///< one per primitive of each mesh instance
   std::span<const std::uint32_t> first_primitive() const noexcept;  ///< [instances + 1] into `primitives`
-  std::span<const ClipTracks> clip_tracks() const noexcept;         ///< [clips]
-  std::span<const std::uint32_t> moved_joints() const noexcept;     ///< indices into FrameResult::model: moved by some
-                                                                    ///< clip, or below such joints
+  /// [clips] tracks that a sample of each clip evaluates
+  std::span<const ClipTracks> clip_tracks() const noexcept;
+  std::span<const std::uint32_t> moved_joints() const noexcept;  ///< indices into FrameResult::model: moved by some
+                                                                 ///< clip, or below such joints
 
   /// Internal (compiled_plan.h).
   const std::shared_ptr<const CompiledPlan>& compiled() const noexcept { return compiled_; }

@@ -39,15 +39,15 @@ struct CompiledPlan {
   std::bitset<kStageCount> stages;            ///< all stages that run, for Plan::runs
 
   // Clips and poses.
-  std::vector<ClipTracks> clip_tracks;        ///< [clips]
+  std::vector<ClipTracks> clip_tracks;        ///< [clips] tracks that a sample evaluates
   std::vector<std::uint32_t> moved_joints;    ///< joints of poses that some clip moves, and all below them. All other
                                               ///< joints have their rest pose in every frame
   std::vector<std::uint32_t> unmoved_joints;  ///< all other joints of poses
-  std::vector<JointScale> joint_scales;       ///< [joints of poses]
+  std::vector<JointScale> joint_scales;       ///< [joints of poses] scales that can reach each joint
   MirrorTables mirror_tables;                 ///< for the joints of poses; used if `mirror`
   std::vector<std::vector<float>> mask_weights;  ///< [masks of the needs][joints of poses]
   std::vector<std::span<const float>> masks;     ///< views of `mask_weights`
-  std::vector<float> rest_weights;               ///< [W]
+  std::vector<float> rest_weights;               ///< [W] rest weights of all mesh instances
   PoseProgramAssets pose_assets;                 ///< views of the above; the rest pose is FrameLayout::rest_pose
 
   // Mesh instances and their primitives.
@@ -64,8 +64,10 @@ struct CompiledPlan {
 
   // Skins.
   std::vector<bool> palette, split;  ///< [skins] frames make the skin's matrices; they split them too
-  std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly
-  std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
+  /// [skins] combined matrices of primitives that are skinned linearly
+  std::vector<std::vector<CombinedInfluences>> combined;
+  /// [skins] pairs of joints of skins that are split (hemisphere_pairs.h)
+  std::vector<std::vector<JointPair>> hemisphere_edges;
 };
 
 /// Index of an instance in the tables of Needs::in.cached_instances, or kNone.

@@ -43,7 +43,7 @@ struct LastInput {
 /// scene alive, even if the Plan object is destroyed or gets another plan.
 class SINEW_API FrameBuffer {
  public:
-  static constexpr std::size_t kAlignment = 64;  ///< of the block
+  static constexpr std::size_t kAlignment = 64;  ///< alignment of the block in bytes
 
   /// Takes the block from operator new, or from `memory`, which must outlive the buffer. `memory` is a
   /// std::pmr::memory_resource, or another type with the two functions of BlockMemory.

@@ -30,7 +30,7 @@ struct DeformedPrimitive {
 struct InstanceResult {
   Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already.
                                       ///< MeshInstance::copies are relative to it (model/scene.h)
-  std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
+  std::uint32_t first_primitive = 0;  ///< index into FrameResult::primitives: one entry per primitive of its mesh
   bool mirrored = false;  ///< front faces wind clockwise, since the determinant of world_from_mesh is negative. For a
                           ///< skinned mesh it is that of the first joint's skinning matrix
   bool visible = true;  ///< false if the mesh is on a hidden joint, or out of view by FrameInput. Then its box is empty
@@ -46,7 +46,7 @@ struct InstanceResult {
 
 /// Skinning matrices of one skin; empty when no mesh instance of this frame uses it.
 struct SkinPalette {
-  std::span<const JointMatrix> matrices;  ///< [joints of the skin]
+  std::span<const JointMatrix> matrices;  ///< [joints of the skin] one matrix per joint
   std::uint64_t since_frame = 0;          ///< as in DeformedPrimitive
 };
 

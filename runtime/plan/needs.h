@@ -19,10 +19,10 @@ enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation
 /// Parts of the result that a consumer wants from each frame.
 struct Outputs {
   bool joints = true;      ///< world matrices of the joints that `skeleton_lod` keeps
-  bool local_pose = true;  ///< FrameResult::local
+  bool local_pose = true;  ///< local transforms of joints (FrameResult::local)
   bool positions = true;   ///< deformed vertex positions
   bool normals = true;
-  bool tangents = true;          ///< of primitives that have a normal map in some variant, or no material
+  bool tangents = true;          ///< tangents of primitives that have a normal map in some variant, or no material
   bool tangents_of_all = false;  ///< tangents of all primitives, for consumers with materials of their own
   bool weights = true;           ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool palettes = false;         ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
@@ -62,8 +62,9 @@ struct Inputs {
 /// How the skinned vertices of each mesh instance follow their joints.
 struct SkinningRules {
   Skinning kind = Skinning::linear;
-  std::vector<Skinning> per_instance = {};      ///< [instances] overrides `kind` per mesh instance; empty = no override
-  NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
+  std::vector<Skinning> per_instance = {};  ///< [instances] overrides `kind` per mesh instance; empty = no override
+  /// How normals are skinned linearly; other kinds of skinning transform normals exactly
+  NormalRule normal_rule = NormalRule::linear;
 
   Skinning kind_of(std::size_t instance) const noexcept {
     return instance < per_instance.size() ? per_instance[instance] : kind;

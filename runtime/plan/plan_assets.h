@@ -23,12 +23,12 @@ struct JointMapping {
 /// Needs::out.skeleton_lod they are copies for the joints that it keeps, in the order of the scene. Immutable. Clips
 /// are shared with the scene, and pointers refer to all other parts. Internal to plan/.
 struct PlanAssets {
-  const Skeleton* skeleton = nullptr;  ///< [K joints]
+  const Skeleton* skeleton = nullptr;  ///< [K joints] skeleton of poses
   std::vector<Clip> clips;             ///< [clips of the plan]
   std::vector<const Skin*> skins;      ///< [skins of the scene] inverse bind matrices lead to a kept joint
   std::span<const PoseCorrective> correctives;
   std::shared_ptr<const MirrorMap> mirror;  ///< for the joints that poses have; null if the needs have none
-  std::vector<JointMapping> joint_map;      ///< [J] of all joints of the scene
+  std::vector<JointMapping> joint_map;      ///< [J] for each joint of the scene
   std::shared_ptr<const void> copies;       ///< owns reduced copies of the above; null if all joints are kept
 
   std::size_t joint_count() const noexcept { return skeleton->joint_count(); }

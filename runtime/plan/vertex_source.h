@@ -20,7 +20,7 @@ struct ShownVertices {
   bool is_late = false;              ///< the frame asked for is not loaded yet: these vertices are older
   std::uint64_t moment = 0;          ///< equal numbers mean equal vertices
   Aabb bounds;                       ///< holds all vertices of the instance
-  std::uint32_t frames_decoded = 0;  ///< by this call
+  std::uint32_t frames_decoded = 0;  ///< number of frames that this call decoded
 };
 
 /// A source of vertices that replaces the pose of mesh instances: GeometryPlayer (runtime/geometry_cache), or an

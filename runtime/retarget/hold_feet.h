@@ -33,8 +33,8 @@ SINEW_API void hold_feet(const FeetMap& feet, double ground, std::span<const Tra
 struct HoldFeetJob {
   const FeetMap* feet = nullptr;
   float ground = 0.0f;
-  PoseSpan pose;  ///< of the source
-  PoseSpan held;  ///< of the target, in place
+  PoseSpan pose;  ///< pose of the source
+  PoseSpan held;  ///< pose of the target, changed in place
 };
 
 SINEW_API ErrorCode check(const HoldFeetJob& job) noexcept;
@@ -62,7 +62,7 @@ struct FootSlide {
   std::size_t contacts = 0;
 };
 
-/// cost O(duration * joints), allocates
+/// Measures how far feet slide in a retargeted animation.     cost O(duration * joints), allocates
 SINEW_API FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, const Skeleton& source,
                                        const Animation& retargeted, const Skeleton& target);
 

@@ -177,8 +177,8 @@ class JointBake {
   const MappedJoint& joint_;
   const SkeletonMap& map_;
   const Skeleton& source_;
-  Transformd own_;       // of the target joint, in the reference pose
-  Quatd rest_rotation_;  // of the target joint
+  Transformd own_;       // transform of the target joint in the reference pose
+  Quatd rest_rotation_;  // rest rotation of the target joint
   std::span<const JointTracks> tracks_;
   std::vector<std::uint32_t> path_;  // source joints, from the joint up to its mapped ancestor
 };

@@ -14,7 +14,7 @@ namespace sinew {
 /// Joints for which one property (rotation, translation or scale) is mapped. Padded to groups of 16 for SIMD lanes.
 struct RetargetedJoints {
   std::vector<std::uint32_t> targets, sources;  ///< [count] padded to a multiple of 16 by repeating the last one
-  std::vector<float> factors;                   ///< planes of [count]
+  std::vector<float> factors;  ///< planes of `count` floats; the number of planes depends on the property
 };
 
 /// A joint of the source on the path between a mapped joint and its nearest mapped ancestor.

@@ -29,7 +29,7 @@ struct SkeletonMap {
   std::vector<MappedJoint> joints;  ///< rising target indices: parents before children
   bool by_names = false;            ///< the skeletons share joint names, so scale tracks are retargeted too
   double height_ratio = 1.0;        ///< target to source: height of hips or top joints above the lowest mapped joint
-  std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
+  std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< joints without a counterpart, rising
   /// [kHumanoidBones] joint of the target for each humanoid bone, or kNone
   std::vector<std::uint32_t> target_bones = std::vector<std::uint32_t>(kHumanoidBones.size(), kNone);
   PoseReference source_reference = PoseReference::rest, target_reference = PoseReference::rest;

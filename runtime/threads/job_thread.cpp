@@ -64,7 +64,7 @@ struct JobThread::State {
   std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
   // Guarded by the mutex.
   bool has_queued = false, in_flight = false, stop = false;
-  std::size_t next_task = 0;  // of the frame in flight, without a thread of its own
+  std::size_t next_task = 0;  // next task of the frame in flight; used without a thread of its own
   Ticket last_submitted = 0, running = 0;
 
   alignas(64) std::atomic<Ticket> finished{0};

@@ -78,7 +78,7 @@ class Version {
   JobThread jobs_;  // declared last, because it must end before the plan it runs
   JobThread::Character character_ = 0;
   std::uint32_t clip_ = 0;
-  std::vector<double> asked_s_;  // [ticket - 1]
+  std::vector<double> asked_s_;  // [ticket - 1] clip time of each requested frame
 };
 
 /// A frame to draw. It keeps the version alive that it points into.

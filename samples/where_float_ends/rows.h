@@ -14,7 +14,7 @@ namespace sinew::sample {
 struct Row {
   std::string part;    ///< "rotations", "poses" or "vertices"
   std::string kernel;  ///< the float kernel
-  std::string sweep;   ///< the inputs
+  std::string sweep;   ///< the inputs, in words
   double error = 0.0;
   const char* unit = "";  ///< "rad", "m", "s"
   double ulp = 0.0;  ///< the error in float steps at the magnitude of the result (rotations: of their half angle, at 1)

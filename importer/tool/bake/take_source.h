@@ -24,7 +24,7 @@ struct TakeSource {
   std::optional<std::string> clip, points, up;
   std::string output;  ///< refused if it is one of the files that are read; empty = nothing is written
   double fps = 30.0;
-  Length budget = {1e-4};  ///< of positions; becomes budgets.positions_m when the model is known
+  Length budget = {1e-4};  ///< budget of positions; becomes budgets.positions_m once the model's size is known
   TakeBudgets budgets;
 };
 

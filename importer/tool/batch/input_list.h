@@ -10,7 +10,7 @@ inline constexpr const char* kStandardInput = "-";
 
 /// One entry of the list of inputs: a file, or instead of a file a remark about a folder.
 struct Input {
-  std::string path;   ///< as it is opened and shown
+  std::string path;   ///< the path that is opened, and shown in messages
   std::string below;  ///< path relative to the folder that was given, or the name of a file that was given; outputs are
                       ///< named by it
   std::string remark;  ///< not empty = no file; a sentence about the folder `path`

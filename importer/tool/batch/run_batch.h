@@ -27,7 +27,7 @@ Option& add_batch_options(Command& command, BatchOptions& options, const char* a
 /// The outputs of many files: one for each input, in a folder.
 struct BatchOutput {
   std::string folder;     ///< empty = the command line names no folder
-  std::string extension;  ///< with its dot
+  std::string extension;  ///< extension of the outputs, including its dot
 };
 
 /// The work of a command, for run_batch().

@@ -55,8 +55,8 @@ double worst_m(const std::vector<CertifiedClip>& clips) {
 
 /// The model with all keys, quantized as far as the budget allows.
 struct Whole {
-  WrittenClips written;          ///< without `clips`
-  std::vector<Animation> clips;  ///< as a reader gets them
+  WrittenClips written;          ///< all members but `clips`
+  std::vector<Animation> clips;  ///< the clips as a reader of the file gets them
 };
 
 ImportResult<Whole> write_whole(const ImportedFile& model, std::span<const Animation> truths, RewriteOptions changes,

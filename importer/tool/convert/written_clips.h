@@ -12,7 +12,7 @@ namespace sinew::tool {
 
 /// A model file whose clips were written with new keys, and how far its clips are off when the file is read again.
 struct WrittenClips {
-  RewrittenFile file;           ///< a .glb
+  RewrittenFile file;           ///< the file, a .glb
   RewriteOptions changes;       ///< the options that made `file`; their spans refer to `keys` and to data of the caller
   std::vector<Animation> keys;  ///< empty = the keys of `truths`
   std::vector<CertifiedClip> clips;  ///< measured on `file`

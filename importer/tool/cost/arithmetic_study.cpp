@@ -22,7 +22,7 @@ struct Bench {
   DeformedVertices found;
   PlainVertices<float> plain;
   PlainVertices<double> exact;
-  std::vector<std::vector<Affine>> float_palettes;  // for each pose
+  std::vector<std::vector<Affine>> float_palettes;  // palettes for each pose
 
   explicit Bench(const Subject& subject) {
     const auto own = skinned_part(subject);

@@ -23,7 +23,7 @@ constexpr double kRoundingOfKeys = 1.5;  // times the rounding error that unchan
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr std::uint32_t kBits[] = {16, 12, 8};
 constexpr double kMostKeys =
-    200'000.0;  // of one resampled track; long clips are resampled only at rates that stay below
+    200'000.0;  // most keys of one resampled track; long clips are resampled only at rates that stay below
 
 /// Powers of ten in metres, rising: 0.1 mm and 1 mm, and the powers around a ten-thousandth of the model's size.
 std::vector<double> budgets_m(double size_m) {

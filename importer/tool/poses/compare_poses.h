@@ -61,7 +61,7 @@ class PoseComparison {
 
   std::uint64_t compared() const noexcept { return compared_; }
   std::uint64_t failed() const noexcept { return failed_; }
-  double largest_m() const noexcept { return largest_m_; }  ///< of the values with a unit
+  double largest_m() const noexcept { return largest_m_; }  ///< the largest difference of a value with a unit
   std::vector<Deviation> worst() const;  ///< the worst first, one for each kind of values of a node or primitive
 
  private:
@@ -73,7 +73,7 @@ class PoseComparison {
   std::string node_text(std::uint32_t node) const;
   /// The kind of values that a deviation belongs to, and its node and primitive.
   struct Kind {
-    const char* name = "";  ///< of a literal
+    const char* name = "";  ///< points to a literal
     std::uint32_t node = kNone, primitive = kNone;
     friend auto operator<=>(const Kind&, const Kind&) = default;
   };

@@ -67,8 +67,8 @@ class PoseEvents {
     Place place = Place::file;
     bool is_array = false;
     std::uint32_t seen = 0;  ///< bits of kRequired: keys that are there
-    std::size_t index = 0;   ///< of the next element, in an array
-    std::string key;         ///< of the next value, in an object
+    std::size_t index = 0;   ///< in an array: index of the next element
+    std::string key;         ///< in an object: key of the next value
   };
   struct Scalar {
     bool is_null = false;
@@ -104,9 +104,9 @@ class PoseEvents {
   const PoseSink& sink_;
   std::vector<Level> levels_{Level{}};
   std::size_t skipped_ = 0;      // levels of a part that the format does not know
-  std::size_t kind_ = 0;         // of the vertex array that is read
+  std::size_t kind_ = 0;         // index of the vertex array that is being read
   std::uint32_t kinds_ = 0;      // bits: the vertex arrays of the primitive
-  std::vector<double> numbers_;  // of the matrix or vector that is read
+  std::vector<double> numbers_;  // numbers of the matrix or vector that is being read
   Pose pose_;
 };
 

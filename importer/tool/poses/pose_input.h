@@ -19,7 +19,7 @@ namespace sinew::tool {
 struct PoseSummary {
   std::optional<double> extent;      ///< the model's size: the longest side of the box around its rest pose
   std::vector<std::uint32_t> clips;  ///< the clip of each entry, in the order of the file; kNone = rest pose
-  std::size_t poses = 0;             ///< of all clips
+  std::size_t poses = 0;             ///< number of poses of all clips
   std::array<bool, kVertexKinds.size()> kinds{};  ///< vertex arrays that some pose has
   std::set<std::string> bits;                     ///< names of hashes that some pose has
 

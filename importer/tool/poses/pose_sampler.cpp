@@ -54,7 +54,7 @@ Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
 bool has_no_rotation(const Affined& j) {
   const Mat3<double> a = linear_part(j);
   const double volume = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
-  constexpr double kFlat = 1e-12;  // of the box that the columns span
+  constexpr double kFlat = 1e-12;  // as a fraction of the volume of the box that the columns span
   return !(determinant(j) > kFlat * volume);
 }
 

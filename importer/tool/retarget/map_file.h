@@ -8,7 +8,8 @@
 
 namespace sinew::tool {
 
-inline constexpr const char* kTranslationRules[] = {"hips-by-height", "by-length", "keep"};  ///< as TranslationRule
+/// Names of TranslationRule's values, in their order
+inline constexpr const char* kTranslationRules[] = {"hips-by-height", "by-length", "keep"};
 
 /// Reads the JSON file with which a user changes a skeleton map:
 ///     {"joints": {"JOINT OF TARGET": "JOINT OF SOURCE", ...}, "translations": {"JOINT OF TARGET": "keep", ...}}

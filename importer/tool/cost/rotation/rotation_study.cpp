@@ -26,7 +26,7 @@ using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSp
 
 struct TurnVariant {
   const char* name;
-  Interpolation interpolation;  // for which the clip is compiled
+  Interpolation interpolation;  // interpolation that the clip is compiled for
   Sampler sample;
   bool is_exact;  // how the runtime plays tracks of that interpolation
   const char* note;
