@@ -14,6 +14,7 @@ struct UniquePoints {
   std::vector<std::uint32_t> vertex_of_point;  ///< [points] first vertex of each point
 };
 
+/// Finds the vertices that share a point.
 /// cost O(vertices * frames) expected
 UniquePoints find_unique_points(std::span<const std::vector<glm::vec3>> frames);
 

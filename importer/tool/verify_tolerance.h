@@ -18,6 +18,7 @@ struct ToleranceOptions {
 /// Adds --tolerance and the options for normals, weights and matrices.
 void add_tolerance_options(Command& command, ToleranceOptions& options);
 
+/// Reads the tolerances from the texts of the options.
 /// err   a sentence for the user that names the option
 tl::expected<PoseTolerance, std::string> parse_tolerance(const ToleranceOptions& options, double model_size_m);
 

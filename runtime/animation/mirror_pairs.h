@@ -18,6 +18,7 @@ struct ReferencePose {
   Vec3<double> position(std::uint32_t joint) const noexcept { return translation_of(model[joint]); }
 };
 
+/// Computes the reference pose in local and model space.
 /// in   local  [J], or empty for the rest pose
 ReferencePose reference_pose(const Skeleton& skeleton, std::span<const Transform> local);
 

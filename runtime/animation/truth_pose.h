@@ -25,6 +25,7 @@ struct TruthPose {
 /// cost O(tracks log keys + J), allocates if `out` is smaller than the skeleton
 SINEW_API void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out);
 
+/// Computes the model matrices of a pose.
 /// eq   M[j] = M[parent(j)] * T(j) * R(j) * S(j), or the joint's fixed matrix      out  model[J]
 SINEW_API void model_from_local(const Skeleton& skeleton, std::span<const Transformd> local, std::span<Affined> model);
 

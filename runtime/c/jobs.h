@@ -30,6 +30,7 @@ typedef struct sinew_jobs_options {
 } sinew_jobs_options;
 SINEW_API sinew_jobs_options sinew_default_jobs_options(void);
 
+/// Creates the jobs, at first without characters.
 /// in   options  null = the defaults; copied, but the objects it points to must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (frame_buffers), SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
@@ -37,6 +38,7 @@ SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew
 /// were taken must have been run.
 SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 
+/// Adds a character that runs `plan`.
 /// in   plan  must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);

@@ -13,6 +13,7 @@ extern "C" {
 // SINEW_LAYER_MIRRORED), and for poses. Joints are paired by their names, or by their positions if their names give no
 // side. Morph targets are paired by their names. Owned by the caller.
 
+/// Pairs the joints and morph targets of a scene.
 /// in   scene  may be destroyed afterwards
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints log joints), without names O(joints^2); allocates
 SINEW_API sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
@@ -34,6 +35,7 @@ typedef struct sinew_mirror_info {
   sinew_indices unpaired;   ///< rising: joints without a partner, although their name or position suggests one
   uint32_t reference;       ///< sinew_reference: as requested, or as chosen
 } sinew_mirror_info;
+/// Describes a mirror. The arrays are views into it.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_mirror(const sinew_mirror* mirror, sinew_mirror_info* out);
 

@@ -34,6 +34,7 @@ typedef struct sinew_page_window {
 } sinew_page_window;
 SINEW_API sinew_page_window sinew_default_page_window(void);  ///< 4 pages, looping, all joints
 
+/// Creates a paged clip, at first without loaded pages.
 /// in   scene       may be destroyed afterwards; its clip has the first keys
 ///      page_s, page_count  of sinew_page_table
 ///      window      null = sinew_default_page_window
@@ -44,6 +45,7 @@ SINEW_API sinew_error sinew_paged_clip_create(const sinew_scene* scene, uint32_t
                                               const sinew_page_window* window, sinew_paged_clip** out);
 SINEW_API void sinew_paged_clip_destroy(sinew_paged_clip* paged);
 
+/// Creates a page, which sinew_paged_clip_at fills.
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_page_create(sinew_page** out);
 SINEW_API void sinew_page_destroy(sinew_page* page);

@@ -64,6 +64,7 @@ SINEW_API sinew_needs sinew_default_needs(void);
 /// The stages that a scene needs. Shared by all characters that show the scene.
 typedef struct sinew_plan sinew_plan;
 
+/// Compiles the plan of a scene.
 /// in   scene  must outlive the plan;   needs  null = sinew_default_needs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all, more
 ///      room than programs can use),
@@ -93,6 +94,7 @@ typedef struct sinew_stage {
 } sinew_stage;
 
 SINEW_API size_t sinew_stage_count(const sinew_plan* plan);
+/// Describes stage number `stage`, in the order in which stages run.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_get_stage(const sinew_plan* plan, uint32_t stage, sinew_stage* out);
 

@@ -24,6 +24,7 @@ typedef struct sinew_step {
   double inside[8];
 } sinew_step;
 
+/// Starts a clock at time 0.
 /// in   duration_s >= 0, speed finite;   mode  sinew_play_mode
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_UNSUPPORTED (mode)
 SINEW_API sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, uint32_t mode, double speed);

@@ -28,8 +28,10 @@ typedef struct sinew_transform {
 // All functions below return SINEW_NULL_ARGUMENT for null pointers, and SINEW_SIZE_MISMATCH for poses that are not
 // aligned or have another number of joints than the scene. None of them allocates.
 
+/// Reads the local transform of a joint.
 /// err  SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_pose_get(const sinew_pose* pose, uint32_t joint, sinew_transform* out);
+/// Writes the local transform of a joint.
 /// in   transform  finite, rotation unit;   err  SINEW_INDEX_OUT_OF_RANGE, SINEW_NOT_FINITE
 SINEW_API sinew_error sinew_pose_set(const sinew_pose* pose, uint32_t joint, const sinew_transform* transform);
 

@@ -53,6 +53,7 @@ typedef struct sinew_skeleton_map_options {
   const sinew_pose *source_pose, *target_pose;  ///< read for SINEW_REFERENCE_GIVEN only; copied
 } sinew_skeleton_map_options;
 
+/// Maps the joints of two scenes.
 /// in   source, target  must outlive the map;   options  null = no pairs or chains, SINEW_LIMBS_OF_SOURCE,
 ///                      SINEW_HIPS_BY_HEIGHT, SINEW_REFERENCE_CHOSEN
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (pairs, chains), SINEW_OUT_OF_MEMORY,
@@ -74,6 +75,7 @@ typedef struct sinew_skeleton_map_info {
   uint32_t source_reference, target_reference;  ///< sinew_reference: as requested, or as chosen
   double bone_angle_rad;                        ///< mean angle between bones of both bodies in their reference poses
 } sinew_skeleton_map_info;
+/// Describes a map. The arrays are views into it.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
 

@@ -62,6 +62,7 @@ SINEW_API sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip,
 /// Root motion of one clip of a library, from the keys of its compiled clip. It keeps no reference to scene or library.
 typedef struct sinew_root_track sinew_root_track;
 
+/// Creates the root motion of a library's clip for a scene.
 /// in   library  contains the clip, which is bound to the scene by names as in sinew_plan_create_from_library
 /// err  as sinew_root_place, and SINEW_OUT_OF_MEMORY
 /// cost O(names + clips * (joints + weights + properties) + keys of the joint), allocates
@@ -69,8 +70,10 @@ SINEW_API sinew_error sinew_root_track_create(const sinew_scene* scene, const si
                                               uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out);
 SINEW_API void sinew_root_track_destroy(sinew_root_track* track);
 
+/// Like sinew_root_place, from the track.
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE
 SINEW_API sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out);
+/// Like sinew_root_motion, from the track.
 /// err  SINEW_NULL_ARGUMENT; SINEW_NOT_FINITE and SINEW_UNSUPPORTED for a step that no clock made
 SINEW_API sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step,
                                               sinew_dual_quat* out);

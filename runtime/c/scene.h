@@ -49,6 +49,7 @@ typedef struct sinew_instance {
 
 SINEW_API size_t sinew_instance_count(const sinew_scene* scene);
 SINEW_API size_t sinew_weight_count(const sinew_scene* scene);
+/// Describes a mesh instance.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_get_instance(const sinew_scene* scene, uint32_t instance, sinew_instance* out);
 
@@ -65,6 +66,7 @@ typedef struct sinew_primitive {
   size_t texcoord_count;  ///< number of texture coordinate sets
 } sinew_primitive;
 
+/// Describes a primitive of a mesh.
 /// err  as sinew_get_instance
 SINEW_API sinew_error sinew_get_primitive(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,
                                           sinew_primitive* out);

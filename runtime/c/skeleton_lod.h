@@ -28,6 +28,7 @@ typedef struct sinew_skeleton_lod_info {
   uint32_t worst_joint;  ///< the joint whose vertices moved most; SINEW_NONE = none moved
   double tolerance_m;    ///< the requested limit
 } sinew_skeleton_lod_info;
+/// Describes a skeleton LOD. The array is a view into it.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_skeleton_lod(const sinew_skeleton_lod* lod, sinew_skeleton_lod_info* out);
 

@@ -42,6 +42,7 @@ SINEW_API uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32
 /// `out_of_view` and `asleep` are always those of this frame.
 typedef struct sinew_held_input sinew_held_input;
 
+/// Creates a held input, at first without an input.
 /// in   plan  must outlive the held input
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_held_input_create(const sinew_plan* plan, sinew_held_input** out);
@@ -62,6 +63,7 @@ SINEW_API sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_
 /// Evaluates a character at the frames of its level and interpolates the pose in between, without lag.
 typedef struct sinew_interpolated_input sinew_interpolated_input;
 
+/// Creates an interpolated input, at first without poses.
 /// in   plan  with SINEW_NEED_BETWEEN_UPDATES; must outlive the input
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_IN_NEEDS (another plan), SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out);

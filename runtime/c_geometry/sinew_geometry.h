@@ -18,6 +18,7 @@ typedef struct sinew_geometry_cache sinew_geometry_cache;
 /// or if the bytes are no geometry cache.
 SINEW_API uint64_t sinew_geometry_head_bytes(const void* start, size_t byte_count);
 
+/// Opens a geometry cache.
 /// in   bytes       the whole file, which must outlive the cache and its players; or only its head, for players with a
 ///      reader
 ///      file_bytes  size of the whole file
@@ -45,6 +46,7 @@ typedef struct sinew_geometry_mesh {
   sinew_box bounds;            ///< box around the mesh in all frames
   double asked_m, measured_m;  ///< largest allowed and largest measured distance of a decoded vertex from its place
 } sinew_geometry_mesh;
+/// Describes a mesh of the cache.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, uint32_t mesh,
                                               sinew_geometry_mesh* out);
@@ -95,6 +97,7 @@ SINEW_API sinew_geometry_player_options sinew_default_geometry_player_options(vo
 /// use it while the frame runs.
 typedef struct sinew_geometry_player sinew_geometry_player;
 
+/// Creates a player.
 /// in   cache    must outlive the player;   scene  is not kept;   options  null = the defaults
 /// out  unbound  a sentence for each mesh and instance that does not play; null = not wanted
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (no such instance, primitive or mesh),

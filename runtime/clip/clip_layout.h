@@ -62,6 +62,7 @@ struct JointPlaces {
   std::vector<std::uint32_t> lanes_before;
 
   JointPlaces() = default;
+  /// Makes the map of a block's joints.
   /// in   joints  joint of each lane, increasing, at least one
   explicit JointPlaces(std::span<const std::uint32_t> joints);
 

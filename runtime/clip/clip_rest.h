@@ -29,6 +29,7 @@ class SINEW_API BaseNumbers {
   static constexpr std::size_t kOverrideShare = 16;
 
   BaseNumbers() = default;
+  /// Rest values with some of them overridden.
   /// in   rest  fewer than 2^32 values
   ///      overrides   in any order; if several have the same `at`, the last one counts; those equal to `rest` are
   ///      dropped
@@ -78,6 +79,7 @@ struct ClipRest {
   RestNumbers weights, properties;
 };
 
+/// Makes the rest values of a skeleton, its morph weights and its properties.
 /// cost O(joints + weights + properties), allocates
 SINEW_API ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights,
                              const PropertyTable& properties);

@@ -20,6 +20,7 @@ struct ClipMotion {
   std::vector<bool> joints, weights, numbers;
 };
 
+/// Finds the channels that a clip moves.
 /// in   rest  that the clip was compiled with
 /// cost O(tracks + joints + weights + numbers), allocates
 ClipMotion motion_of(const Clip& clip, const ClipRest& rest);

@@ -15,6 +15,7 @@ struct JointReach {
   double scale = 0.0;        ///< per unit of scale
 };
 
+/// Computes the reach of each joint.
 /// eq   from the tips to the roots: radius[j] = max(|M[j] c - o[j]|, |o[child] - o[j]| + radius[child])
 /// cost O(J), allocates
 std::vector<JointReach> joint_reach(const Animation& animation, const Skeleton& skeleton,

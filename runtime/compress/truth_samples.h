@@ -14,6 +14,7 @@ namespace sinew {
 /// The eight corners of a box in model space, all x, then all y, then all z.
 using BoxCorners = std::array<std::array<double, 8>, 3>;
 
+/// Computes the corners of a joint's box in model space.
 /// eq   M c for each corner c of corners_of(box); the same bits as transform_point
 SINEW_API BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 

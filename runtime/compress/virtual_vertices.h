@@ -21,6 +21,7 @@ struct VirtualVertices {
   std::vector<float> metres_per_weight;
 };
 
+/// Computes the boxes of all joints of a scene.
 /// in   scene  must have passed its checks      cost O(vertices x influences), allocates
 SINEW_API VirtualVertices virtual_vertices(const Scene& scene);
 

@@ -81,6 +81,7 @@ class SINEW_API GeometryCache {
   /// tell; kGeometryFileHead bytes are enough.
   static std::uint64_t head_bytes(std::span<const std::byte> start) noexcept;
 
+  /// Reads and checks the head of a file.
   /// in   head       the file, or its first head_bytes()
   ///      file_size  bytes of the whole file
   /// Any bytes may be passed. Memory stays below 16 MiB and 64 times the head.

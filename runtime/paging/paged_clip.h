@@ -46,10 +46,12 @@ class SINEW_API PagedClip {
                                                   ///< (plan/compile_plan.h); empty = all joints
   };
 
+  /// Checks the numbers of a paged clip before it is constructed.
   /// err  unsupported: no pages, a page length that is not above 0, or a window of fewer than 2 pages. The constructor
   ///      breaks a contract for such numbers
   static ErrorCode check(double page_s, std::size_t page_count, const Options& options) noexcept;
 
+  /// A paged clip without loaded pages.
   /// in   head        first_keys() of the clip, with all joints. Plans are compiled with it, and it is shown while no
   ///                  page is loaded
   ///      page_s, page_count   as in PageTable, page_count > 0

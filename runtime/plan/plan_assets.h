@@ -35,6 +35,7 @@ struct PlanAssets {
   bool leaves_out() const noexcept { return joint_count() < joint_map.size(); }
 };
 
+/// Maps each joint of a scene to a joint that poses keep.
 /// in   mirror  its partners of kept joints are kept too; null = none
 /// out  [J]     cost O(J)
 SINEW_API std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail,

@@ -17,8 +17,10 @@ class SINEW_API ProgramCopy {
  public:
   ProgramCopy(const Plan& plan, std::pmr::memory_resource& memory);
 
+  /// Checks that the program of an input fits into the room of the plan.
   /// err  not_in_needs (more of a list than the needs declare), size_mismatch (poses or masks of another size)
   ErrorCode check_room(const FrameInput& input) const noexcept;
+  /// Copies the program of an input.
   /// in   input  checked by check_room.     cost O(its lists and poses), no allocation
   void assign(const FrameInput& input) noexcept;
   /// Lets `input` refer to the copied program; valid until the next program is assigned.

@@ -47,6 +47,7 @@ struct RetargetTables {
   }
 };
 
+/// Prepares the tables of a job.
 /// cost O(J), allocates
 SINEW_API RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target);
 

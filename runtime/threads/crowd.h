@@ -22,6 +22,7 @@ class Crowd {
   void make_room(std::size_t count);
   /// Copies the roster of a frame, which start() then takes.
   void queue(const Roster& roster);
+  /// Starts the queued frame, whose tasks may then run.
   /// in   number  FrameResult::frame of the results
   void start(std::uint64_t number) noexcept;
 

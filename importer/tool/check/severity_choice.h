@@ -14,6 +14,7 @@ namespace sinew::tool {
 /// Severities of rules that the user changes with --severity.
 class SeverityChoice {
  public:
+  /// Reads the values of --severity.
   /// in    texts   "weights-sum=error", "unused-object=off"; if several name one rule, the last counts
   /// err   a sentence for the user, if there is no such rule or no such severity
   static tl::expected<SeverityChoice, std::string> parse(const std::vector<std::string>& texts);

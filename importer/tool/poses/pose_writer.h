@@ -34,6 +34,7 @@ PoseFormat format_of_name(std::string_view file) noexcept;
 /// True if a format holds deformed vertices, and not only nodes.
 bool holds_vertices(PoseFormat format) noexcept;
 
+/// Makes the writer of a format.
 /// in   scene, out  must outlive the writer
 ///      samples     how many there will be, of all clips together
 std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, std::size_t samples,

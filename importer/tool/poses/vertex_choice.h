@@ -22,6 +22,7 @@ struct VertexChoice {
   std::vector<Influences> influences;       ///< parallel, empty without a skin
 };
 
+/// Chooses the vertices of a primitive.
 /// cost O(V log V)
 VertexChoice choose_vertices(const Primitive& primitive, std::size_t limit);
 

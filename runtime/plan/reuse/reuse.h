@@ -20,6 +20,7 @@ class Reuse {
     const LastInput& input;
   };
 
+  /// For a frame that runs as a whole: compares its input with those of earlier frames.
   /// in   tables  of the frame's memory, which are kept by reference
   ///      last    run into the frame's memory;   before  the character's last run, perhaps the same
   ///      had_it  had_same_input of the last run
