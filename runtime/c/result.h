@@ -38,7 +38,7 @@ SINEW_API sinew_joint_matrices sinew_get_palette(const sinew_result* result, uin
 typedef struct sinew_instance_result {
   size_t struct_size;
   sinew_affine world_from_mesh;  ///< identity for skinned meshes: their vertices are in world space
-  sinew_box bounds;              ///< world space; empty unless asked for
+  sinew_box bounds;              ///< world space; empty unless the needs ask for it
   uint32_t first_shape;          ///< one shape per primitive of its mesh
   uint32_t mirrored;             ///< 1: front faces wind clockwise
   uint32_t visible;              ///< 0: on a hidden joint, or out of view

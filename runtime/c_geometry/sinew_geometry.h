@@ -51,7 +51,7 @@ typedef struct sinew_geometry_mesh {
 SINEW_API sinew_error sinew_geometry_get_mesh(const sinew_geometry_cache* cache, uint32_t mesh,
                                               sinew_geometry_mesh* out);
 
-/// A read that the engine was asked for and has not finished yet.
+/// A read that was requested from the engine and has not finished yet.
 typedef struct sinew_frame_read sinew_frame_read;
 /// Ends a pending read. ok = 1: the bytes have arrived; 0: they could not be read, and the player requests them again
 /// when it needs them. Call it once for each pending read, from any thread.

@@ -112,7 +112,7 @@ inline std::shared_ptr<const Scene> lend(const Scene& scene) noexcept {
 }
 std::shared_ptr<const Scene> lend(const Scene&& scene) = delete;  // a temporary would be destroyed too soon
 
-/// First clip of that name; nothing when there is none.    cost O(clips)
+/// First clip of that name; nullopt if there is none.    cost O(clips)
 SINEW_API std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept;
 
 /// Rest morph weights of all mesh instances, one instance after another.

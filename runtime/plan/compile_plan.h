@@ -40,14 +40,14 @@ struct PrimitivePlan {
 };
 
 /// The evaluation of one scene for given needs: which stages run, and what they do. Immutable. A plan is a handle:
-/// copies share what was compiled, and a FrameBuffer keeps that as long as it lives. All characters that show the scene
-/// share one plan.
+/// copies share the compiled data, and a FrameBuffer keeps these data alive. All characters that show the scene share
+/// one plan.
 /// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan must
 /// not change, with one exception: the caller may add, move and remove clips and animations of a lent scene. The plan
 /// shares the clips themselves. Frames refer to clips by the index that they had when the plan was compiled.
 class SINEW_API Plan {
  public:
-  /// No plan: run_plan answers no_plan, and all other calls but is_compiled() break a contract.
+  /// An empty handle: run_plan returns no_plan for it, and every other function except is_compiled() breaks a contract.
   Plan() noexcept = default;
   explicit Plan(std::shared_ptr<const CompiledPlan> compiled) noexcept : compiled_(std::move(compiled)) {}
 

@@ -58,7 +58,7 @@ inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer>
 struct GeometryInput {
   VertexSource source;  ///< none = the instance does not play
   double time_s = 0.0;  ///< on the source's clock; the caller wraps the time of a loop (playback_clock.h)
-  float weight = 1.0f;  ///< [0, 1]; at 0 the source is not asked for anything
+  float weight = 1.0f;  ///< [0, 1]; at 0 the source is not called
 
   bool plays() const noexcept { return source.is_there() && weight > 0.0f; }
 };

@@ -11,9 +11,9 @@
 
 namespace sinew {
 
-/// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. Empty spans: the attribute
-/// is not deformed or not asked for, use the primitive's own. A morphed primitive whose weights are all zero gives
-/// views of the primitive's own arrays.
+/// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. An empty span means that
+/// the attribute is not deformed or not in the needs: use the primitive's own. A morphed primitive whose weights are
+/// all zero gives views of the primitive's own arrays.
 struct DeformedPrimitive {
   std::uint32_t instance = 0;
   std::uint32_t primitive = 0;

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// A frame's input that owns its arrays, so that it may be run after the caller's arrays are gone.
+/// A frame's input that owns its arrays, so that it may be run after the caller's arrays are destroyed.
 /// owns  copies of all arrays, allocated from `memory` with the room that the plan declares (Needs::in.layer_room).
 ///       Assigning an input that fits into this room allocates nothing
 class InputCopy {

@@ -32,7 +32,7 @@ struct Outputs {
   bool stage_times = false;      ///< the time that each stage takes; reads the clock a few times per frame
   SkeletonLod skeleton_lod = {};  ///< joints that poses leave out
 
-  /// True if anything of the vertices is asked for, not just joints and weights.
+  /// True if the needs ask for vertices, not just for joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 

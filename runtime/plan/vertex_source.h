@@ -17,7 +17,7 @@ enum class VertexSpace : std::uint8_t {
 /// The answer of VertexSource::show: which vertices the source shows for a mesh instance.
 struct ShownVertices {
   bool is_there = false;             ///< the source has vertices to write; false: the instance keeps its pose
-  bool is_late = false;              ///< the frame asked for is not loaded yet: these vertices are older
+  bool is_late = false;              ///< the requested frame is not loaded yet, so these vertices are older
   std::uint64_t moment = 0;          ///< equal numbers mean equal vertices
   Aabb bounds;                       ///< holds all vertices of the instance
   std::uint32_t frames_decoded = 0;  ///< number of frames that this call decoded
@@ -37,7 +37,7 @@ struct SINEW_API VertexSource {
 
   /// Writes the vertices of the last `show`.
   /// out  positions[V]  metres, in the source's space;   normals[V]  unit; empty = not wanted
-  ///      answers true if normals were written; else frames derive them from the triangles
+  ///      returns true if normals were written; else frames derive them from the triangles
   bool (*write)(void* context, std::uint32_t instance, std::uint32_t primitive, std::span<glm::vec3> positions,
                 std::span<glm::vec3> normals) noexcept = nullptr;
 

@@ -45,7 +45,7 @@ class CharacterRegistry {
 
   /// True if every character has a frame buffer to write into; always true for three buffers.
   bool can_write() const noexcept;
-  /// The newest published result, unchanged until asked for again; null before the first.
+  /// The newest published result, unchanged until the next call for the character; null before the first.
   const FrameResult* latest(Id id) noexcept;
 
  private:

@@ -36,7 +36,7 @@ struct JobThreadOptions {
   /// that submits calls it: when characters are added, replaced or removed, and in the destructor.
   std::pmr::memory_resource* frame_memory = nullptr;
   bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
-  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame
+  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit returns busy until the frame
   /// before is finished and latest() has taken its result of every character.
   std::uint8_t frame_buffers = 3;
 };
