@@ -108,7 +108,8 @@ class Import {
     if (options_.thorough) check_declarations(json->root, log_);
     if (!check_entry_bytes(json->root)) return false;
     document_ = read_document(json->root);
-    // Where all errors are told, what depends on a malformed entry is still checked for references of its own.
+    // If all errors are reported, entries that depend on a malformed entry are still checked for bad references of
+    // their own.
     if (!options_.collect_all_errors && !go_on()) return false;
     ReferencedEntries referenced;
     check_references(document_, log_, options_.thorough ? &referenced : nullptr);
@@ -236,7 +237,7 @@ class Import {
       if (const auto found = carried_->json.find(list); found != carried_->json.end())
         for (auto& entry : *found)
           if (const auto uri = entry.find("uri"); uri != entry.end() && is_data_uri(uri->get_ref<const std::string&>()))
-            *uri = "data:";  // drops the long text: its data are decoded already
+            *uri = "data:";  // drops the long text, since its data are decoded already
     carried_->document = std::move(document_);
     return carried_;
   }

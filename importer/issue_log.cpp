@@ -96,7 +96,7 @@ ImportError IssueLog::take_error(std::string file) {
       error.more_errors.push_back(std::move(issue));
   }
   issues_.clear();
-  if (first && !error.more_errors.empty()) {  // every fatal one is muted: it follows from one that was survived
+  if (first && !error.more_errors.empty()) {  // fatal errors are muted: they follow from survived ones
     error.issue = std::move(error.more_errors.front());
     error.more_errors.erase(error.more_errors.begin());
   }

@@ -25,6 +25,7 @@ class IssueLog {
   /// in    listed   number of issues kept for each rule and severity; further ones are only counted
   explicit IssueLog(std::size_t listed = kMaxPerRule) : listed_(listed) {}
 
+  /// Reports that the file breaks a rule, with the severity of the rule.
   /// in    json_pointer   location, such as "/accessors/3/count"; empty for the whole file
   ///       detail         the violation, with its numbers
   void report(Rule rule, std::string json_pointer, std::string detail);

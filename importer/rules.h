@@ -18,10 +18,9 @@ enum class Rule : std::uint8_t {
 
 /// The fate of a file that breaks a rule.
 /// - refused: the import fails.
-/// - refused_or_left_out: where only animation channels need the broken part, these are left out; else the import
-/// fails.
+/// - refused_or_left_out: if only animation channels need the broken part, they are left out; else the import fails.
 /// - left_out: the scene is made without the broken part.
-/// - repaired_or_left_out: the part is repaired where that takes no guess, else left out.
+/// - repaired_or_left_out: the part is repaired if that takes no guess, else left out.
 /// - repaired: other values are used, as the sentence of the rule says.
 /// - named: the file is read as it is.
 enum class Consequence : std::uint8_t { refused, refused_or_left_out, left_out, repaired_or_left_out, repaired, named };

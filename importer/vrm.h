@@ -11,7 +11,7 @@ namespace sinew {
 
 /// A morph weight that an expression sets. Weights of active expressions add up.
 struct VrmMorphBind {
-  std::uint32_t instance = kNone;  ///< into Scene::instances
+  std::uint32_t instance = kNone;  ///< index into Scene::instances
   std::uint32_t target = 0;
   float weight = 1.0f;  ///< 0 to 1
 };
@@ -36,8 +36,8 @@ struct VrmCollider {
   enum class Kind : std::uint8_t { sphere, capsule, plane };
   Kind kind = Kind::sphere;
   std::uint32_t joint = kNone;
-  glm::vec3 offset_m{0.0f}, tail_m{0.0f};  ///< in the joint's space
-  glm::vec3 normal{0.0f, 1.0f, 0.0f};      ///< plane only
+  glm::vec3 offset_m{0.0f}, tail_m{0.0f};  ///< positions in the joint's space
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};      ///< used by planes only
   float radius_m = 0.0f;
   bool inside = false;  ///< sphere or capsule: keeps the tails inside instead of outside
 };
@@ -53,7 +53,7 @@ struct VrmSpring {
   std::string name;
   std::uint32_t center = kNone;  ///< reference joint: moving with it causes no swing; kNone = world space
   std::vector<VrmSpringJoint> joints;
-  std::vector<std::uint32_t> colliders;  ///< into VrmCharacter::colliders
+  std::vector<std::uint32_t> colliders;  ///< indices into VrmCharacter::colliders
 };
 
 /// A joint whose rotation follows another one (VRMC_node_constraint).

@@ -15,6 +15,7 @@ namespace sinew {
 Skeleton build_skeleton(const gltf::Document& document, const JointOrder& order, const std::vector<bool>& animated,
                         IssueLog& log);
 
+/// Finds the nodes that an animation moves.
 /// out   [N]   true if a channel animates the node's translation, rotation or scale
 std::vector<bool> find_animated_nodes(const gltf::Document& document);
 

@@ -9,8 +9,8 @@ namespace sinew {
 
 /// The nodes of a document in skeleton order: breadth-first, roots first, children in file order.
 struct JointOrder {
-  std::vector<std::uint32_t> node_of_joint;  ///< [N]
-  std::vector<std::uint32_t> joint_of_node;  ///< [N]
+  std::vector<std::uint32_t> node_of_joint;  ///< [N] node of each joint
+  std::vector<std::uint32_t> joint_of_node;  ///< [N] joint of each node
   std::vector<std::uint32_t> parents;        ///< [N] joint of the parent, kNone for a root
   std::vector<std::uint32_t> level_begin;    ///< [depth + 1] first joint of each depth, last entry = N
   std::vector<std::uint32_t> root_of_node;   ///< [N] root of each node's tree

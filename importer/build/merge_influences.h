@@ -13,7 +13,7 @@ namespace sinew {
 /// The cleaned influences of every vertex: sorted by decreasing weight, then increasing joint. No weight is zero, no
 /// joint occurs twice, the sum is 1.
 struct MergedInfluences {
-  std::vector<std::uint32_t> first;  ///< [V + 1] into the arrays below
+  std::vector<std::uint32_t> first;  ///< [V + 1] index of each vertex's first influence in the arrays below
   std::vector<std::uint16_t> joints;
   std::vector<float> weights;
 };

@@ -13,7 +13,7 @@ typedef struct sinew_import_options {
   uint32_t decode_images;             ///< 1 or 0
   uint32_t make_normals;              ///< make flat normals where triangles have none
   uint32_t make_tangents;             ///< make tangents where a normal map needs them
-  uint32_t make_centers_of_rotation;  ///< for SINEW_SKIN_CENTER_OF_ROTATION; may take seconds
+  uint32_t make_centers_of_rotation;  ///< needed for SINEW_SKIN_CENTER_OF_ROTATION; may take seconds
   uint64_t max_file_bytes;
   uint64_t max_unpacked_bytes;
 } sinew_import_options;

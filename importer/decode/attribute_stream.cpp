@@ -17,9 +17,9 @@ using Bytes = std::span<const std::byte>;
 constexpr std::size_t kGroup = 16;           ///< differences per packed group
 constexpr std::size_t kMostElements = 256;   ///< elements per block
 constexpr std::size_t kBlockBytes = 8192;    ///< decoded bytes per block
-constexpr std::size_t kSmallestTail = 24;    ///< bytes
+constexpr std::size_t kSmallestTail = 24;    ///< bytes at the end of every stream, at least
 constexpr std::size_t kChannelBytes = 4;     ///< bytes of an element that share a mode
-constexpr std::size_t kLargestStride = 256;  ///< bytes
+constexpr std::size_t kLargestStride = 256;  ///< bytes per element, at most
 constexpr std::uint8_t kVersion = 0xa1;
 
 /// Storage of one byte position in a block.

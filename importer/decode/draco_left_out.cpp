@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Instead of decode_draco.cpp in builds without SINEW_DRACO.
+// Compiled instead of decode_draco.cpp in builds without SINEW_DRACO.
 #include "importer/decode/decode_draco.h"
 #include "importer/decode/mend_decoded.h"
 #include "importer/file/json_pointer.h"

@@ -14,14 +14,14 @@ namespace {
 
 using gltf::Json;
 
-/// Broken entries of a list, as one mark for each entry.
+/// The broken entries of a list: one mark for each entry.
 class Marks {
  public:
   Marks(std::size_t count, const std::set<std::uint32_t>& broken) : marks_(count, false) {
     for (const std::uint32_t index : broken)
       if (index < count) marks_[index] = true;
   }
-  /// False for absent and for missing entries.
+  /// True if the index is in range and its entry is marked.
   template <class Index>
   bool holds(Index index) const {
     return static_cast<std::uint32_t>(index) < marks_.size() && marks_[static_cast<std::uint32_t>(index)];
@@ -32,7 +32,7 @@ class Marks {
   std::vector<bool> marks_;
 };
 
-/// The index at `place` of an extension; kNone where there is none.
+/// The index at `place` of an extension; kNone if there is none.
 std::uint32_t find_index(const Json& extension, const char* place) {
   const auto found = extension.is_object() ? extension.find(place) : extension.end();
   return extension.is_object() && found != extension.end() && found->is_number_unsigned() && *found < kNone
@@ -73,7 +73,7 @@ Marks broken_accessors(const gltf::Document& d, const BrokenStores& broken, cons
   return accessors;
 }
 
-/// True if each broken store is read by a sampler, or lies in another broken store.
+/// True if a sampler reads each broken entry, or if the entry lies in another broken one.
 bool samplers_read_all(const gltf::Document& d, const BrokenStores& broken) {
   std::set<std::uint32_t> accessors, views, buffers;
   for (const gltf::Animation& animation : d.animations)

@@ -80,7 +80,7 @@ inline PrimitiveMode mode_of(const Primitive& primitive) noexcept { return stati
 
 struct Mesh : tinygltf::Mesh {
   std::vector<Primitive> primitives;      ///< hides tinygltf's member, which stays empty
-  std::vector<std::string> target_names;  ///< extras.targetNames
+  std::vector<std::string> target_names;  ///< from extras.targetNames
 };
 
 struct Node : tinygltf::Node {
@@ -116,7 +116,7 @@ struct Document {
   std::vector<tinygltf::Camera> cameras;
   std::vector<tinygltf::Scene> scenes;
   std::uint32_t scene = kNone;
-  Json extensions;  ///< of the root object, such as KHR_lights_punctual
+  Json extensions;  ///< extensions of the root object, such as KHR_lights_punctual
 
   /// Owns the memory that `Bytes` members point into, except the file itself: external files, data URIs, decoded views.
   /// A deque, because its entries do not move when it grows.

@@ -105,7 +105,7 @@ std::optional<std::string_view> stand_in(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// A ZIP archive, by the name of its first entry, which bytes 26 to 30 announce.
+/// Describes a ZIP archive by the name of its first entry. Bytes 26 to 30 have the length of that name.
 std::string describe_zip(std::string_view file) {
   const auto name = file.substr(std::min<std::size_t>(file.size(), 30), 200);
   if (name.find(".usdc") < 100 || name.find(".usda") < 100) return std::string("a USDZ model; ").append(kViaBlender);

@@ -20,8 +20,8 @@ std::uint32_t read_u32(Bytes bytes, std::size_t at) {
   return value;
 }
 
-/// True if the head holds the UTF-8 sign for bytes that are no text (U+FFFD). A length of that value means more than
-/// 180 MB.
+/// True if the head contains U+FFFD, the UTF-8 sign for bytes that are no text: the file was converted as if it were
+/// text. As a length these bytes would mean more than 180 MB.
 bool was_converted(Bytes file) noexcept {
   for (std::size_t at = 8; at + 3 <= std::min<std::size_t>(file.size(), 20); ++at)
     if ((read_u32(file, at - 1) >> 8) == 0xBDBFEF) return true;
@@ -55,14 +55,14 @@ struct Chunk {
   Bytes data;
 };
 
-/// True if the bytes there can be a chunk: BIN, inside the file.
+/// True if the bytes at `at` can be a chunk: BIN, and inside the file.
 bool looks_like_bin(Bytes file, std::size_t at) noexcept {
   return at < file.size() && file.size() - at >= 8 && read_u32(file, at + 4) == kBin &&
          read_u32(file, at) <= file.size() - at - 8;
 }
 
-/// Finds where the chunk begins that follows an unaligned one: at its end, or after padding that its length leaves out.
-/// in   end   of the unaligned chunk
+/// Finds the begin of the chunk after an unaligned one: at its end, or after padding that its length leaves out.
+/// in   end   end of the unaligned chunk
 std::size_t find_next_chunk(Bytes file, std::size_t end) noexcept {
   const std::size_t aligned = (end + 3) / 4 * 4;
   if (aligned >= file.size()) return file.size();

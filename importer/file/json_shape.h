@@ -19,7 +19,8 @@ struct JsonObjectShape;
 
 struct JsonValueShape {
   JsonKind kind;
-  double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();  ///< numbers
+  /// For numbers: their allowed range.
+  double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();
   std::span<const std::string_view> words{};  ///< strings: allowed values; empty = any
   std::span<const std::int64_t> numbers{};    ///< integers: allowed values; empty = any
   const JsonObjectShape* object = nullptr;    ///< objects: schema; null = any content

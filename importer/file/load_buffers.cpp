@@ -96,7 +96,7 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
     return report_missing(buffer, use, place, "has no uri and the file has no BIN chunk for it", log);
   }
   if (bytes.size() < buffer.byte_length) {
-    buffer.bytes = bytes;  // views inside them are sound
+    buffer.bytes = bytes;  // a view whose bytes are inside them is sound
     return log.report(Rule::buffer_short, place,
                       std::to_string(buffer.byte_length) + " bytes, there are " + std::to_string(bytes.size()));
   }

@@ -77,7 +77,7 @@ std::optional<BrokenPlace> parse_place(std::string_view place) {
   return out;
 }
 
-/// Marks all entries that use a broken entry, then empties all marked entries. Visits each list once.
+/// Marks all entries that use a broken entry, then empties all marked entries. Each list is visited once.
 class Emptying {
  public:
   Emptying(Document& document, Quarantine::Broken& broken, IssueLog& log)
@@ -85,7 +85,7 @@ class Emptying {
 
   void run() {
     for (auto& buffer : marked(d_.buffers, Quarantine::buffers)) {
-      if (!buffer->bytes.empty()) continue;  // too short: views inside its bytes are sound
+      if (!buffer->bytes.empty()) continue;  // the buffer is only too short: a view inside its bytes is sound
       buffer->placeholder = true;
       buffer->byte_length = 0;
       buffer->bytes = {};
@@ -179,7 +179,7 @@ class Emptying {
         log_.mute(pointer("skins", s, "inverseBindMatrices"));
         d_.skins[s].inverseBindMatrices = gltf::kAbsent;
       }
-      // Emptied nodes cut trees apart.
+      // Emptied nodes cut trees apart, so that joints of a skin seem to have no common root.
       if (!broken_[Quarantine::nodes].empty()) log_.mute(pointer("skins", s, "joints"));
     }
     for (auto& skin : marked(d_.skins, Quarantine::skins)) *skin = {};
@@ -340,7 +340,7 @@ bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
   return true;
 }
 
-/// Takes a document without a valid `asset` for glTF 2.0.
+/// Treats a document without a valid `asset` as glTF 2.0.
 void Quarantine::replace_asset(JsonTree& document) const {
   while (document.root.RemoveMember("asset")) {
   }

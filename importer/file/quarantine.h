@@ -41,7 +41,7 @@ class Quarantine {
   /// True if nothing is broken so far.
   bool empty() const noexcept;
 
-  /// True if only animations are broken, and data. Data may be read by other parts of a document, too.
+  /// True if only animations and data (buffers, views, accessors) are broken. Other parts may read the same data.
   bool holds_only_animations_and_data() const noexcept;
 
   /// True if the scene is sound without the animation channels that are broken or read broken data. Call between mark()
@@ -83,7 +83,7 @@ class Quarantine {
   void replace_parts(JsonTree& document, IssueLog& log) const;
 
   Broken broken_;
-  bool others_emptied_ = false;  ///< earlier steps emptied what read broken data
+  bool others_emptied_ = false;  ///< earlier steps emptied entries that read broken data
 };
 
 }  // namespace sinew

@@ -39,7 +39,7 @@ tl::unexpected<FileFault> absolute_fault() {
                "the URI is not relative; name the file by its path from the folder of this file");
 }
 
-/// Names the scheme. A single letter is no scheme but a drive of Windows.
+/// Names the scheme. A single letter is not a scheme but a Windows drive.
 tl::unexpected<FileFault> scheme_fault(std::string_view uri) {
   const std::string scheme(uri.substr(0, uri.find(':') + 1));
   if (scheme.size() == 2)

@@ -57,7 +57,7 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
 /// Quantization grid of a stream.
 struct Grid {
   float step = 0.0f;
-  double reach = 0.0;  // in steps
+  double reach = 0.0;  // largest error of a decoded value, in steps
 };
 
 /// The coarsest grid that meets the error budget: half the diagonal of a cell equals the budget minus float rounding.

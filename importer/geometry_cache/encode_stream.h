@@ -24,6 +24,7 @@ inline constexpr int kFrameZstdLevel = 1, kDirectoryZstdLevel = 19;
 std::uint32_t store_bytes(std::span<const std::uint8_t> bytes, std::vector<std::byte>& out,
                           int zstd_level = kFrameZstdLevel);
 
+/// Encodes one attribute of a mesh over all frames.
 /// in   step      grid step, in the unit of the values
 ///      reach     largest error of a decoded value, in steps
 /// cost some microseconds per point and frame

@@ -12,7 +12,7 @@ namespace sinew {
 /// One vertex attribute of a mesh over all frames.
 struct TakeStream {
   GeometryKind kind = GeometryKind::positions;
-  std::vector<std::vector<glm::vec3>> frames;  ///< [frames][vertices]
+  std::vector<std::vector<glm::vec3>> frames;  ///< [frames][vertices] values in each frame
   double budget =
       1e-4;  ///< largest error of a decoded value: metres for positions, vector length for normals and colours
 };

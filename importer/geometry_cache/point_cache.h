@@ -14,7 +14,7 @@ namespace sinew {
 
 /// Point positions over time, without the mesh.
 struct PointCache {
-  std::vector<std::vector<glm::vec3>> frames;  ///< [frames][points]
+  std::vector<std::vector<glm::vec3>> frames;  ///< [frames][points] positions in metres
   double start_s = 0.0, frame_s = 1.0 / 30.0;
 
   std::size_t point_count() const noexcept { return frames.empty() ? 0 : frames[0].size(); }

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-/// Calls of the operating system about files: files_posix.cpp, and its twin files_windows.cpp. Files are descriptors of
-/// the C library, as zlib takes them; none translates ends of lines. Where a call fails, errno says why.
+/// Calls of the operating system about files, in files_posix.cpp and files_windows.cpp. Files are descriptors of the C
+/// library, as zlib takes them. No call translates line ends. If a call fails, errno says why.
 namespace sinew::platform {
 
 /// Convert between paths and texts in UTF-8. std::filesystem::path reads a std::string in the code page of Windows,
@@ -21,13 +21,14 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {text.begin(), text.end()};
 }
 
-/// Names a file on the disk, whatever its path: device and number of its entry.
+/// Identifies a file on the disk, whatever its path: the numbers of its device and of its entry there.
 using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;
 
-/// Does not wait for the other end of a pipe and does not take over a terminal.   out   a descriptor, or -1
+/// Opens a file to read. Does not wait for the other end of a pipe and does not take over a terminal.   out   a
+/// descriptor, or -1
 int open_to_read(const std::filesystem::path& path) noexcept;
 
-/// Fails where the file exists.   out   a descriptor, or -1
+/// Creates a file to write. Fails if the file exists.   out   a descriptor, or -1
 int create_new(const std::filesystem::path& path) noexcept;
 /// Opens an existing pipe, terminal or device to write.   out   a descriptor, or -1
 int open_to_write(const std::filesystem::path& path) noexcept;
@@ -37,15 +38,15 @@ int open_temporary();
 int duplicate(int descriptor) noexcept;
 void close(int descriptor) noexcept;
 
-/// Returns the size of a regular file, and no value for folders, pipes and devices.
+/// Returns the size of a regular file; empty for folders, pipes and devices.
 std::optional<std::uint64_t> regular_size(int descriptor) noexcept;
 FileIdentity identity_of(int descriptor) noexcept;
-/// Returns no value if no file has this name.
+/// Returns the identity of the file with this name; empty if there is none.
 std::optional<FileIdentity> identity_at(const std::filesystem::path& path) noexcept;
 
-/// Fills `out` from where the last call ended.   out   false where the file ends early
+/// Fills `out` with the next bytes of the file.   out   false if the file ends before `out` is full
 bool read_all(int descriptor, std::span<std::byte> out) noexcept;
-/// Reads once.   out   bytes read, 0 at the end, nothing on failure
+/// Reads once, up to the size of `out`.   out   number of bytes, 0 at the end, empty on failure
 std::optional<std::size_t> read_some(int descriptor, std::span<std::byte> out) noexcept;
 bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept;
 /// Waits until the disk has all bytes that were written.

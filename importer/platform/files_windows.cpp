@@ -108,7 +108,7 @@ bool remove(const std::filesystem::path& path) noexcept { return ::_wunlink(path
 
 bool rename_over(const std::filesystem::path& from, const std::filesystem::path& to) noexcept {
   if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return true;
-  errno = EACCES;  // callers read errno
+  errno = EACCES;  // errno is what callers read
   return false;
 }
 

@@ -7,8 +7,8 @@
 
 #include <tl/expected.hpp>
 
-/// Calls of the operating system about this process and its machine: program_posix.cpp, and its twin
-/// program_windows.cpp. All texts are UTF-8.
+/// Calls of the operating system about this process and its machine, in program_posix.cpp and program_windows.cpp. All
+/// texts are UTF-8.
 namespace sinew::platform {
 
 inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2;  ///< descriptors
@@ -23,7 +23,7 @@ std::vector<std::string> arguments_of(int argc, const char* const* argv);
 /// Reads an environment variable.   out   empty if it is not set
 std::string environment_variable(const char* name);
 
-/// Tells whether a descriptor is a terminal, on Windows one that takes escape sequences. Files and pipes are none.
+/// True if a descriptor is a terminal, on Windows one that takes escape sequences. False for files and pipes.
 bool is_terminal(int descriptor) noexcept;
 
 std::uint64_t process_number() noexcept;
@@ -39,11 +39,11 @@ std::string program_file(const std::string& name);
 
 /// Runs a program and waits for its end. It inherits the environment; its stderr is discarded.
 /// out  its stdout
-/// err  a sentence for the user, where it cannot be started or does not end with status 0
+/// err  a sentence for the user, if the program cannot be started or does not end with status 0
 tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
                                                  const std::vector<std::string>& arguments);
 
-// Facts that reports show; "unknown" where the system does not tell.
+// Facts for reports; "unknown" if the system does not tell.
 std::string processor_name();
 std::string system_name();
 std::string load_average();

@@ -32,7 +32,7 @@ std::wstring wide(std::string_view text) {
 }
 
 std::wstring wide_variable(const wchar_t* name) {
-  std::wstring out(::GetEnvironmentVariableW(name, nullptr, 0), L'\0');  // with the zero at its end
+  std::wstring out(::GetEnvironmentVariableW(name, nullptr, 0), L'\0');  // room for the zero at the end, too
   out.resize(::GetEnvironmentVariableW(name, out.data(), static_cast<DWORD>(out.size())));
   return out;
 }

@@ -16,8 +16,8 @@ namespace sinew {
 struct ElementLayout {
   std::uint32_t rows = 1, columns = 1;  ///< a vector is one column
   std::uint32_t component_bytes = 4;
-  std::uint32_t column_bytes = 4;   ///< with padding
-  std::uint32_t element_bytes = 4;  ///< with padding
+  std::uint32_t column_bytes = 4;   ///< bytes of a column, including its padding
+  std::uint32_t element_bytes = 4;  ///< bytes of an element, including its padding
 
   std::uint32_t components() const noexcept { return rows * columns; }
 };

@@ -20,7 +20,7 @@ enum class AnimatedProperty : std::uint8_t { translation, rotation, scale, weigh
 /// Target of a channel.
 struct ChannelTarget {
   AnimatedProperty property = AnimatedProperty::translation;
-  std::uint32_t node = kNone;     ///< for mesh_weights: the mesh
+  std::uint32_t node = kNone;     ///< index of the node; for mesh_weights, that of the mesh
   std::uint32_t element = kNone;  ///< index of a single weight; kNone = all weights
   PropertyTarget pointed = {};    ///< for AnimatedProperty::pointed, with the file's index
 
@@ -44,7 +44,7 @@ std::optional<ChannelTarget> read_channel_target(const gltf::Document& document,
 struct SamplerData {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s;
-  std::vector<float> values;  ///< [K * components] or [K * 3 * components] for cubic_spline
+  std::vector<float> values;  ///< [K * components], or [K * 3 * components] for cubic_spline, with tangents
 };
 
 /// Reads the sampler of a channel and checks it against the animated property.

@@ -11,8 +11,8 @@ namespace sinew {
 /// cost     O(elements), bounded
 void check_unused_accessors(const gltf::Document& document, IssueLog& log);
 
-/// Checks samplers of animations that no channel uses, as far as no target is needed: key times, and the number and
-/// values of the keys.
+/// Checks samplers of animations that no channel uses. Without a channel there is no target, so only key times and the
+/// number and values of the keys are checked.
 /// in       accessors fit their views
 /// warning  animation-input, animation-output, animation-times, animation-values, animation-no-keys
 /// cost     O(elements), bounded

@@ -29,7 +29,7 @@ void split_cubic(KeyRow a, KeyRow a_out, KeyRow b_in, KeyRow b, double u, double
   }
 }
 
-/// Scales a rotation to unit length, as keys have it, and its slope with it.
+/// Scales a rotation to unit length, as keys must have, and its slope with it.
 void make_unit(std::vector<float>& value, std::vector<float>& slope) {
   double square = 0.0;
   for (const float v : value) square += static_cast<double>(v) * static_cast<double>(v);
@@ -78,7 +78,7 @@ std::size_t cut_before_zero(SamplerData& data, bool rotation) {
       key = split_line(row(last), row(before), u, rotation);
     }
   }
-  const std::size_t cut = key.empty() ? before : last;  // a key at 0 takes the place of the last one before
+  const std::size_t cut = key.empty() ? before : last;  // a key at 0 replaces the last key before 0
   times.erase(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(cut));
   data.values.erase(data.values.begin(), data.values.begin() + static_cast<std::ptrdiff_t>(cut * rows * width));
   if (!key.empty()) {

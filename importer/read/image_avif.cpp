@@ -14,8 +14,9 @@
 namespace sinew {
 namespace {
 
-/// The functions of libavif that are called. With its encoders it loads 26 libraries, which takes 4 ms of each start.
-/// So where SINEW_AVIF_LIBRARY names it, it is loaded with the first AVIF image; elsewhere it is linked.
+/// The functions of libavif that are called. The library and its encoders load 26 libraries, which takes 4 ms of each
+/// program start. So if SINEW_AVIF_LIBRARY names the library, it is loaded with the first AVIF image; otherwise it is
+/// linked.
 struct Avif {
   decltype(&avifPeekCompatibleFileType) peek_type;
   decltype(&avifDecoderCreate) create;
@@ -35,7 +36,7 @@ bool find(void* library, const char* name, Function& function) {
   return function != nullptr;
 }
 
-/// out   null if the library is not installed
+/// The loaded library.     out   null if it is not installed
 const Avif* avif() {
   static const std::unique_ptr<Avif> loaded = [] {
     auto out = std::make_unique<Avif>();
@@ -60,7 +61,7 @@ const Avif* avif() {
 }
 #endif
 
-/// The files of libavif begin with a box of this name; others do not load the library.
+/// True if the file begins with a box of this name, as AVIF files do. Only such files load the library.
 bool has_file_type_box(std::span<const std::byte> encoded) {
   return encoded.size() >= 12 && std::memcmp(encoded.data() + 4, "ftyp", 4) == 0;
 }

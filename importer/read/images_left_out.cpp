@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Instead of image_jpeg.cpp, image_webp.cpp and image_avif.cpp in builds without SINEW_IMAGE_CODECS: these formats are
-// recognised, and probe_image() says why they cannot be read.
+// Compiled instead of image_jpeg.cpp, image_webp.cpp and image_avif.cpp in builds without SINEW_IMAGE_CODECS. These
+// formats are recognised, and probe_image() says why they cannot be read.
 #include <algorithm>
 #include <string_view>
 

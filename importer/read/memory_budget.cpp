@@ -139,7 +139,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
   add_products(document, users, budget);
   for (const auto& animation : document.animations)
     for (const auto& channel : animation.channels) {
-      if (channel.sampler == kNone) continue;  // left out
+      if (channel.sampler == kNone) continue;  // the channel was left out
       budget.add(animation.samplers[channel.sampler].input, users.of(channel));
       budget.add(animation.samplers[channel.sampler].output, users.of(channel));
     }

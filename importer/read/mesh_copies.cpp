@@ -31,7 +31,7 @@ class CopyReader {
       if (name.starts_with('_')) continue;
       const std::vector<float> numbers =
           read_finite<float>(document_, accessor, pointer(place_, pointer_token(name)), log_);
-      if (numbers.empty() && !copies.empty()) return std::nullopt;  // not finite
+      if (numbers.empty() && !copies.empty()) return std::nullopt;  // some number is not finite
       if (name == "ROTATION")
         fill_rotations(copies, numbers);
       else

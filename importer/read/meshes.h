@@ -13,7 +13,7 @@ namespace sinew {
 
 /// One JOINTS_n / WEIGHTS_n pair, with four entries for each vertex.
 struct InfluenceSet {
-  std::uint32_t number;  ///< n
+  std::uint32_t number;  ///< the n of JOINTS_n
   std::vector<std::uint32_t> joints;
   std::vector<float> weights;
 };

@@ -24,6 +24,7 @@ class RotationTally {
  public:
   void add(double length) noexcept;
 
+  /// Reports each kind of invalid rotation once, with its count.
   /// in       one, many   nouns for the report: "a rotation key", "rotation keys"
   /// warning  rotation-zero, rotation-length (if beyond the rounding of normalised integers)
   void report(const std::string& place, const char* one, const char* many, IssueLog& log) const;

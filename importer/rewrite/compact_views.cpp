@@ -14,7 +14,7 @@
 namespace sinew::rewrite {
 namespace {
 
-/// Bytes of a view that accessors name, and their place in the new view.
+/// Bytes of a view that accessors use, and their place in the new view.
 struct Range {
   std::size_t begin = 0, end = 0, to = 0;
 };
@@ -26,7 +26,7 @@ std::size_t size_of(const Json& accessor) {
   return accessor["count"].get<std::size_t>() * component_count(accessor) * component_bytes(type);
 }
 
-/// The ranges of all accessors of a view, those that overlap as one, each in its place.
+/// The ranges of all accessors of a view. Ranges that overlap become one.
 std::vector<Range> ranges_of(const std::vector<std::uint32_t>& users, const Json& accessors) {
   std::vector<Range> all;
   for (const std::uint32_t user : users) {

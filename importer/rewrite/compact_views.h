@@ -7,8 +7,8 @@
 
 namespace sinew::rewrite {
 
-/// Drops the bytes of views that none of their accessors names any more. Unchanged are views with a byteStride or an
-/// extension, views that something else than an accessor uses, and views that share bytes with another view.
+/// Drops the bytes of views that no accessor uses any more. Views with a byteStride or an extension stay unchanged. So
+/// do views that something else than an accessor uses, and views that share bytes with another view.
 /// in    views  that lost an accessor
 /// cost  O(accessors + bytes of the views)
 void compact_views(const std::set<std::uint32_t>& views, Draft& draft);

@@ -60,7 +60,8 @@ class KeyWriter {
   std::vector<std::byte> integers_;
   std::vector<std::uint32_t> accessors_, integer_accessors_;
   std::map<std::vector<float>, std::uint32_t> times_;
-  std::map<std::pair<std::size_t, std::vector<float>>, std::uint32_t> values_;  ///< by components and values
+  /// Accessors that were written, by number of components and values
+  std::map<std::pair<std::size_t, std::vector<float>>, std::uint32_t> values_;
 };
 
 }  // namespace sinew::rewrite

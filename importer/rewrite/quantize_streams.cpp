@@ -82,11 +82,11 @@ class Quantizer {
     set_normalized(accessor, fine ? kUnsignedShort : kUnsignedByte);
   }
 
-  /// Components of each accessor of weights that became 0: four for each vertex.
+  /// For each accessor of weights, the components that became 0. Each vertex has four components.
   const std::map<std::uint32_t, std::vector<std::size_t>>& zeroed() const { return zeroed_; }
 
   /// in   interpolated   false for CUBICSPLINE, whose tangents are not unit vectors
-  ///      aims           of a node with a camera or a light, or above one
+  ///      aims           the keys turn a node with a camera or a light, or a node above one
   void keys(Stream& stream, Json& accessor, bool rotation, bool interpolated, bool aims) {
     if (accessor["componentType"] != kFloat) return;
     const std::size_t n = component_count(accessor);
@@ -206,7 +206,7 @@ std::set<std::uint32_t> single_weights(Draft& draft) {
 /// Kinds of key values in the outputs of all animation samplers.
 struct KeyKinds {
   std::set<std::uint32_t> rotations, others, cubic;
-  std::set<std::uint32_t> aims;  ///< of nodes with a camera or a light, or above one
+  std::set<std::uint32_t> aims;  ///< outputs that turn nodes with a camera or a light, or nodes above one
 };
 
 /// The nodes with a camera or a light, and all nodes above them.
@@ -255,7 +255,8 @@ void renew_bounds(const Stream& stream, Json& accessor) {
 
 /// Lets weights that became 0 name joint 0, as glTF asks. Joints that primitives share with different weights stay.
 void clear_joints(const std::map<std::uint32_t, std::vector<std::size_t>>& zeroed, Streams& streams, Draft& draft) {
-  std::map<std::uint32_t, std::set<std::uint32_t>> weights_of;  // of each accessor of joints
+  // The accessors of weights that are used with each accessor of joints
+  std::map<std::uint32_t, std::set<std::uint32_t>> weights_of;
   for (const Json& mesh : list_of(draft, "meshes"))
     for (const Json& primitive : mesh["primitives"]) {
       const Json& attributes = primitive["attributes"];

@@ -8,8 +8,8 @@ namespace sinew::rewrite {
 
 /// Bits of quantized values. The defaults are those of gltfpack where it has the same option.
 struct QuantizeBits {
-  int positions = 15;  ///< of each vertex's largest coordinate, including the sign; compressed files only
-  int normals = 8;     ///< per coordinate
+  int positions = 15;  ///< of the largest coordinate of each vertex, including the sign; compressed files only
+  int normals = 8;     ///< of each coordinate
   int texcoords = 12;
   bool keys = true;                           ///< false: keys stay floats
   int rotations = 12;                         ///< per component of a key

@@ -94,8 +94,8 @@ void add_channels(const gltf::Document& document, const Scene& scene, const NewK
   }
 }
 
-/// The bytes of new keys whose values are all among the old ones, in an accessor of normalised integers.
-/// in   before, after   keys of the channel; `before` are those of the accessor
+/// The bytes of new keys in an accessor of normalised integers, if each new value is also an old value.
+/// in   before, after   keys of the channel; the accessor has the keys `before`
 std::optional<StoredValues> stored_as_before(const Keys& before, const Keys& after, const Json& accessor,
                                              Draft& draft) {
   const int type = accessor["componentType"];
@@ -128,7 +128,7 @@ std::optional<StoredValues> stored_as_before(const Keys& before, const Keys& aft
   return out;
 }
 
-/// New keys of a channel, and those that it has.
+/// The new keys of a channel, and its old keys.
 struct ChangedKeys {
   Keys after;
   std::optional<Keys> before;

@@ -12,7 +12,7 @@
 namespace sinew::rewrite {
 namespace {
 
-/// All uses of an accessor, reduced to the first one and whether all others are equal.
+/// All uses of an accessor: the first one, and a flag that tells if all others are the same.
 struct Use {
   StreamUse use;
   std::string semantic;
@@ -105,7 +105,7 @@ struct Group {
   StreamUse use;
   std::size_t stride;
   Filter filter;
-  int component_type;  ///< for indices and keys
+  int component_type;  ///< set for indices and keys only
   auto operator<=>(const Group&) const = default;
 };
 

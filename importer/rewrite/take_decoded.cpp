@@ -10,7 +10,7 @@ namespace sinew::rewrite {
 namespace {
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
-constexpr int kVertices = 34962, kIndices = 34963;  // bufferView.target
+constexpr int kVertices = 34962, kIndices = 34963;  // values of bufferView.target
 
 const char* const kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 

@@ -94,7 +94,7 @@ std::vector<double> changes_of(const Skinned& skinned) {
 }
 
 /// Adds the vertices of one pose to the box.
-/// out  the farthest that any vertex moves
+/// out  the largest distance by which rounded weights move a vertex
 double move_of(const Skinned& skinned, const Skin& skin, const std::vector<double>& changes,
                const std::vector<Affined>& model, Aabb* box) {
   std::vector<Affined> palette;

@@ -9,8 +9,7 @@
 
 namespace sinew::rewrite {
 
-/// The largest part of the model's size by which weights of 8 bits may move a vertex. Weights that would move one
-/// farther get 16 bits.
+/// Weights are stored in 8 bits if that moves no vertex by more than this share of the model's size, else in 16 bits.
 inline constexpr double kWeightsMove = 1e-3;
 
 /// Rounds four weights to multiples of 1 / `most` that have the sum 1. Each goes to the nearest multiple. The weights

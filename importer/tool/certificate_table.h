@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// A clip of a file or of the runtime, and what was measured of it.
+/// A clip of a file or of the runtime, with its measured errors.
 struct CertifiedClip {
   std::size_t number = 0;  ///< shown in front of the name
   std::string name;
@@ -16,8 +16,8 @@ struct CertifiedClip {
   ClipCertificate certificate;
 };
 
-/// True if a clip is within its budget. One that was asked for 0 is if it has every key: what is measured of a compiled
-/// clip is then the rounding of float arithmetic.
+/// True if a clip is within its budget. A clip with a budget of 0 is within it if it has every key. The measured error
+/// of a compiled clip is then only the rounding of float arithmetic.
 bool keeps_promise(const ClipCertificate& certificate);
 
 /// A table of certificates, one row per clip: budget, measured error and its place, keys, bytes. Nothing in it depends

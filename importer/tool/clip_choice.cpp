@@ -21,7 +21,7 @@ std::optional<std::uint32_t> whole_number(const std::string& text) {
   return number;
 }
 
-/// The clip of this name, counted from 1 among those of equal names.
+/// Finds a clip by its name and its number among the clips of that name, counted from 1.
 std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name, std::uint32_t number) {
   for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
     if (scene.animations[i].name == name && --number == 0) return i;

@@ -11,7 +11,7 @@
 
 namespace sinew::tool {
 
-/// The clips that somebody asks for; kNone stands for the rest pose.
+/// The clips that a user chooses; kNone stands for the rest pose.
 using ClipChoice = std::vector<std::uint32_t>;
 
 /// Reads `--clip INDEX|NAME|none`. Without the option it is the rest pose and all clips. A number is taken as an index
@@ -20,7 +20,7 @@ using ClipChoice = std::vector<std::uint32_t>;
 /// err   a sentence for the user that lists the clips of the file
 tl::expected<ClipChoice, std::string> choose_clips(const Scene& scene, const std::optional<std::string>& wanted);
 
-/// The clips with their numbers, for a message; the first few of many.
+/// The clips with their numbers, for a message. If there are many, only the first few.
 std::string list_of_clips(const Scene& scene);
 
 }  // namespace sinew::tool

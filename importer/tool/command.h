@@ -68,9 +68,11 @@ struct Option {
 
 /// A command of the program: its options, and the function that runs it after they are parsed.
 struct Command {
+  /// A command without options.
   /// in   about   first line = summary of the command, the rest = details
   Command(std::string name, const std::string& about);
 
+  /// Adds an option with a value. Returns it, so that its rules can be set.
   /// in   names  "-o,--output" or "--clip"      value  shown behind the name, "OUT"
   ///      target  must live as long as the command, for example in an object that `run` owns
   Option& option(const char* names, const char* value, OptionTarget target, std::string about);
@@ -82,7 +84,7 @@ struct Command {
   std::function<ExitCode()> run;
 };
 
-/// A command that other builds have.
+/// A command that other builds have, but not this one.
 struct LeftOutCommand {
   std::string name;
   std::string reason;  ///< "it was made without Embree"

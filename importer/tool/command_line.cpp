@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only file that sees CLI11, which takes seconds to compile: commands describe their options in command.h.
+// The only file that includes CLI11, which takes seconds to compile. Commands describe their options by command.h.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -21,7 +21,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// Stores the words of an option in its target.
-/// out   false: a word is not a number
+/// out   false: a word that must be a number is none
 bool store(const Option& option, const Words& words) {
   return std::visit(
       [&](auto target) {
@@ -75,8 +75,8 @@ CLI::Option* add_option(CLI::App& app, const Option& option) {
   return out->required(option.is_required);
 }
 
-/// Arguments as `cp` takes them: `many` gets all words, and hands the last one on if `last` takes it. Only when all are
-/// there is it known which word is the last.
+/// Arguments in the manner of `cp`: `many` gets all words, and hands the last word on if `last` takes it. The last word
+/// is known only when all words are there.
 void add_many_before_last(CLI::App& app, const Option& many, const Option& last) {
   const auto share_out = [&app, &many, &last](const Words& words) {
     Words& inputs = *std::get<Words*>(many.target) = words;
@@ -114,7 +114,7 @@ const Command* chosen_command(const CLI::App& app, const Program& program) {
   return nullptr;
 }
 
-/// The command that was asked for, if this build left it out; else null.
+/// The command that the user named, if this build does not have it; else null.
 const LeftOutCommand* left_out_command(const CLI::App& app, const Program& program) {
   const Words unknown = app.remaining();
   for (const LeftOutCommand& command : program.left_out)
@@ -122,7 +122,8 @@ const LeftOutCommand* left_out_command(const CLI::App& app, const Program& progr
   return nullptr;
 }
 
-/// The fault of a command line, and the help that explains it: of the command if one is named, else of the program.
+/// The fault of a command line, and which help explains it: that of the command if one is named, else that of the
+/// program.
 std::string usage_message(const CLI::App& app, const Command* command, const CLI::ParseError& error) {
   if (command != nullptr) return fmt::format("{} (see `sinew {} --help`)", error.what(), command->name);
   const Words unknown = app.remaining();
@@ -136,7 +137,7 @@ void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), s
 ExitCode parse_and_run(int argc, const char* const* argv) {
   const Program program = make_program();
   const Words words(argv + std::min(argc, 1), argv + argc);
-  if (words == Words{"--man-page"}) {  // for the build; no help shows it
+  if (words == Words{"--man-page"}) {  // used by the build; the help does not show it
     print(man_page(program));
     return ExitCode::done;
   }

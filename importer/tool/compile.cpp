@@ -36,7 +36,7 @@ struct CompileOptions {
   int zstd_level = 0;
 };
 
-/// The clips that --clip names, each once; without it all clips.
+/// The clips that --clip names, each once; all clips if the option is not given.
 /// err   a sentence for the user that lists the clips of the file
 tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::vector<std::string>& names) {
   ClipChoice clips(names.empty() ? scene.animations.size() : 0);
@@ -70,7 +70,7 @@ std::vector<CompiledSkeletonLod> lods_of(const Scene& scene, const std::vector<L
   return lods;
 }
 
-/// Leaves the chosen clips in the scene, compiled.
+/// Compiles the chosen clips and removes all others from the scene.
 void compile_clips_of(Scene& scene, const ClipChoice& chosen, double budget_m) {
   std::vector<Animation> animations;
   for (const std::uint32_t clip : chosen) animations.push_back(scene.animations[clip]);

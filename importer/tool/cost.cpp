@@ -44,7 +44,7 @@ std::string description_of(const std::string& file, const Scene& scene) {
                      counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
 
-constexpr double kDoneBefore = 0.7;  // share of the progress line before the study of ambient occlusion
+constexpr double kDoneBefore = 0.7;  // fraction of the progress line that ends before the study of ambient occlusion
 constexpr double kDoneBeforeFilters = 0.9;
 
 ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
@@ -79,7 +79,7 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   return finish(std::move(report), subject, options);
 }
 
-/// The positions of a geometry cache as it decodes them: what else would they cost.
+/// Reports on the positions that a geometry cache decodes, and the costs of other ways to store them.
 ExitCode report_on_cache(const CacheFile& file, const CostOptions& options) {
   if (options.clip) return fail_with(ExitCode::wrong_usage, "--clip: names a clip of a glTF file, and FILE is none");
   const auto effort = options.quick ? cost::Effort::quick() : cost::Effort{};

@@ -9,7 +9,7 @@
 
 namespace sinew::tool {
 
-/// The reports of one rule and severity, which one line tells: the first place stands for all of them.
+/// All reports of one rule and severity, shown in one line with the first place.
 struct IssueGroup {
   const ImportIssue* first = nullptr;
   std::size_t cases = 0;

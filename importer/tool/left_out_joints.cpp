@@ -9,7 +9,7 @@
 namespace sinew::tool {
 namespace {
 
-/// A joint's name, or the number of its node where it has none.
+/// A joint's name, or the number of its node if it has no name.
 std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
   return skeleton.names[joint].empty() ? fmt::format("node {}", skeleton.node_of_joint[joint]) : skeleton.names[joint];
 }

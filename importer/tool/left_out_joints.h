@@ -10,14 +10,14 @@
 
 namespace sinew::tool {
 
-/// A list of the branches that a skeleton LOD leaves out: the uppermost joint, how many joints go with it, and the
-/// joint that they follow.
+/// A list of the branches that a skeleton LOD leaves out. It has the uppermost joint of each branch, the number of its
+/// joints, and the joint that they follow.
 std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within);
 
 /// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out. Lengths in metres.
 Json left_out_json(const Scene& scene, const CompiledSkeletonLod& within);
 
-/// A line a level: what was asked, how many joints are left out, what was measured.
+/// One line per level: the requested limit, how many joints are left out, and the measured displacement.
 std::string lod_lines(std::span<const CompiledSkeletonLod> lods, std::size_t joint_count);
 
 }  // namespace sinew::tool

@@ -23,7 +23,7 @@ struct NumberWithUnit {
   std::string_view unit;
 };
 
-/// err   why the text is no number >= 0, as the end of a sentence
+/// Splits a text into number and unit.     err   why the text is no number >= 0, as the end of a sentence
 tl::expected<NumberWithUnit, const char*> split(std::string_view text) {
   NumberWithUnit out;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out.number);

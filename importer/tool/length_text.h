@@ -17,9 +17,10 @@ struct Length {
 inline constexpr const char* kLengthHelp =
     "such as 0.1mm, 0.01% (of the model's size) or 1e-4 (in the file's unit, which m stands for)";
 
-/// Reads "0.1mm", "2 cm", "5um", "0.001m", a plain number of metres such as "1e-4", or "0.01%" of the model's size. For
-/// a file that is not in metres its own unit takes the place of the metre.
-/// err   a sentence for the user that says what is wrong and what would be right; negative and infinite lengths are refused
+/// Reads "0.1mm", "2 cm", "5um", "0.001m", a plain number of metres such as "1e-4", or "0.01%" of the model's size. If
+/// a file is not in metres, its own unit takes the place of the metre.
+/// err   a sentence for the user that says what is wrong and what would be right; negative and infinite lengths are
+///       refused
 tl::expected<Length, std::string> parse_length(std::string_view text);
 
 /// Reads an angle such as "1deg", "0.02rad" or a plain number of degrees.

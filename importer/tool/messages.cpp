@@ -24,7 +24,7 @@ void print_message(const std::string& line) {
     fmt::print(stderr, "sinew: {}\n", line);
 }
 
-/// Lines, in which names of files and folders may stand as they are.
+/// Escapes all lines of a text, except that line ends stay. Names of files and folders may contain any character.
 std::string visible_lines(std::string_view text) {
   std::string out;
   while (!text.empty()) {

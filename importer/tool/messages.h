@@ -29,7 +29,8 @@ void print_result(fmt::format_string<Args...> format, Args&&... args) {
   print_result_text(fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// While an object of this class lives, results of its thread go to stderr: stdout gets the output of the command.
+/// While an object of this class lives, results of its thread go to stderr, since stdout gets the output of the
+/// command.
 class ResultsToStderr {
  public:
   explicit ResultsToStderr(bool active);
@@ -47,8 +48,8 @@ std::string counted(std::size_t count, std::string_view thing);
 /// "120 B", "1.5 kB", "20.1 MB".
 std::string size_text(double bytes);
 
-/// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left
-/// out when the whole file is meant.
+/// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. Issues about the whole
+/// file have no pointer.
 void print_issue(std::string_view file, const ImportIssue& issue);
 
 /// Prints one line for each rule, with the number of its cases and the first of them.
@@ -67,7 +68,7 @@ std::string json_text(const Json& result);
 /// The same in one line, with its end.
 std::string json_line(const Json& result);
 
-/// Prints a result as JSON: indented, or one of many in a line.
+/// Prints a result as JSON: indented, or in one line if it is one of many.
 void print_json(const Json& result, bool many);
 
 }  // namespace sinew::tool

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPosesOfClip = 8;
 
-/// The longest side of the box around the joints at rest, else over all clips.
+/// The longest side of the box around the joints at rest. If it is 0, that of the box over all clips.
 double size_of_joints(const Scene& scene) {
   Aabb box;
   TruthPose pose;

@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// The size of a scene in which nothing has a place.
+/// The size of a scene whose vertices and joints all lie at one point.
 inline constexpr double kSizeWithoutVertices = 1e-9;
 
 /// The box around all vertices of the rest pose, in world space, metres.
@@ -16,7 +16,7 @@ struct RestBox {
   std::array<double, 3> lower, upper;
 };
 
-/// out   nothing for a scene without vertices
+/// The box of a scene; empty without vertices.
 std::optional<RestBox> rest_box(const Scene& scene);
 
 /// The longest side of the box around all vertices of the rest pose, in world space: the scale of relative errors. A
@@ -25,7 +25,7 @@ std::optional<RestBox> rest_box(const Scene& scene);
 /// out   never 0; kSizeWithoutVertices if even that box has no size
 double model_size_m(const Scene& scene);
 
-/// A length in metres; the scene is looked at only where the length is a share of its size.
+/// A length in metres. The scene is measured only if the length is a share of its size.
 double metres_of(const Length& length, const Scene& scene);
 
 }  // namespace sinew::tool

@@ -134,7 +134,7 @@ tl::expected<std::optional<CompiledSkeletonLod>, std::string> leave_out_joints(c
                               needs);
 }
 
-/// The compiled plan of one file, with its level of detail and the counted work, if asked for.
+/// The compiled plan of one file, with its level of detail and the counted work, if requested.
 struct Outcome {
   const Plan& plan;
   const std::optional<CompiledSkeletonLod>& left_out;

@@ -5,8 +5,8 @@
 
 namespace sinew::tool {
 
-/// One line on the terminal that shows how far long work is. It is silent when stderr is not a terminal, in a job
-/// beside others, and during the first moment, so that quick work prints nothing.
+/// One line on the terminal that shows the progress of long work. It is silent if stderr is not a terminal, in a job
+/// that runs beside others, and during the first moment, so that quick work prints nothing.
 class ProgressLine {
  public:
   ProgressLine();

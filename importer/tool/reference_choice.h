@@ -21,7 +21,7 @@ inline constexpr const char* kReferenceHelp =
 tl::expected<std::vector<Transform>, std::string> read_reference(const Scene& scene,
                                                                  const std::optional<std::string>& wanted);
 
-/// "bind pose"; `wanted` is what the user asked for.
+/// The name of a reference pose for messages, such as "bind pose"; `wanted` is the user's choice.
 std::string reference_text(PoseReference reference, const std::optional<std::string>& wanted);
 
 /// A warning about nodes that rest elsewhere than where their meshes were bound, by more than 1 % of the body; none for

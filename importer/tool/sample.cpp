@@ -41,7 +41,7 @@ struct SampleOptions {
 const std::map<std::string, PoseFormat> kFormatNames = {
     {"json", PoseFormat::json}, {"csv", PoseFormat::csv}, {"npy", PoseFormat::npy}, {"npz", PoseFormat::npz}};
 
-constexpr double kMostFrames = 1e6;  // of one clip, so that a typing error in --fps does not fill the disk
+constexpr double kMostFrames = 1e6;  // limit for one clip, so that a typing error in --fps does not fill the disk
 
 tl::expected<std::size_t, std::string> vertex_limit(const std::string& text) {
   if (text == "all") return kAllVertices;
@@ -100,7 +100,7 @@ ExitCode sample_file(SampleOptions options) {
   import.decode_images = false;
   const PoseContent content = content_of(options, *limit);
   if (content.center_of_rotation) request_centers(import, options.cache);
-  import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
+  import.animate_default_weights = false;  // pose files leave out channels of mesh.weights
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   if (!options.output.empty())

@@ -30,7 +30,7 @@ namespace {
 struct VerifyOptions {
   BatchOptions files;
   std::string file, golden;
-  TakeSource against;  // of a geometry cache
+  TakeSource against;  // source that a geometry cache is compared with
   ToleranceOptions tolerance;
   std::string cache;
   bool exact = false, update = false;
@@ -51,7 +51,7 @@ PoseContent content_of(const PoseSummary& golden, bool exact) {
 }
 
 /// Reads the golden file again, pose by pose, samples the scene at its times and compares.
-/// in    golden  what the file was when it was checked
+/// in    golden  facts about the file from its first reading
 /// err   what is wrong, as a sentence for the user
 tl::expected<void, std::string> compare_all(const Scene& scene, const VerifyOptions& options, const PoseSummary& golden,
                                             PoseComparison& comparison) {
@@ -104,7 +104,7 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
   for (const Deviation& deviation : worst) print_result("  {}\n", deviation_text(deviation));
 }
 
-/// The names that the program shows of clips and nodes.
+/// Names of clips and nodes in the form in which the program shows them.
 PoseNames names_of(const Scene& scene) {
   const auto quoted = [](const std::string& name) { return name.empty() ? std::string() : in_quotes(name); };
   PoseNames names;
@@ -114,7 +114,7 @@ PoseNames names_of(const Scene& scene) {
   return names;
 }
 
-/// Writes the golden poses again as they are now: the same clips and times, as many vertices, the same skinning.
+/// Replaces the golden poses by the current ones, with the same clips and times, number of vertices and skinning.
 ExitCode update_golden(const Scene& scene, const VerifyOptions& options, const PoseSummary& golden) {
   std::vector<SampledClip> clips;
   for (const std::uint32_t clip : golden.clips)
@@ -160,7 +160,7 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
   ImportOptions import;
   import.decode_images = false;
   if (holds_centers(*golden, options.exact)) request_centers(import, options.cache);
-  import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
+  import.animate_default_weights = false;  // pose files leave out channels of mesh.weights
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::cannot_read;
 
@@ -182,7 +182,7 @@ ExitCode verify_poses(const VerifyOptions& options, bool many) {
   return fail_with(ExitCode::input_at_fault, fmt::format("{}: poses differ from {}", options.file, options.golden));
 }
 
-/// The poses that `sinew sample` wrote for a file of a folder.
+/// The file of golden poses that belongs to a model of a folder, as `sinew sample` names it.
 std::string golden_of(const std::string& folder, const Input& file) {
   const std::filesystem::path poses =
       (platform::path_of(folder) / platform::path_of(file.below)).replace_extension(".json");

@@ -10,14 +10,15 @@
 
 namespace sinew::tool {
 
-/// The tolerances of `sinew verify` as they are given.
+/// The tolerances of `sinew verify` as texts of the command line.
 struct ToleranceOptions {
   std::optional<std::string> distance, normals, weights, matrices;
 };
 
-/// Adds --tolerance and its relatives.
+/// Adds --tolerance and the options for normals, weights and matrices.
 void add_tolerance_options(Command& command, ToleranceOptions& options);
 
+/// Reads the tolerances from the texts of the options.
 /// err   a sentence for the user that names the option
 tl::expected<PoseTolerance, std::string> parse_tolerance(const ToleranceOptions& options, double model_size_m);
 

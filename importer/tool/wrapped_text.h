@@ -16,12 +16,12 @@ struct Paragraph {
   bool after_gap = false;  ///< an empty line is before it
 };
 
-/// Takes a text apart. Line ends inside a paragraph mean nothing; an empty line ends it and stays, and a line that
-/// begins with a space stands for itself.
+/// Splits a text into paragraphs. Line ends inside a paragraph count as spaces. An empty line ends a paragraph and is
+/// kept as a gap. A line that begins with a space is a verbatim paragraph.
 std::vector<Paragraph> paragraphs(std::string_view text);
 
-/// The lines of a text, each at most kHelpWidth wide. Lines but the first begin with `indent` spaces.
-/// in   at   where the first line begins, when something stands before it
+/// Breaks a text into lines of at most kHelpWidth columns. All lines but the first begin with `indent` spaces.
+/// in   at   column at which the first line begins, after other text
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t at);
 
 }  // namespace sinew::tool

@@ -24,6 +24,7 @@ struct Adjacency {
 /// The next corner of the same face.
 constexpr std::size_t next_corner(std::size_t c) noexcept { return c % 3 == 2 ? c - 2 : c + 1; }
 
+/// Computes the adjacency of triangles.
 /// in    triangles[3F]   vertex indices below vertex_count; degenerate faces are omitted
 /// cost  O(F) expected
 Adjacency make_adjacency(std::span<const std::uint32_t> triangles, std::size_t vertex_count);

@@ -201,7 +201,7 @@ class CenterSearch {
   const CentersOptions& options_;
   std::vector<Triangle> triangles_;
   SharesByJoint triangle_shares_, vertex_shares_;     // owners of vertex shares are distinct lists of weights
-  std::vector<std::vector<std::uint32_t>> vertices_;  // [distinct lists of weights] their vertices
+  std::vector<std::vector<std::uint32_t>> vertices_;  // [distinct lists of weights] the vertices that have them
   std::set<std::pair<std::uint16_t, std::uint16_t>> pairs_;
   std::vector<WeightedSum> sums_;
 };

@@ -31,7 +31,7 @@ class TemporaryFile {
     return platform::write_all(descriptor_, bytes) && platform::flush_to_disk(descriptor_);
   }
 
-  /// Windows renames no file that is open.
+  /// Renames the file. It is closed first, because Windows renames no open file.
   bool rename_to(const fs::path& target) {
     close();
     renamed_ = platform::rename_over(path_, target);

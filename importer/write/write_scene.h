@@ -39,6 +39,7 @@ std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuff
 /// already.
 void write_variants(const Scene& scene, tinygltf::Model& model);
 
+/// Writes all animations.
 /// err   the issue, if glTF cannot express a track ("squad-in-gltf")
 std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance,
                                             tinygltf::Model& model, GlbBuffer& buffer);

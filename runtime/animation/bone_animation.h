@@ -25,9 +25,9 @@ struct KeyframeT {
 
 using Keyframe = KeyframeT<float>;
 
-/// The animation of one joint in authoring form: plain tracks, the *truth* that compiled clips are compared with.
-/// Translation, rotation and scale have their own key times, as in glTF. A property without a track keeps its rest
-/// value.
+/// The animation of one joint in authoring form, as plain tracks. It is the *truth*: the exact motion that compiled
+/// clips are compared with. Translation, rotation and scale have their own key times, as in glTF. A property without a
+/// track keeps its rest value.
 class SINEW_API BoneAnimation {
  public:
   std::uint32_t joint = 0;
@@ -43,7 +43,7 @@ class SINEW_API BoneAnimation {
 
   bool empty() const noexcept { return translation.empty() && rotation.empty() && scale.empty(); }
 
-  /// First and last key time of the three tracks; 0 without keys.
+  /// First and last key time of the three tracks, in seconds; 0 without keys.
   double start_time() const noexcept;
   double end_time() const noexcept;
 
@@ -60,8 +60,8 @@ SINEW_API TransformT<float> BoneAnimation::interpolate(double time_s, const Tran
 template <>
 SINEW_API TransformT<double> BoneAnimation::interpolate(double time_s, const TransformT<double>& rest) const noexcept;
 
-/// Morph weights of one mesh instance over time: of all its targets, or of `weights.target_count` from `first_target`
-/// on.
+/// The morph weights of one mesh instance over time. The track animates `weights.target_count` morph targets, beginning
+/// with `first_target`. Most tracks animate all targets of the mesh.
 struct WeightAnimation {
   std::uint32_t instance = 0;  ///< index into Scene::instances
   WeightTrack weights;

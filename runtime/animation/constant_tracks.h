@@ -16,8 +16,8 @@ struct RestDifference {
 
 RestDifference rest_difference(const Transform& local, const Transform& rest) noexcept;
 
-/// Adds constant tracks for what no track moves but must stand elsewhere than at rest. Joints with fixed matrices get
-/// none.
+/// Adds a constant track for each property of a joint that no track moves, but that must differ from its rest value.
+/// Joints with fixed matrices get none.
 /// in   local  [J] where joints without tracks must stand
 /// cost O(bones + J), allocates
 void add_constant_tracks(std::span<const Transform> local, const Skeleton& skeleton, Animation& animation);

@@ -52,7 +52,7 @@ WeightAnimation picked(const WeightAnimation& from, std::uint32_t first_target,
   return out;
 }
 
-/// in   partner_of[targets of the instance]
+/// in   partner_of  [targets of the instance] the index of each target's partner
 void add_mirrored_weights(const WeightAnimation& from, std::span<const std::uint32_t> partner_of,
                           std::vector<WeightAnimation>& out) {
   const std::uint32_t first = from.first_target, end = first + from.weights.target_count;

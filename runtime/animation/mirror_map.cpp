@@ -36,7 +36,7 @@ MirroredAxes axes_of(Quat<double> rotation, double tolerance_rad) noexcept {
 
 Quat<double> pure_quaternion(const Vec3<double>& v) noexcept { return quat_xyzw(v.x, v.y, v.z, 0.0); }
 
-/// [J] C of each joint.
+/// [J] The map C of each joint (mirror_map.h).
 std::vector<MirroredAxes> mirrored_axes(const ReferencePose& reference, const JointPairs& pairs, double tolerance_rad) {
   const Quat<double> normal = pure_quaternion(pairs.normal);
   std::vector<MirroredAxes> axes(pairs.partner.size());
@@ -66,7 +66,7 @@ void clean(std::array<MirrorRow<kCount>, kCount>& rows) noexcept {
     for (double& entry : row) entry = without_rounding(entry);
 }
 
-/// eq   rows of q -> c_parent q c_joint^-1
+/// eq   sets the rows of the linear map q -> c_parent q c_joint^-1
 void set_rotation(const Quat<double>& of_parent, const Quat<double>& of_joint, MirroredJoint& to) noexcept {
   for (std::size_t k = 0; k < 4; ++k) {
     const auto unit = [&](std::size_t i) { return i == k ? 1.0 : 0.0; };

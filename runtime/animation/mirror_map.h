@@ -19,7 +19,8 @@ using MirrorRow = std::array<double, kCount>;
 /// The linear maps that give the mirrored local transform of one joint from that of its partner.
 struct MirroredJoint {
   std::uint32_t source = 0;  ///< its partner, or the joint itself if it lies on the plane or has no partner
-  std::array<MirrorRow<4>, 4> rotation = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};  ///< of x y z w
+  /// Rows for x y z w
+  std::array<MirrorRow<4>, 4> rotation = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   std::array<MirrorRow<3>, 3> translation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Vec3<double> offset{0.0};  ///< added to the translation
   std::array<MirrorRow<3>, 3> scale = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -30,10 +31,11 @@ struct MirroredJoint {
 struct MirrorMap {
   glm::vec3 plane_normal{1.0f, 0.0f, 0.0f};  ///< unit, in model space
   float plane_offset = 0.0f;                 ///< distance of the plane from the origin, along the normal
-  std::vector<MirroredJoint> joints;         ///< [J]
+  std::vector<MirroredJoint> joints;         ///< [J] the map of each joint
   std::vector<std::uint32_t> unpaired;  ///< rising; joints without a partner that should have one by name or position
   PoseReference reference = PoseReference::rest;  ///< mirroring keeps this pose as it is
-  std::vector<std::uint32_t> weight_source;       ///< [W] of Scene::first_weight; empty = morph weights do not change
+  std::vector<std::uint32_t> weight_source;  ///< [W] the morph weight that each weight takes its mirrored value from;
+                                             ///< empty = weights do not change
 };
 
 /// Number of joints whose partner is another joint.
@@ -47,7 +49,7 @@ struct MirrorOptions {
   /// exported from the middle of a walk. Empty = the rest pose, or what make_mirror_map of a scene chooses
   /// (model/mirror_scene.h).
   std::span<const Transform> reference = {};
-  double angle_tolerance_rad = 1e-4;  ///< axes of partners that are mirror images within this count as exact ones
+  double angle_tolerance_rad = 1e-4;  ///< axes of partners that are mirror images within this angle count as exact
   double length_tolerance = 1e-5;     ///< as above for positions, relative to the size of the skeleton
 };
 

@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kNear = 0.02;  // relative to the size: positions so near to each other's mirror image may be partners
+constexpr double kNear = 0.02;  // relative to the size: joints this near to each other's mirror image may be partners
 constexpr std::size_t kMostSiblings = 256;  // above this, siblings are not compared by position
 constexpr std::size_t kMostOffsets = 16;    // plane offsets that are tried
 constexpr double kAlongAxis = 0.98;         // from this cosine on, the normal is rounded to a coordinate axis
@@ -29,7 +29,7 @@ std::string letters_of(const std::string& name) {
   return letters;
 }
 
-/// Partners by the options, then by names.
+/// Partners that the options give, then partners by names.
 std::vector<std::uint32_t> named_partners(const Skeleton& skeleton, const MirrorOptions& options) {
   std::vector<std::uint32_t> partner = name_partners(skeleton.names);
   const auto part = [&](std::uint32_t joint) {
@@ -112,7 +112,7 @@ class Walk {
     return side_of(skeleton_.names[j]) != Side::none ||
            std::abs(pairs_.distance(reference_.position(j))) > kNear * reference_.size;
   }
-  /// True unless their names differ in more than digits.
+  /// True unless the names of both joints differ in more than digits.
   bool may_be_partners(std::uint32_t a, std::uint32_t b) const {
     return !has_names_ || letters_of(skeleton_.names[a]) == letters_of(skeleton_.names[b]);
   }

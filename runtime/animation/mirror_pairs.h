@@ -12,19 +12,20 @@ namespace sinew {
 struct ReferencePose {
   std::vector<Transformd> local;       ///< [J] rotations unit; fixed matrices are decomposed
   std::vector<Quat<double>> rotation;  ///< [J] model space: the product of the local rotations from the root down
-  std::vector<Affined> model;          ///< [J]
+  std::vector<Affined> model;          ///< [J] model matrices
   double size = 0.0;                   ///< longest side of the box around the joints
 
   Vec3<double> position(std::uint32_t joint) const noexcept { return translation_of(model[joint]); }
 };
 
+/// Computes the reference pose in local and model space.
 /// in   local  [J], or empty for the rest pose
 ReferencePose reference_pose(const Skeleton& skeleton, std::span<const Transform> local);
 
 /// The mirror plane, and the partner of each joint.
 struct JointPairs {
   Vec3<double> normal{1.0, 0.0, 0.0};
-  double offset = 0.0;                  ///< of the plane along its normal
+  double offset = 0.0;                  ///< distance of the plane from the origin, along its normal
   std::vector<std::uint32_t> partner;   ///< [J] itself if it has none; partner[partner[j]] = j
   std::vector<bool> keeps_own;          ///< [J] it has no partner, but its parent has: its local motion is not mirrored
   std::vector<std::uint32_t> unpaired;  ///< as in MirrorMap

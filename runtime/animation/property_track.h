@@ -56,7 +56,7 @@ auto& texture_in_slot(AnyMaterial& material, TextureSlot slot) noexcept {
 struct PropertyTarget {
   PropertyKind kind = PropertyKind::node_visible;
   std::uint32_t index = 0;                     ///< joint, or index into the scene's cameras, lights or materials
-  TextureSlot slot = TextureSlot::base_color;  ///< of texture_offset, texture_rotation and texture_scale
+  TextureSlot slot = TextureSlot::base_color;  ///< used by texture_offset, texture_rotation and texture_scale only
 
   friend auto operator<=>(const PropertyTarget&, const PropertyTarget&) = default;
 };
@@ -64,8 +64,8 @@ struct PropertyTarget {
 SINEW_API std::uint32_t component_count(PropertyKind kind) noexcept;
 inline bool is_flag(PropertyKind kind) noexcept { return kind == PropertyKind::node_visible; }
 
-/// A property over time. Its components are interpolated one by one, also those of angles and colours. Flags use step
-/// only.
+/// One animated property with its keys. Each component is interpolated by itself, even for angles and colours. Flags
+/// use step interpolation only.
 struct PropertyTrack {
   PropertyTarget target;
   WeightTrack values;  ///< target_count = component_count(target.kind)
@@ -78,9 +78,9 @@ struct SINEW_API PropertyTable {
     std::uint32_t first = 0, count = 0;
   };
   std::vector<Entry> entries;  ///< sorted by target: each property that some clip animates, once
-  std::vector<float> rest;     ///< [P] values without a clip
+  std::vector<float> rest;     ///< [P] value of each component while no clip plays
 
-  /// Null if no clip animates it.      cost O(log entries)
+  /// The entry of a property; null if no clip animates that property.      cost O(log entries)
   const Entry* find(const PropertyTarget& target) const noexcept;
 };
 

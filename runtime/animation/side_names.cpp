@@ -21,7 +21,8 @@ struct SidePlace {
   Side side = Side::none;
 };
 
-/// The first and last character of a part of a name, and those around it; separators at the ends of the name.
+/// The first and last character of a part of a name, and the characters before and after it. At the ends of the name
+/// these count as separators.
 struct Around {
   char before, first, last, after;
 

@@ -20,8 +20,8 @@ enum class Side : std::uint8_t { none, left, right };
 ///     capital L or R at the end of a word     HandL
 SINEW_API Side side_of(std::string_view name);
 
-/// Candidates for the name of the same thing on the other side, best first. Each has one mark of a side exchanged.
-/// Empty if `name` tells no side.
+/// Candidates for the name of the same thing on the other side, best first. In each of them one mark of a side is
+/// exchanged. Empty if `name` tells no side.
 SINEW_API std::vector<std::string> other_sides(std::string_view name);
 
 /// For each name the index of its partner on the other side, or its own index if it has none. Partners are mutual, and

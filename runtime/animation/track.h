@@ -53,8 +53,8 @@ inline bool is_unit(const glm::quat& q) noexcept {
   return std::abs(((q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w)) - 1.0f) <= kTolerance;
 }
 
-/// Checks everything that interpolation and jobs rely on. Rotation keys must be unit. Only values of cubic rotations
-/// may have any length from 1e-10 to 1e15, since the curve between them is normalised.
+/// Checks everything that interpolation and jobs rely on. Rotation keys must be unit quaternions. Only the values of
+/// cubic_spline rotations may have any length from 1e-10 to 1e15, since the result of that interpolation is normalised.
 /// err  too_few_keys, size_mismatch, not_finite, times_not_increasing (negative or decreasing times), not_normalised
 ///      (rotations), unsupported (squad for a track that has no rotations, or an unknown interpolation)
 /// cost O(K)

@@ -10,8 +10,8 @@
 /// Evaluates authoring tracks in float or double. The double results are the truth for compiled clips.
 namespace sinew {
 
-/// Position of a time among the keys. It is on `key` itself, also before the first and after the last key. Or it is
-/// between `key` and the next one, at `fraction` (0 to 1) of an interval of `interval_s` > 0.
+/// Position of a time among the keys. It is on `key` itself (also before the first and after the last key), or between
+/// `key` and the next one. Then it is at `fraction` (0 to 1) of an interval of `interval_s` > 0.
 struct KeyPosition {
   std::size_t key = 0;
   bool on_key = true;
@@ -97,7 +97,7 @@ Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, doubl
   return slerp_short_arc(value(from), value(to), static_cast<T>(fraction));
 }
 
-/// As above, for one of the weights.
+/// As above, for the weight with index `weight`.
 template <class T>
 T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s,
                std::size_t weight) noexcept {
@@ -110,7 +110,7 @@ T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fr
   return lerp(value(from), value(to), static_cast<T>(fraction));
 }
 
-/// in  track  passed check(Track)
+/// The value of a track at a time.     in  track  passed check(Track)
 template <class T>
 Vec3<T> sample_track(const Vec3Track& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
@@ -118,7 +118,7 @@ Vec3<T> sample_track(const Vec3Track& track, double time_s) noexcept {
   return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
 }
 
-/// eq   squad by Shoemake 1987
+/// As above, for rotations.     eq  squad by Shoemake 1987
 template <class T>
 Quat<T> sample_track(const QuatTrack& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
@@ -129,7 +129,7 @@ Quat<T> sample_track(const QuatTrack& track, double time_s) noexcept {
   return squad(c.begin, c.begin_control, c.end_control, c.end, static_cast<T>(at.fraction));
 }
 
-/// out  weights[track.target_count]
+/// As above, for all weights of a track.     out  weights[track.target_count]
 template <class T>
 void sample_track(const WeightTrack& track, double time_s, std::span<T> weights) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of each asset, in file order. A new member is a compile error here: add it and raise kAssetBlockVersion.
+// Fields of each asset in file order. A new member does not compile until added here; then raise kAssetBlockVersion.
 #pragma once
 #include <tuple>
 #include <type_traits>

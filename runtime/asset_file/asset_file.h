@@ -54,10 +54,10 @@ struct AssetBlock {
   AssetKind kind{};
   std::uint32_t version = 0;
   std::uint64_t offset = 0;              ///< byte of the file, a multiple of kAssetAlignment
-  std::uint64_t stored_bytes = 0;        ///< in the file
+  std::uint64_t stored_bytes = 0;        ///< bytes of the block in the file
   std::uint64_t bytes = 0;               ///< unpacked; equal to stored_bytes where the block is not packed
-  std::uint64_t skeleton_signature = 0;  ///< of the skeleton that the block contains or belongs to
-  bool is_packed = false;                ///< by zstd
+  std::uint64_t skeleton_signature = 0;  ///< signature of the skeleton that the block contains or belongs to
+  bool is_packed = false;                ///< the block is packed by zstd
   bool is_known = false;                 ///< this library can read this kind and version
 };
 
@@ -105,7 +105,7 @@ class SINEW_API AssetFile {
 
   std::span<const std::byte> file_;
   std::vector<AssetBlock> blocks_;
-  std::vector<std::uint64_t> sums_;  // [blocks]
+  std::vector<std::uint64_t> sums_;  // [blocks] checksum of each block
 };
 
 /// True if the bytes start with the magic of asset files.

@@ -11,12 +11,13 @@
 namespace sinew {
 
 // The results own their memory, so the file may be unmapped afterwards. Arrays are copied once, because assets are
-// vectors; compiled clips are rearranged for this machine's vector width. Any bytes may be passed: every index, count
-// and float is checked here once. Memory stays below 16 MiB plus a small multiple of kAssetMadeTimes the file.
+// vectors. Compiled clips are rearranged for this machine's vector width. Any bytes may be passed: every index, count
+// and float is checked here once. Memory stays below 16 MiB plus a small multiple of kAssetMadeTimes times the size of
+// the file.
 
 /// How clips that lie in pages (`AssetFileOptions::page_s`) are read.
 enum class LongClips : std::uint8_t {
-  joined,  ///< with all keys
+  joined,  ///< all keys of all pages are read
   /// With only the first key of each track; animations made from such clips stand still. A PagedClip
   /// (paging/paged_clip.h) plays the pages; read_page_tables (read_pages.h) finds them.
   first_keys,
@@ -55,8 +56,8 @@ SINEW_API tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Sc
 SINEW_API tl::expected<ClipBoxes, AssetFileError> read_clip_boxes(const AssetFile& file, const Scene& scene);
 
 /// Reads the skeleton LODs of a file in the order of writing, for Needs::out.skeleton_lod of plans with linear or rigid
-/// skinning. Empty if the file has none. They were found in the keys of whole clips, so scenes of first keys
-/// (LongClips::first_keys) have no other LODs.
+/// skinning. Empty if the file has none. compile_skeleton_lod can find LODs only in whole clips. Scenes that were read
+/// with LongClips::first_keys therefore depend on these stored LODs.
 /// in    skeleton  of this file, or of the same signature
 /// err   AssetFileError;  cost O(levels * joints), allocates
 SINEW_API tl::expected<std::vector<CompiledSkeletonLod>, AssetFileError> read_skeleton_lods(const AssetFile& file,

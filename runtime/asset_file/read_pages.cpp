@@ -66,7 +66,7 @@ class PageJoin {
   std::vector<std::byte> unpacked_;
 };
 
-/// Page tables; their offsets count from the start of the block page_keys.
+/// Reads the page tables. Their offsets count from the start of the block page_keys.
 tl::expected<std::vector<PageTable>, AssetFileError> tables_of(const AssetFile& file, std::uint64_t bytes) {
   std::vector<std::byte> unpacked;
   const auto block = file.bytes_of(AssetKind::pages, unpacked);

@@ -71,7 +71,7 @@ Bytes bytes_of_clips(const std::vector<Clip>& clips) {
   return save_clips(saved);
 }
 
-/// Clips whose long members keep their keys in pages.
+/// The clips of a scene. Long clips keep only their first keys; their other keys are in pages.
 struct PagedClips {
   std::vector<Clip> clips;
   std::vector<PageTable> tables;  ///< empty if no clip is long

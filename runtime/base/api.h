@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * SINEW_API stands before what a shared library shows. All else is hidden: calls inside the library cannot be replaced
- * by an engine's function of the same name. Also read by C. */
+ * SINEW_API marks the functions and classes that a shared library exports. Everything else is hidden, so an engine's
+ * function of the same name cannot replace a call inside the library. C code includes this header too. */
 #pragma once
 
 #if defined(_WIN32) && defined(SINEW_SHARED)

@@ -13,6 +13,7 @@ namespace sinew {
 /// checksum() (base/checksum.h) instead.
 class BitHash {
  public:
+  /// Adds the bits of all values to the hash.
   /// in   values  elements of a type made of 32-bit or 64-bit numbers, without padding
   template <class T, std::size_t kCount>
   BitHash& add(std::span<T, kCount> values) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/base/checksum.h"
 
-#define XXH_INLINE_ALL  // compiled here, so that nobody who links the library needs xxHash
+#define XXH_INLINE_ALL  // compiled into this file, so that programs that link the library need no xxHash
 #include <xxhash.h>
 
 namespace sinew {

@@ -29,7 +29,7 @@ enum class ErrorCode {
   busy,                  ///< the job thread has no free slot for another frame
   not_normalised,        ///< a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1
   no_plan,               ///< the plan is a default one: compile_plan did not make it
-  wrong_plan,            ///< the frame buffer, or the one that it follows, was made for another plan
+  wrong_plan,            ///< the frame buffer, or the one given to FrameBuffer::follow, was made for another plan
   moved_from,            ///< the frame buffer was moved from and has no memory
   too_many_layers,       ///< more layers than the plan's needs have room for
   wrong_page,            ///< the page of a layer is cut from a clip with other joints, weights or properties
@@ -40,13 +40,14 @@ enum class ErrorCode {
   too_large,             ///< a finite number is so large that results could overflow
   no_cut,                ///< the second half of a frame was called without its first half
   unknown_character,     ///< the job thread has no such character, or it was removed
-  follows_itself,        ///< a character would follow itself, directly or by way of others
+  follows_itself,        ///< a character would follow itself, directly or through the characters that it follows
 };
 
 /// One sentence per code, for logs.
 SINEW_API std::string_view describe(ErrorCode code) noexcept;
 
-/// A value or an ErrorCode. Headers whose functions answer one include <tl/expected.hpp>.
+/// A value or an ErrorCode. Headers with functions that return a Result include <tl/expected.hpp>; here the type is
+/// only declared.
 template <class T>
 using Result = tl::expected<T, ErrorCode>;
 

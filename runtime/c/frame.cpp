@@ -20,7 +20,7 @@
 
 using namespace sinew;
 
-/// Lies at the beginning of its own memory; the room for one input and the frame buffer's block follow.
+/// This struct lies at the beginning of its own memory. Room for one input and the frame buffer's block follow it.
 struct sinew_frame {
   const sinew_plan* plan;
   sinew_allocator allocator;

@@ -23,43 +23,43 @@ typedef enum sinew_layer_kind {
 typedef struct sinew_layer {
   double time_s;
   uint32_t clip;
-  uint32_t mask;  ///< of sinew_needs, SINEW_NONE = all joints
+  uint32_t mask;  ///< index into the masks of sinew_needs, SINEW_NONE = all joints
   float weight;
   uint32_t kind;  ///< sinew_layer_kind, and SINEW_LAYER_MIRRORED
 } sinew_layer;
 
-/// Vertices of mesh instances in place of their pose, from sinew_geometry_player_source (sinew_geometry.h). Valid as
-/// long as that player. This struct never grows.
+/// A source of vertices that replaces the pose of mesh instances. sinew_geometry_player_source makes it
+/// (sinew_geometry.h); it is valid as long as that player. This struct never grows.
 typedef struct sinew_vertex_source {
-  uint64_t inside[6];  ///< all zero = none
+  uint64_t inside[6];  ///< private; all zero = no source
 } sinew_vertex_source;
 
 /// The vertex source that plays in one mesh instance. This struct never grows.
 typedef struct sinew_geometry_input {
   sinew_vertex_source source;
   double time_s;  ///< on the source's clock; the same for all instances of a source
-  float weight;   ///< [0, 1] 1 = vertices of the source alone; below: blended with the pose in world space
+  float weight;   ///< [0, 1] 1 = only vertices of the source; smaller: blended with the pose in world space
 } sinew_geometry_input;
 
 typedef struct sinew_frame_input {
   size_t struct_size;
-  const sinew_layer* layers;         ///< none = rest pose, which also gets the remainder of weights that sum to < 1
+  const sinew_layer* layers;         ///< none = rest pose, which also gets the remainder if weights sum to less than 1
   size_t layer_count;                ///< at most max_layers + max_adding_layers
-  sinew_floats weights;              ///< all morph weights in place of the clips' own; empty = the clips'
-  sinew_affine root;                 ///< placed above all root joints
-  const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded;
-                                     ///< null = all in view
-  uint32_t asleep;                 ///< 1 = nobody needs anything of the character: no work is done, the result is empty
-  const sinew_layer* next_layers;  ///< layers of a later time; not read while interpolation_factor is 0
-  size_t next_layer_count;         ///< at most max_layers + max_adding_layers
-  float interpolation_factor;      ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`; needs
-                                   ///< SINEW_NEED_BETWEEN_UPDATES, else 0
-  const sinew_geometry_input* geometry;  ///< [sinew_needs.cached_instances] null = nothing plays
-  size_t geometry_count;                 ///< of these, or 0
+  sinew_floats weights;              ///< all morph weights in place of those of the clips; empty = those of the clips
+  sinew_affine root;                 ///< world transform above all root joints
+  const unsigned char* out_of_view;  ///< [instances] 1 = the mesh is out of view, so it is not morphed, skinned or
+                                     ///< bounded; null = all are in view
+  uint32_t asleep;                   ///< 1 = nothing of the character is needed: no work is done, the result is empty
+  const sinew_layer* next_layers;    ///< layers of a later time; not read while interpolation_factor is 0
+  size_t next_layer_count;           ///< at most max_layers + max_adding_layers
+  float interpolation_factor;  ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`; needs
+                               ///< SINEW_NEED_BETWEEN_UPDATES, else 0
+  const sinew_geometry_input* geometry;  ///< [sinew_needs.cached_instances] null = no source plays
+  size_t geometry_count;                 ///< number of cached instances, or 0
   const sinew_page* const* pages;        ///< [layer_count] for layers whose clip is in pages: the page with its keys.
                                          ///< Null, or a null element, if the clip has its keys itself. Pages must
                                          ///< stay alive and unchanged as long as frames use the layers
-  const sinew_page* const* next_pages;   ///< [next_layer_count] the same for next_layers
+  const sinew_page* const* next_pages;   ///< [layer_count of next_layers] pages of the next layers
   const sinew_pose_op* program;          ///< [op_count] makes the pose in place of layers, which must then be empty;
                                          ///< needs sinew_needs.program
   size_t op_count;                       ///< 0 = the layers make the pose
@@ -72,7 +72,9 @@ SINEW_API sinew_frame_input sinew_default_input(void);
 /// All memory of one character. Frames run into it and allocate nothing.
 typedef struct sinew_frame sinew_frame;
 
-/// in   plan  must outlive the frame;   allocator  null = operator new; copied. Asked once, for sinew_plan_frame_bytes
+/// Creates the memory of one character.
+/// in   plan  must outlive the frame;   allocator  null = operator new; copied. It is called once, for a block of
+///      sinew_plan_frame_bytes
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
 /// sinew_frame_create in a block of the caller, which must outlive the frame. The block has at least
@@ -81,7 +83,7 @@ SINEW_API sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_all
 SINEW_API sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
 SINEW_API void sinew_frame_destroy(sinew_frame* frame);
 
-/// Evaluates one frame; the same input again does nothing.
+/// Evaluates one frame. If the input is that of the last run, nothing is computed again.
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
 ///      does not play; what a program names), SINEW_SIZE_MISMATCH (weights, geometry, poses and masks of a program, its
@@ -91,7 +93,7 @@ SINEW_API void sinew_frame_destroy(sinew_frame* frame);
 ///      SINEW_TWO_TIMES, SINEW_UNSUPPORTED (kind of layer, operation or space; a source in scene space for an instance
 ///      with copies; layers or an interpolation factor beside a program; a procedure without code), SINEW_NOT_IN_NEEDS
 ///      (the plan has no mirror, no additive layers, no frames between updates, or one layer and so no weight below 1;
-///      it has no room for the program or its lists). Afterwards the last good frame is still there.
+///      it has no room for the program or its lists). After an error the result is still the last good one.
 SINEW_API sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Says why sinew_run refuses this input: which field, which index, which rule ("layers[1].weight: a weight is below
@@ -106,7 +108,8 @@ SINEW_API sinew_error sinew_why_refused(const sinew_frame* frame, const sinew_fr
 /// character before this one runs.
 SINEW_API void sinew_frame_prefetch(const sinew_frame* frame);
 
-/// 1 = runs write vertices past the caches: for results that no code reads soon, as for a GPU. The bits are the same.
+/// 1 = runs write vertices past the processor's caches: for results that no code reads soon, for example those that a
+/// GPU reads. The bits are the same.
 SINEW_API void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
 
 /// The frame's last good result.

@@ -10,7 +10,7 @@
 namespace sinew::c {
 namespace {
 
-/// sinew_layer::kind is kind and mirroring in one.
+/// sinew_layer::kind holds the kind of a layer and the flag for mirroring.
 struct LayerKindField {
   const char* name = "kind";
   const char* rule = "there is no such kind of layer";
@@ -31,7 +31,7 @@ constexpr auto kGeometry = fields(field<&sinew_geometry_input::source, &Geometry
                                   field<&sinew_geometry_input::time_s, &GeometryInput::time_s>(),
                                   field<&sinew_geometry_input::weight, &GeometryInput::weight>());
 
-/// All fields that are no lists of structs.
+/// All fields of an input that are not lists of structs.
 constexpr auto kInputNumbers = fields(
     field<&sinew_frame_input::weights, &FrameInput::weights>("weights"),
     field<&sinew_frame_input::root, &FrameInput::root>(), field<&sinew_frame_input::asleep, &FrameInput::asleep>(),
@@ -47,12 +47,12 @@ constexpr auto kSources = list_field<&sinew_frame_input::geometry, &sinew_frame_
                                      &FrameInput::geometry, &InputRoom::geometry, &InputRoomOfC::geometry>(
     {"geometry", SINEW_SIZE_MISMATCH, kNotEachSource}, kGeometry);
 
-/// in   pages  [layers] or null
+/// in   pages  [layers], or null if no layer has a page
 void read_pages(const sinew_page* const* pages, std::span<ClipLayer> layers) noexcept {
   for (std::size_t i = 0; i < layers.size(); ++i) layers[i].page = pages != nullptr ? clip_of(pages[i]) : nullptr;
 }
 
-/// Answers `room`, or null where no layer has a page.
+/// Returns `room`, or null if no layer has a page.
 const sinew_page* const* write_pages(std::span<const ClipLayer> layers, std::span<const sinew_page*> room) noexcept {
   bool any = false;
   for (std::size_t i = 0; i < layers.size(); ++i) {

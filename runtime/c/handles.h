@@ -28,8 +28,8 @@
 
 struct sinew_scene {
   sinew::Scene scene;
-  mutable std::atomic<std::size_t> plan_count{0};  // that refer to the scene's clips
-  sinew::ClipBoxes clip_boxes = {};                // of the file, if it has some
+  mutable std::atomic<std::size_t> plan_count{0};  // plans of this scene that exist; they refer to its clips
+  sinew::ClipBoxes clip_boxes = {};                // boxes of the file; empty if it has none
 };
 
 struct sinew_plan {
@@ -43,7 +43,7 @@ struct sinew_plan {
 
   const sinew_scene* scene;
   sinew::Plan plan;
-  std::vector<sinew::PlanStage> stages = plan.stages();  // their texts, which C reads through pointers
+  std::vector<sinew::PlanStage> stages = plan.stages();  // C reads the texts of the stages through pointers into it
 };
 
 struct sinew_skeleton_lod {
@@ -51,7 +51,7 @@ struct sinew_skeleton_lod {
       : lod(std::move(of)), kept(lod.detail.kept.begin(), lod.detail.kept.end()) {}
 
   sinew::CompiledSkeletonLod lod;
-  std::vector<unsigned char> kept;  // [joints] as C reads it; empty = all
+  std::vector<unsigned char> kept;  // [joints] 1 or 0 as C reads it; empty = all are kept
 };
 
 struct sinew_library {
@@ -61,8 +61,8 @@ struct sinew_library {
 struct sinew_mirror {
   std::shared_ptr<const sinew::MirrorMap> map;
   sinew::MirrorTables tables;
-  std::vector<std::uint32_t> partner;  // [joints]
-  std::uint32_t reference;             // sinew_reference
+  std::vector<std::uint32_t> partner;  // [joints] partner of each joint
+  std::uint32_t reference;             // a value of sinew_reference
 };
 
 struct sinew_skeleton_map {
@@ -71,9 +71,9 @@ struct sinew_skeleton_map {
   sinew::RetargetTables tables;
   sinew::TwistMap twists;
   sinew::FeetMap feet;
-  std::vector<sinew_joint_pair> pairs;  // of `map`, as C reads them
+  std::vector<sinew_joint_pair> pairs;  // the joint pairs of `map` as C reads them
   sinew::WeightMap weights;
-  std::uint32_t source_reference, target_reference;  // sinew_reference
+  std::uint32_t source_reference, target_reference;  // values of sinew_reference
 };
 
 struct sinew_messages {

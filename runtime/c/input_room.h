@@ -11,7 +11,7 @@
 
 namespace sinew::c {
 
-/// Bytes up to the next place where an array may begin.
+/// `bytes`, rounded up to a multiple of the alignment of arrays.
 constexpr std::size_t aligned(std::size_t bytes) noexcept {
   return (bytes + SINEW_FRAME_ALIGNMENT - 1) / SINEW_FRAME_ALIGNMENT * SINEW_FRAME_ALIGNMENT;
 }
@@ -45,12 +45,12 @@ struct InputRoom {
   std::span<JointMask> masks;
 };
 
-/// Room for the C lists of one frame input. It has no procedures: an input refers to the caller's own list.
+/// Room for the C lists of one frame input. It has none for procedures, since inputs refer to the caller's own list.
 struct InputRoomOfC {
   InputRoomOfC(const sinew_plan& plan, Block& block);
 
   std::span<sinew_layer> layers, next_layers;
-  std::span<const sinew_page*> pages, next_pages;  ///< of the layers
+  std::span<const sinew_page*> pages, next_pages;  ///< pages of layers and of next layers
   std::span<sinew_geometry_input> geometry;
   std::span<sinew_external_pose> externals;
   std::span<sinew_joint_overrides> overrides;
@@ -58,7 +58,7 @@ struct InputRoomOfC {
   sinew_program_inputs* program_inputs;
 };
 
-/// A room that owns its memory.
+/// An InputRoom or InputRoomOfC that owns its memory.
 template <class Room>
 class OwnRoom {
  public:

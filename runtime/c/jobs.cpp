@@ -19,7 +19,7 @@ namespace {
 
 using namespace sinew;
 
-/// The engine's allocator as the standard library asks for memory.
+/// Lets the standard library allocate with the engine's allocator.
 class EngineMemory : public std::pmr::memory_resource {
  public:
   explicit EngineMemory(const sinew_allocator& allocator) : allocator_(allocator) {}
@@ -75,7 +75,7 @@ struct sinew_jobs {
   }
 
   /// Queues the inputs of `count` characters.
-  /// in   id, input  of the i-th of them; input(i, given) answers a code
+  /// in   id, input  give the i-th character and its input; input(i, given) returns an error code
   template <class Id, class Input>
   sinew_error submit(std::size_t count, const Id& id, const Input& input, std::uint64_t* ticket) {
     inputs.clear();

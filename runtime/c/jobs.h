@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-/// Frames of many characters, evaluated beside the caller's thread. One thread submits and reads.
+/// Frames of many characters, evaluated beside the caller's thread. Only one thread submits frames and reads results.
 typedef struct sinew_jobs sinew_jobs;
 
 /// The engine's job system: calls body(body_context, i) once for every i in [0, count), on any threads, and returns
@@ -19,37 +19,40 @@ typedef struct sinew_executor {
 
 typedef struct sinew_jobs_options {
   size_t struct_size;
-  sinew_executor executor;    ///< run null = oneTBB; without a thread of its own the thread that polls
-  sinew_allocator allocator;  ///< of frame memory; allocate null = operator new
-  size_t inline_below_bytes;  ///< a frame of all characters of less memory than this is not handed to the executor
-  size_t part_bytes;          ///< consecutive characters that the executor is handed as one: at least so much memory
+  sinew_executor executor;    ///< run null = oneTBB; with own_thread 0, null = the thread that polls
+  sinew_allocator allocator;  ///< allocates frame memory; allocate null = operator new
+  size_t inline_below_bytes;  ///< frames are not handed to the executor if the frame memory of all characters is below
+                              ///< this
+  size_t part_bytes;          ///< consecutive characters form one part for the executor until their memory reaches this
   uint32_t own_thread;        ///< 0: no thread is made, frames run where the engine polls or runs tasks
-  uint32_t frame_buffers;     ///< of each character, 3 or 2. With 2 submit answers SINEW_BUSY until the frame before is
-                              ///< finished and sinew_jobs_latest has taken its result of every character
+  uint32_t frame_buffers;  ///< of each character, 3 or 2. With 2, submit returns SINEW_BUSY until the frame before is
+                           ///< finished and sinew_jobs_latest has taken its result of every character
 } sinew_jobs_options;
 SINEW_API sinew_jobs_options sinew_default_jobs_options(void);
 
+/// Creates the jobs, at first without characters.
 /// in   options  null = the defaults; copied, but the objects it points to must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (frame_buffers), SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
-/// Finishes the frame in flight. Without a thread of its own: drops what was not taken; tasks that were taken must have
-/// been run.
+/// Finishes the frame in flight. Without a thread of its own it drops the tasks that were not taken, and tasks that
+/// were taken must have been run.
 SINEW_API void sinew_jobs_destroy(sinew_jobs* jobs);
 
+/// Adds a character that runs `plan`.
 /// in   plan  must outlive the jobs
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
 /// The functions below change characters while frames run, without waiting. Changes apply from the next submit on.
-/// The last result of a character that is removed stays until the next submit. Its followers follow nobody from then
-/// on.
+/// The last result of a character that is removed stays until the next submit. Its followers then follow nobody.
 /// err  SINEW_NULL_ARGUMENT, SINEW_UNKNOWN_CHARACTER, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_jobs_remove_character(sinew_jobs* jobs, uint32_t character);
 /// The character's last result is shown until the first frame of the new plan is done. Its input stays, if the plan has
 /// room for it.
 /// in   plan  must outlive the jobs
-/// err  those above, SINEW_INDEX_OUT_OF_RANGE and SINEW_NOT_IN_NEEDS (followers need a joint that the plan does not show)
+/// err  those above, SINEW_INDEX_OUT_OF_RANGE and SINEW_NOT_IN_NEEDS (followers need a joint that the plan does not
+///      show)
 SINEW_API sinew_error sinew_jobs_replace_plan(sinew_jobs* jobs, uint32_t character, const sinew_plan* plan);
-/// The root of the follower's input is relative to a joint of the leader in the same frame: a rider, a prop.
+/// Makes the root of the follower's input relative to a joint of the leader in the same frame: a rider, a prop.
 /// err  SINEW_NULL_ARGUMENT, SINEW_UNKNOWN_CHARACTER, SINEW_FOLLOWS_ITSELF, SINEW_INDEX_OUT_OF_RANGE (joint),
 ///      SINEW_NOT_IN_NEEDS (the leader's plan has no SINEW_NEED_JOINTS)
 SINEW_API sinew_error sinew_jobs_follow(sinew_jobs* jobs, uint32_t follower, uint32_t leader, uint32_t joint);
@@ -78,11 +81,11 @@ typedef struct sinew_character_input {
 SINEW_API sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, size_t count,
                                                 uint64_t* ticket);
 SINEW_API int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
-/// in   ticket  that was answered by submit
+/// Blocks until the frame is done.     in  ticket  returned by submit
 SINEW_API sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
 
-/// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
-/// Answers 1 if there was something to run.
+/// Without a thread of its own: runs the pending frame on this thread, or by the executor if one was given. Returns 1
+/// if there was something to run.
 SINEW_API int sinew_jobs_poll(sinew_jobs* jobs);
 
 /// A task that evaluates some characters of one frame. It may be copied to any thread or fibre; its fields are private.
@@ -90,15 +93,16 @@ typedef struct sinew_task {
   void* inside[2];
 } sinew_task;
 
-/// Without a thread of its own: the next task of the frame that was submitted. Answers 1, or 0 while there is none.
-/// Each task is run once; the one that ends last finishes the frame. From any thread.
+/// Without a thread of its own: takes the next task of the submitted frame. Returns 1, or 0 while there is none. Each
+/// task is run once, on any thread; the task that ends last finishes the frame.
 SINEW_API int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task);
 SINEW_API void sinew_task_run(const sinew_task* task);
 
-/// Newest finished frame of a character, unchanged until asked for again; null before the first, and for characters
-/// that were removed.
+/// The newest finished frame of a character, unchanged until the next call for that character. Null before the first
+/// frame is done, and for characters that were removed.
 SINEW_API const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, uint32_t character);
-/// An error of a character in the last finished frame. A character that failed keeps showing its last good frame.
+/// The first error of a character in the last finished frame. A character that failed keeps showing its last good
+/// frame.
 SINEW_API sinew_error sinew_jobs_last_error(const sinew_jobs* jobs);
 
 #ifdef __cplusplus

@@ -11,7 +11,7 @@
 namespace sinew::c {
 namespace {
 
-/// A flag, and the bool of the needs that it is.
+/// A flag, and the bool of the needs that it sets.
 template <std::uint32_t Flag, auto... Own>
 constexpr auto flag() noexcept {
   return BitField<&sinew_needs::flags, Flag, Own...>{};
@@ -37,16 +37,17 @@ constexpr auto kNeeds = fields(flag<SINEW_NEED_JOINTS, &Needs::out, &Outputs::jo
                                field<&sinew_needs::normal_rule, &Needs::skin, &SkinningRules::normal_rule>(),
                                field<&sinew_needs::cached_instances, &Needs::in, &Inputs::cached_instances>());
 
-/// err  SINEW_NULL_ARGUMENT
+/// Copies the masks.     err  SINEW_NULL_ARGUMENT
 sinew_error read_masks(const sinew_needs& given, std::size_t joints, Inputs& in) {
   if (given.mask_count > 0 && given.masks == nullptr) return SINEW_NULL_ARGUMENT;
-  const std::size_t rows = std::min(given.mask_count, PoseOp::kNoMask + 1u);  // already too many: no more are copied
+  // At most one more than allowed: compile_plan refuses that many anyway.
+  const std::size_t rows = std::min(given.mask_count, PoseOp::kNoMask + 1u);
   for (std::size_t m = 0; m < rows; ++m)
     in.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
   return SINEW_OK;
 }
 
-/// err  SINEW_UNSUPPORTED (kind)
+/// Copies the kinds of skinning.     err  SINEW_UNSUPPORTED (kind)
 sinew_error read_skinning(const unsigned char* kinds, std::size_t instances, SkinningRules& skin) {
   if (kinds == nullptr) return SINEW_OK;
   skin.per_instance.resize(instances);
@@ -75,6 +76,6 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
 
 sinew_needs sinew_default_needs(void) {
   auto needs = sinew::c::written<sinew_needs>(sinew::c::kNeeds, sinew::Needs{});
-  needs.max_adding_layers = 4;  // in C++ it is no limit: frames with more are evaluated anew
+  needs.max_adding_layers = 4;  // in C++ this number is no limit: frames with more are evaluated anew
   return needs;
 }

@@ -15,10 +15,10 @@ static_assert(offsetof(sinew_page, sample) == 0 && offsetof(PageSample, page) ==
 
 inline const Clip* clip_of(const sinew_page* page) noexcept { return page != nullptr ? &page->sample.page : nullptr; }
 
-/// The page that has this clip.
+/// The page that contains this clip as its first member.
 inline const sinew_page* page_of(const Clip* clip) noexcept { return reinterpret_cast<const sinew_page*>(clip); }
 
-/// Lists of pages in place. Null stays null.
+/// Views an array of pages as an array of clips, without copying. Null stays null.
 inline const Clip* const* clips_of(const sinew_page* const* pages) noexcept {
   return reinterpret_cast<const Clip* const*>(pages);
 }

@@ -9,7 +9,7 @@
 
 namespace sinew::c {
 
-// The C structs hold the bytes of the C++ ones.
+// The C structs hold the bytes of the C++ objects.
 template <>
 struct Convert<sinew_clock, PlaybackClock> : ConvertInside<sinew_clock, PlaybackClock> {};
 template <>
@@ -27,7 +27,7 @@ PlaybackClock clock_in(const sinew_clock& given) noexcept {
   return clock;
 }
 
-/// Changes the clock in place. A number that it refuses leaves it as it was.
+/// Changes the clock in place. If it refuses the number, it stays as it was.
 template <class Change>
 sinew_error change(sinew_clock* clock, Change&& apply) noexcept {
   return c::call(c::given(clock), [&] {

@@ -22,7 +22,7 @@ bool is_finite(const sinew_transform& transform) noexcept {
   return std::all_of(std::begin(numbers), std::end(numbers), [](float number) { return std::isfinite(number); });
 }
 
-/// Runs `body` with a pose of a scene, which has as many joints.
+/// Runs `body` with a pose that has as many joints as the scene.
 sinew_error with_pose(const sinew_scene* scene, const sinew_pose* given, auto&& body) noexcept {
   return c::call(c::given(scene, given), [&] {
     PoseSpan pose;

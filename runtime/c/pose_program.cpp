@@ -11,7 +11,7 @@ using namespace sinew;
 
 namespace {
 
-// Programs are taken in place.
+// Programs of C are read in place, since both structs have the same bytes.
 static_assert(sizeof(sinew_pose_op) == sizeof(PoseOp) && alignof(sinew_pose_op) == alignof(PoseOp) &&
               offsetof(sinew_pose_op, time_s) == offsetof(PoseOp, time_s) &&
               offsetof(sinew_pose_op, weight) == offsetof(PoseOp, weight) &&
@@ -24,7 +24,8 @@ static_assert(SINEW_OP_NO_MASK == PoseOp::kNoMask && SINEW_MOST_OPS == kMostPose
 
 sinew_pose_op sinew_default_op(std::uint32_t kind) {
   const bool is_full =
-      kind == SINEW_OP_MEAN || kind == SINEW_OP_OVERRIDE_JOINTS || kind == SINEW_OP_PROCEDURE;  // by threshold or share
+      // Kinds whose `time_s` is a threshold or a share.
+      kind == SINEW_OP_MEAN || kind == SINEW_OP_OVERRIDE_JOINTS || kind == SINEW_OP_PROCEDURE;
   const std::uint8_t own = c::kEnum<PoseOpKind>.has(kind) ? static_cast<std::uint8_t>(kind) : std::uint8_t{0xFF};
   return {.time_s = is_full ? 1.0 : 0.0, .weight = 1.0f, .index = 0, .mask = SINEW_OP_NO_MASK, .kind = own};
 }

@@ -9,13 +9,13 @@ extern "C" {
 #endif
 
 // Pose programs: the pose of a frame as a short list of operations, which a graph or a script of the engine writes
-// (sinew_frame_input.program). An operation takes its operands from a stack of poses and leaves one pose there. With
-// the pose go its morph weights and its properties. A program is plain bytes: copy it, compare it, store it.
+// (sinew_frame_input.program). An operation takes its operands from a stack of poses and leaves one pose there. Each
+// pose has its own morph weights and properties. A program is plain bytes: copy it, compare it, store it.
 
 typedef enum sinew_op_kind {
   SINEW_OP_REST = 0,              ///< pushes the rest pose
   SINEW_OP_SAMPLE = 1,            ///< pushes clip `index` at `time_s`
-  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< the same, left and right exchanged
+  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< pushes the same with left and right exchanged
   SINEW_OP_REST_MIRRORED = 3,     ///< the rest pose, left and right exchanged
   SINEW_OP_EXTERNAL = 4,          ///< pushes pose `index` of the caller: a ragdoll, the network
   SINEW_OP_MEAN = 5,              ///< weighted mean of the `index` topmost poses; no operands give the rest pose
@@ -27,10 +27,10 @@ typedef enum sinew_op_kind {
   SINEW_OP_PROCEDURE = 11         ///< lets procedure `index` of the caller change the topmost pose: IK, springs
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
-#define SINEW_MOST_OPS 255u  ///< of one program
+#define SINEW_MOST_OPS 255u  ///< most operations of one program
 
-/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
-/// is the upper pose, in an addition the layer. This struct never grows: its 16 bytes may be stored and sent.
+/// One operation. `weight` and `mask` say how much its pose counts in a mean, as the upper pose of an overlay, or as
+/// the layer of an addition. This struct never grows: its 16 bytes may be stored and sent.
 typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1]; if the weights sum to less, the rest
                    ///< pose gets the remainder;  override, procedure: its share in [0, 1]
@@ -39,7 +39,7 @@ typedef struct sinew_pose_op {
                    ///< additions: 0 to turn joints in their parent's frame, 1 in their own
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
-  uint8_t kind;    ///< sinew_op_kind
+  uint8_t kind;    ///< a value of sinew_op_kind
 } sinew_pose_op;
 
 /// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0.
@@ -50,9 +50,9 @@ typedef struct sinew_program_room {
   size_t struct_size;
   uint32_t ops;                               ///< at most SINEW_MOST_OPS
   uint32_t slots;                             ///< poses on the stack at once, at most `ops`
-  uint32_t externals, overrides, procedures;  ///< of the caller, at most 65535 of each
-  uint32_t masks;                             ///< of sinew_needs and of the caller together, at most 255
-  uint32_t overridden_joints;                 ///< of all overrides together
+  uint32_t externals, overrides, procedures;  ///< entries in each of the caller's lists, at most 65535
+  uint32_t masks;                             ///< masks of sinew_needs and of the caller together, at most 255
+  uint32_t overridden_joints;                 ///< joints of all overrides together
   uint32_t overlays_in_model_space;           ///< 1 if programs use SINEW_OP_OVERLAY_MODEL
 } sinew_program_room;
 
@@ -65,13 +65,13 @@ SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
-// Indices of a program name entries of the lists below. Each entry has a version: equal versions promise the same
-// content as in the frame before, 0 promises nothing. Joints are those of poses: the scene's own, or where
-// sinew_needs.skeleton_lod leaves joints out, what sinew_pose_joint answers. The structs of entries never grow.
+// Operations refer to entries of the lists below by index. Each entry has a version: equal versions promise the same
+// content as in the frame before, 0 promises nothing. Joints are those of poses: the scene's own, or those that
+// sinew_pose_joint returns if sinew_needs.skeleton_lod leaves joints out. The structs of entries never grow.
 
 /// A pose of the caller.
 typedef struct sinew_external_pose {
-  sinew_pose pose;          ///< not written
+  sinew_pose pose;          ///< only read
   sinew_floats weights;     ///< all morph weights of the scene; empty = their rest values
   sinew_floats properties;  ///< all animated numbers of the scene; empty = their rest values
   uint64_t version;
@@ -79,18 +79,18 @@ typedef struct sinew_external_pose {
 
 /// Space of an overriding transform.
 typedef enum sinew_override_space {
-  SINEW_OVERRIDE_LOCAL = 0,  ///< against the parent joint
-  SINEW_OVERRIDE_MODEL = 1   ///< above all root joints, below sinew_frame_input.root
+  SINEW_OVERRIDE_LOCAL = 0,  ///< relative to the parent joint
+  SINEW_OVERRIDE_MODEL = 1   ///< model space, relative to sinew_frame_input.root
 } sinew_override_space;
 
-/// A joint that the caller places.
+/// A joint that the caller places, and its transform.
 typedef struct sinew_joint_override {
   uint32_t joint;
   sinew_transform transform;
-  uint8_t space;  ///< sinew_override_space
+  uint8_t space;  ///< a value of sinew_override_space
 } sinew_joint_override;
 
-/// Joints that one operation places, in this order: a parent before its children.
+/// Joints that one operation places, in this order. A parent comes before its children.
 typedef struct sinew_joint_overrides {
   const sinew_joint_override* joints;
   size_t joint_count;
@@ -108,9 +108,9 @@ typedef struct sinew_procedure_pose {
   size_t struct_size;     ///< sizeof this struct in the library; fields beyond it do not exist
   sinew_pose local;       ///< may be written
   float* weights;         ///< [weight_count] may be written
-  size_t weight_count;    ///< 0 where sinew_frame_input.weights gives all morph weights
+  size_t weight_count;    ///< 0 if sinew_frame_input.weights gives all morph weights
   float* properties;      ///< [property_count] may be written
-  size_t property_count;  ///< 0 where they are not wanted
+  size_t property_count;  ///< 0 if properties are not wanted
   float share;            ///< (0, 1] the share of the operation, which the procedure interprets
 } sinew_procedure_pose;
 

@@ -11,7 +11,7 @@
 
 namespace sinew::c {
 
-// Arrays of these are taken in place.
+// Arrays of these types are read in place.
 template <>
 inline constexpr bool kSameBytes<sinew_joint_override, JointOverride> = true;
 static_assert(offsetof(sinew_joint_override, joint) == offsetof(JointOverride, joint) &&
@@ -29,7 +29,7 @@ constexpr auto kExternal = fields(field<&sinew_external_pose::pose, &ExternalPos
                                   field<&sinew_external_pose::properties, &ExternalPose::properties>("properties"),
                                   field<&sinew_external_pose::version, &ExternalPose::version>());
 
-/// The spaces of overridden joints, which are checked where they lie.
+/// The spaces of overridden joints, which are checked in the caller's array.
 struct SpacesField {
   const char* name = "space";
   const char* rule = "there is no such space of a joint";
@@ -54,7 +54,7 @@ constexpr auto kProcedurePose = fields(
     span_field<&sinew_procedure_pose::properties, &sinew_procedure_pose::property_count, &ProcedurePose::properties>(),
     field<&sinew_procedure_pose::share, &ProcedurePose::share>());
 
-/// A procedure of a C caller. One without code stays so: the runtime refuses it.
+/// A procedure of a C caller. A null function stays null, and the runtime refuses it.
 struct CallField {
   const char* name = nullptr;
 
@@ -94,7 +94,7 @@ NotRead read_program(const sinew_frame_input& given, const PoseProgramRoom& need
   if (given.op_count == 0) return {};
   if (given.program == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "program"});
   input.program = {reinterpret_cast<const PoseOp*>(given.program), given.op_count};
-  if (needs.ops == 0) return {};  // the runtime refuses it, whatever the lists are
+  if (needs.ops == 0) return {};  // the runtime refuses the program, whatever its lists are
   sinew_program_inputs own{};
   if (const sinew_error error = read_struct(given.program_inputs, own))
     return refuse(error, {.field = "struct_size", .list = "program_inputs"});
@@ -117,7 +117,7 @@ void write_program(const FrameInput& input, const InputRoomOfC& room, sinew_fram
   kOverrideLists.write(inputs, room, own);
   kMasks.write(inputs, room, own);
   const void* const procedures = inputs.procedures.empty() ? nullptr : inputs.procedures[0].context;
-  own.procedures = static_cast<const sinew_pose_procedure*>(procedures);  // the caller's list
+  own.procedures = static_cast<const sinew_pose_procedure*>(procedures);  // the list that the caller gave
   own.procedure_count = inputs.procedures.size();
   own.pages = inputs.pages.empty() ? nullptr : pages_of(inputs.pages.data());
   out.program = reinterpret_cast<const sinew_pose_op*>(input.program.data());

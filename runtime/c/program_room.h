@@ -6,7 +6,7 @@
 
 namespace sinew::c {
 
-/// The room for programs on both sides.
+/// The fields of sinew_program_room and those of PoseProgramRoom that they correspond to.
 inline constexpr auto kProgramRoom =
     fields(field<&sinew_program_room::ops, &PoseProgramRoom::ops>(),
            field<&sinew_program_room::slots, &PoseProgramRoom::slots>(),

@@ -15,35 +15,35 @@ typedef struct sinew_result_info {
   size_t struct_size;
   uint64_t frame;           ///< counts up by one per run
   uint64_t since_frame;     ///< the result is bit-identical since this frame
-  sinew_affines model;      ///< [joints] world matrices
+  sinew_affines model;      ///< [joints] world matrix of each joint
   sinew_floats weights;     ///< all morph weights
-  sinew_floats properties;  ///< animated numbers
+  sinew_floats properties;  ///< animated numbers of materials, lights and cameras
   sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
   size_t instance_count, shape_count;
   sinew_pose local;  ///< local transforms that `model` is composed of; not to be written
 } sinew_result_info;
 SINEW_API sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
 
-/// World matrix of any joint of the scene, also of one that the plan's skeleton LOD leaves out: a socket for what the
-/// character carries.
+/// World matrix of any joint of the scene, even of a joint that the plan's skeleton LOD leaves out. Use it to attach
+/// things that the character carries.
 /// in   result  of a frame of the plan;   offset  from the joint, applied first; null = none
-/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (joint), SINEW_UNSUPPORTED (the result has no joints: not asked
-///      for, or asleep), SINEW_SIZE_MISMATCH (a result of another plan)
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (joint), SINEW_UNSUPPORTED (the result has no joints: they are
+///      not in the needs, or the character is asleep), SINEW_SIZE_MISMATCH (a result of another plan)
 SINEW_API sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, uint32_t joint,
                                      const sinew_affine* offset, sinew_affine* out);
 
-/// Skinning matrices of a skin, columns of four; empty unless asked for and used by a mesh that is shown.
+/// Skinning matrices of a skin, columns of four. Empty unless the needs ask for them and a visible mesh uses the skin.
 SINEW_API sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin);
 
 typedef struct sinew_instance_result {
   size_t struct_size;
   sinew_affine world_from_mesh;  ///< identity for skinned meshes: their vertices are in world space
-  sinew_box bounds;              ///< world space; empty unless asked for
+  sinew_box bounds;              ///< world space; empty unless the needs ask for it
   uint32_t first_shape;          ///< one shape per primitive of its mesh
   uint32_t mirrored;             ///< 1: front faces wind clockwise
   uint32_t visible;              ///< 0: on a hidden joint, or out of view
-  uint32_t from_cache;           ///< 1: vertices are those of its source, in part or in full
-  uint32_t late;                 ///< 1: the cache had not loaded this frame yet, so an older one (or the pose) is shown
+  uint32_t from_cache;           ///< 1: some or all vertices come from a vertex source
+  uint32_t late;  ///< 1: the source had not loaded this frame yet, so an older one (or the pose) is shown
 } sinew_instance_result;
 SINEW_API sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance,
                                                 sinew_instance_result* out);

@@ -36,7 +36,7 @@ constexpr auto kMapOptions =
               c::copied_field<&sinew_skeleton_map_options::chains, &sinew_skeleton_map_options::chain_count,
                               &SkeletonMapOptions::chains>(kChain));
 
-/// A clip of the source on the target.
+/// Retargets a clip of the source to the target.
 Clip retargeted(const sinew_skeleton_map& own, std::uint32_t clip, bool hold) {
   const Scene &source = own.source->scene, &target = own.target->scene;
   const Animation& animation = source.animations[clip];

@@ -20,39 +20,40 @@ typedef struct sinew_joint_pair {
 } sinew_joint_pair;
 
 typedef enum sinew_limb_directions {
-  SINEW_LIMBS_OF_SOURCE = 0,  ///< arms and legs point where those of the source do, whatever the rest poses
-  SINEW_LIMBS_OF_REST = 1     ///< the rest pose becomes the rest pose
+  SINEW_LIMBS_OF_SOURCE = 0,  ///< arms and legs point where those of the source point, whatever the rest poses are
+  SINEW_LIMBS_OF_REST = 1     ///< the rest pose of the source becomes the rest pose of the target
 } sinew_limb_directions;
 
 /// How the translations of mapped joints are retargeted.
 typedef enum sinew_translation_rule {
   SINEW_HIPS_BY_HEIGHT = 0,  ///< the path of top joints and hips is scaled by the ratio of heights; other bones keep
                              ///< their lengths
-  SINEW_BY_LENGTH = 1,       ///< each is scaled by the ratio of the lengths of its bone: bones may stretch
-  SINEW_KEEP = 2             ///< all keep their rest translation
+  SINEW_BY_LENGTH = 1,       ///< each translation is scaled by the length ratio of its bones, so bones may stretch
+  SINEW_KEEP = 2             ///< all joints keep their rest translation
 } sinew_translation_rule;
 
-/// A rule for a joint of the target and its descendants, down to those with a rule of their own. This struct never
-/// grows.
+/// A rule for a joint of the target and its descendants, down to descendants with a rule of their own. This struct
+/// never grows.
 typedef struct sinew_chain_rule {
   uint32_t joint;
-  uint32_t rule;  ///< sinew_translation_rule
+  uint32_t rule;  ///< a value of sinew_translation_rule
 } sinew_chain_rule;
 
 typedef struct sinew_skeleton_map_options {
   size_t struct_size;
-  const sinew_joint_pair* pairs;  ///< where given, nothing else is mapped; copied
+  const sinew_joint_pair* pairs;  ///< if given, only these joints are mapped; copied
   size_t pair_count;
-  uint32_t limbs;                  ///< sinew_limb_directions
-  uint32_t translations;           ///< sinew_translation_rule
-  const sinew_chain_rule* chains;  ///< other rules than `translations`; copied
+  uint32_t limbs;                  ///< a value of sinew_limb_directions
+  uint32_t translations;           ///< a value of sinew_translation_rule
+  const sinew_chain_rule* chains;  ///< exceptions from `translations`; copied
   size_t chain_count;
-  /// sinew_reference: poses in which both bodies do the same. SINEW_REFERENCE_CHOSEN takes the rest and bind poses in
-  /// which the bones of both bodies point most alike. Rest poses stay unless others are clearly better.
+  /// sinew_reference: poses in which both bodies have the same posture. SINEW_REFERENCE_CHOSEN takes the rest and bind
+  /// poses in which the bones of both bodies point most alike. Rest poses stay unless others are clearly better.
   uint32_t source_reference, target_reference;
   const sinew_pose *source_pose, *target_pose;  ///< read for SINEW_REFERENCE_GIVEN only; copied
 } sinew_skeleton_map_options;
 
+/// Maps the joints of two scenes.
 /// in   source, target  must outlive the map;   options  null = no pairs or chains, SINEW_LIMBS_OF_SOURCE,
 ///                      SINEW_HIPS_BY_HEIGHT, SINEW_REFERENCE_CHOSEN
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (pairs, chains), SINEW_OUT_OF_MEMORY,
@@ -65,22 +66,23 @@ SINEW_API void sinew_skeleton_map_destroy(sinew_skeleton_map* map);
 
 typedef struct sinew_skeleton_map_info {
   size_t struct_size;
-  const sinew_joint_pair* pairs;  ///< [pair_count] by rising joints of the target
+  const sinew_joint_pair* pairs;  ///< [pair_count] sorted by joints of the target
   size_t pair_count;
-  sinew_indices unmapped_source, unmapped_target;  ///< rising
+  sinew_indices unmapped_source, unmapped_target;  ///< joints that are not mapped, rising
   double height_ratio;                             ///< target to source
   uint32_t leg_count;                              ///< legs whose feet sinew_hold_feet holds
-  uint32_t twist_count;  ///< joints of the target that no joint moves, and that share the twist of arms and legs
-  uint32_t source_reference, target_reference;  ///< sinew_reference: those asked for, or else chosen
+  uint32_t twist_count;                         ///< twist joints of the target, which share the twist of arms and legs
+  uint32_t source_reference, target_reference;  ///< sinew_reference: as requested, or as chosen
   double bone_angle_rad;                        ///< mean angle between bones of both bodies in their reference poses
 } sinew_skeleton_map_info;
+/// Describes a map. The arrays are views into it.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
 
 /// Retargets a pose of the source to the target. Twist joints of the target share the twist of hands, feet, upper arms
 /// and thighs.
 /// in   pose  of the source
-/// out  scratch     of the source; what it holds afterwards is of no use. Must not overlap `pose`
+/// out  scratch     of the source; overwritten. Must not overlap `pose`
 ///      retargeted  of the target; must not overlap the others
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost O(joints), no allocation
 SINEW_API sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose,
@@ -91,12 +93,12 @@ SINEW_API sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const s
 /// are too short.
 /// in   ground    height of the ground below the source's feet at rest, in units of the source (sinew_find_ground)
 ///      pose      of the source
-///      held      what sinew_retarget_pose answered for it; changed in place
+///      held      the result of sinew_retarget_pose for `pose`; changed in place
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH, SINEW_NOT_FINITE;   cost O(joints of legs), no allocation
 SINEW_API sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,
                                       const sinew_pose* held);
 
-/// Height of the ground of a clip of the source, above that on which the rest pose stands.
+/// Height of the ground of a clip of the source, relative to the ground of the rest pose.
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE, SINEW_OUT_OF_MEMORY;   cost O(duration * joints), allocates
 SINEW_API sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
 

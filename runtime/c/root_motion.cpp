@@ -33,15 +33,15 @@ DualQuatd motion_in(const sinew_dual_quat* given) noexcept {
   return motion;
 }
 
-/// A joint in a clip, and what of it carries the character.
+/// A joint of a clip, and the parts of its motion that carry the character.
 struct RootTrack {
-  BoneAnimation joined;  // empty where the clip leaves the joint alone
+  BoneAnimation joined;  // empty unless several entries of the clip animate the joint
   const BoneAnimation* animation = &joined;
   Transform rest;
   RootMotionParts parts;
 };
 
-/// Takes the animation of a joint as it lies, or the tracks of several.
+/// Refers to the animation of a joint if there is one entry for it. Joins the tracks of several entries.
 void take_tracks(const Animation& clip, std::uint32_t joint, RootTrack& root) {
   const auto is_own = [&](const BoneAnimation& bone) { return bone.joint == joint; };
   const auto first = std::ranges::find_if(clip.bones, is_own);

@@ -17,7 +17,7 @@ using namespace sinew;
 
 constexpr sinew_string kNoName{"", 0};
 
-/// One of the scene's arrays, at the end of the path; null without a scene.
+/// One of the scene's arrays, at the end of the member path; null without a scene.
 template <auto... Path>
 const auto* array_of(const sinew_scene* scene) noexcept {
   return scene != nullptr ? &c::member_of<&sinew_scene::scene, Path...>(*scene) : nullptr;
@@ -34,14 +34,14 @@ const T* at(const std::vector<T>* all, std::size_t i) noexcept {
   return i < size_of(all) ? &(*all)[i] : nullptr;
 }
 
-/// `get` of an object, as C has it; `none` where there is no object.
+/// Converts `get(object)` to C; `none` if there is no object.
 template <class OfC, class Object>
 OfC ask(const Object* object, auto get, OfC none) noexcept {
   if (object == nullptr) return none;
   return c::to_c(std::invoke(get, *object));
 }
 
-/// The first element whose `get` is the name.
+/// Index of the first element for which `get` returns the name.
 template <class T>
 std::uint32_t find_named(const std::vector<T>* all, const char* name, auto get) noexcept {
   if (all == nullptr || name == nullptr) return SINEW_NONE;

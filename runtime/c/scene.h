@@ -8,14 +8,14 @@ extern "C" {
 #endif
 
 /// Everything of one file: joints, clips, meshes. Made by the importer, or by C++ code (runtime/c/handles.h). Only
-/// sinew_clips_load changes it. Indices that are out of range answer empty strings and spans, SINEW_NONE and 0; so does
-/// a null scene.
+/// sinew_clips_load and sinew_assets_add_clips change it. For a null scene or an index out of range, functions return
+/// empty strings and spans, SINEW_NONE or 0.
 typedef struct sinew_scene sinew_scene;
 
-/// Plans of the scene must be gone.
+/// Destroys a scene. Destroy its plans first.
 SINEW_API void sinew_scene_destroy(sinew_scene* scene);
 
-// Joints: every node is one; parents come before children.
+// Joints: every node of the file is a joint; parents come before children.
 SINEW_API size_t sinew_joint_count(const sinew_scene* scene);
 SINEW_API sinew_string sinew_joint_name(const sinew_scene* scene, uint32_t joint);
 SINEW_API uint32_t sinew_joint_parent(const sinew_scene* scene, uint32_t joint);  ///< SINEW_NONE = root
@@ -32,39 +32,41 @@ SINEW_API uint32_t sinew_find_clip(const sinew_scene* scene, const char* name);
 SINEW_API size_t sinew_skin_count(const sinew_scene* scene);
 SINEW_API sinew_indices sinew_skin_joints(const sinew_scene* scene, uint32_t skin);
 
-// Meshes and where they hang.
+// Meshes and their instances.
 SINEW_API size_t sinew_mesh_count(const sinew_scene* scene);
 SINEW_API sinew_string sinew_mesh_name(const sinew_scene* scene, uint32_t mesh);
 SINEW_API uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name);
 SINEW_API size_t sinew_primitive_count(const sinew_scene* scene, uint32_t mesh);
-SINEW_API size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< morph targets
+SINEW_API size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< number of morph targets
 SINEW_API sinew_string sinew_target_name(const sinew_scene* scene, uint32_t mesh, uint32_t target);
 
-/// A mesh hung on a joint. Frames answer one sinew_instance_result for each.
+/// A mesh attached to a joint. Each frame gives one sinew_instance_result for it.
 typedef struct sinew_instance {
   size_t struct_size;
   uint32_t joint, mesh, skin;           ///< skin SINEW_NONE = rigid
-  uint32_t first_weight, weight_count;  ///< of its morph targets in the flat array of all weights
+  uint32_t first_weight, weight_count;  ///< place of its morph weights in the flat array of all morph weights
 } sinew_instance;
 
 SINEW_API size_t sinew_instance_count(const sinew_scene* scene);
 SINEW_API size_t sinew_weight_count(const sinew_scene* scene);
+/// Describes a mesh instance.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_get_instance(const sinew_scene* scene, uint32_t instance, sinew_instance* out);
 
 typedef enum sinew_topology { SINEW_POINTS = 0, SINEW_LINES = 1, SINEW_TRIANGLES = 2 } sinew_topology;
 
-/// One draw in its rest shape. Absent attributes are empty; others have one entry per vertex.
+/// One draw call of a mesh in its rest shape. Absent attributes are empty; others have one entry per vertex.
 typedef struct sinew_primitive {
   size_t struct_size;
-  uint32_t topology;      ///< sinew_topology
-  uint32_t material;      ///< of the file; SINEW_NONE = none
+  uint32_t topology;      ///< a value of sinew_topology
+  uint32_t material;      ///< index of the material in the file; SINEW_NONE = none
   sinew_indices indices;  ///< 1, 2 or 3 per point, line or triangle
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
-  size_t texcoord_count;  ///< sets
+  size_t texcoord_count;  ///< number of texture coordinate sets
 } sinew_primitive;
 
+/// Describes a primitive of a mesh.
 /// err  as sinew_get_instance
 SINEW_API sinew_error sinew_get_primitive(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,
                                           sinew_primitive* out);
@@ -75,7 +77,7 @@ SINEW_API sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, uint32
 /// which sum to 1.
 typedef struct sinew_influences {
   const uint16_t* joints;  ///< [count] index into sinew_skin_joints
-  const float* weights;    ///< [count] falling
+  const float* weights;    ///< [count] in descending order, summing to 1
   size_t count;            ///< 0 = the primitive is not skinned
 } sinew_influences;
 SINEW_API sinew_influences sinew_vertex_influences(const sinew_scene* scene, uint32_t mesh, uint32_t primitive,

@@ -20,7 +20,7 @@ sinew_error add_to(sinew_library& library, std::span<const Clip> clips, const Cl
                    std::uint32_t if_unbound, sinew_messages** unbound) {
   IfUnbound rule = IfUnbound::leave_out;
   if (const sinew_error error = from_c(if_unbound, rule)) return error;
-  ClipLibrary grown = library.clips;  // what throws leaves the library as it was
+  ClipLibrary grown = library.clips;  // a copy, so that an exception leaves the library unchanged
   const Unbound found = grown.add(clips, from, rule);
   auto lines = messages_of(found);
   library.clips = std::move(grown);

@@ -6,11 +6,11 @@
 #include "runtime/c/handles.h"
 #include "runtime/c/library.h"
 
-// How names that do not bind cross the C boundary.
+// Reports names that do not bind to C callers.
 
 namespace sinew::c {
 
-/// One line for each name; null where there is none.
+/// One line for each name; null if all names bind.
 std::unique_ptr<sinew_messages> messages_of(const Unbound& unbound);
 
 /// Adds clips to a library.

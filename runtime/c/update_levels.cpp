@@ -29,11 +29,11 @@ bool has_pages(std::span<const ClipLayer> layers) noexcept {
   return std::any_of(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.page != nullptr; });
 }
 
-/// Room for the input of a C caller on its way in, and for the answer on its way out.
+/// Room for the input of a C caller, and for the input that is returned to it.
 struct Rooms {
   explicit Rooms(const sinew_plan& of) : plan(&of), in(of), out(of) {}
 
-  /// The input of this frame, read at a level.
+  /// Reads the input of this frame, and the level from its number.
   sinew_error read(const sinew_frame_input* given, std::uint32_t number, FrameInput& input, UpdateLevel& level) const {
     if (const sinew_error error = c::from_c(number, level)) return error;
     return c::read_input(given, *plan, in.room(), input).error;
@@ -119,7 +119,7 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
     FrameInput own;
     UpdateLevel at = UpdateLevel::every;
     if (const sinew_error error = interpolated->rooms.read(now, level, own, at)) return error;
-    if (has_pages(own.layers)) return SINEW_UNSUPPORTED;  // those of `ahead` are not given
+    if (has_pages(own.layers)) return SINEW_UNSUPPORTED;  // the caller cannot give the pages of `ahead`
     std::span<const ClipLayer> next;
     if (const sinew_error error = c::read_layers(ahead, ahead_count, "ahead", interpolated->ahead, next).error)
       return error;

@@ -14,39 +14,42 @@ typedef enum sinew_update_level {
   SINEW_UPDATE_EVERY_FOURTH = 2
 } sinew_update_level;
 
-/// Sizes in the picture below which levels change, as fractions of its height.
+/// Screen sizes at which levels change, as fractions of the picture height.
 typedef struct sinew_update_rates {
   size_t struct_size;
   double second_below;  ///< smaller characters are evaluated in every second frame
-  double fourth_below;  ///< and these in every fourth
-  double hysteresis;    ///< a character must be larger by this part to come back to the finer level
-  double longest_s;     ///< between updates, whatever the size
+  double fourth_below;  ///< smaller characters are evaluated in every fourth frame
+  double hysteresis;    ///< a character must be larger by this fraction to return to a finer level
+  double longest_s;     ///< longest time between updates, at any size
 } sinew_update_rates;
 SINEW_API sinew_update_rates sinew_default_update_rates(void);
 
-/// Height of a ball in the picture of a perspective camera, as part of the picture's height; infinite from within.
+/// Height of a sphere in the picture of a perspective camera, as a fraction of the picture height; infinite from
+/// within.
 SINEW_API double sinew_screen_size(double radius_m, double distance_m, double fov_y_rad);
 
-/// The level of a character of this size, not so coarse that updates are more than longest_s apart.
-/// in   before  its level in the last frame;   frame_s  from one frame to the next, 0 = no limit
+/// The level of a character of this size. It is finer where updates would be more than longest_s apart.
+/// in   before  its level in the last frame;   frame_s  time from one frame to the next, 0 = no limit
 ///      rates   null = sinew_default_update_rates
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (before), SINEW_NOT_FINITE (a number is NaN)
 SINEW_API sinew_error sinew_choose_update_level(double screen_size, uint32_t before, double frame_s,
                                                 const sinew_update_rates* rates, uint32_t* level);
 
-/// Frames from this one to the next in which a character of the level is due; 0 for a level that does not exist.
+/// Number of frames until a character of the level is due again; 0 for a level that does not exist.
 SINEW_API uint32_t sinew_frames_to_update(uint32_t level, uint64_t frame, uint32_t phase);
 
 /// Holds a character's input over the frames that its level leaves out: running the same input again costs nothing.
 /// `out_of_view` and `asleep` are always those of this frame.
 typedef struct sinew_held_input sinew_held_input;
 
+/// Creates a held input, at first without an input.
 /// in   plan  must outlive the held input
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_held_input_create(const sinew_plan* plan, sinew_held_input** out);
 SINEW_API void sinew_held_input_destroy(sinew_held_input* held);
 
-/// The input to run in this frame: `now` where the character is due, otherwise the last such input.
+/// The input to run in this frame: `now` if the character is due, otherwise the input of the last frame in which it was
+/// due.
 /// in   now    null = the rest pose;   level  sinew_update_level
 ///      phase  of the character, any number: characters that count up spread their work over frames
 /// out  input  views of `held` and of `now`, valid until the next call. Procedures of programs are not copied: they
@@ -60,6 +63,7 @@ SINEW_API sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_
 /// Evaluates a character at the frames of its level and interpolates the pose in between, without lag.
 typedef struct sinew_interpolated_input sinew_interpolated_input;
 
+/// Creates an interpolated input, at first without poses.
 /// in   plan  with SINEW_NEED_BETWEEN_UPDATES; must outlive the input
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_IN_NEEDS (another plan), SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out);
@@ -73,7 +77,7 @@ SINEW_API sinew_error sinew_interpolated_input_next(sinew_interpolated_input* in
                                                     const sinew_frame_input* now, const sinew_layer* ahead,
                                                     size_t ahead_count, uint32_t level, uint64_t frame, uint32_t phase,
                                                     sinew_frame_input* input);
-/// The next frame starts anew: after a cut, where moving on from the pose before would be wrong.
+/// Starts anew in the next frame. Call it after a cut, where interpolating from the previous pose would be wrong.
 SINEW_API void sinew_interpolated_input_restart(sinew_interpolated_input* interpolated);
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 
 namespace sinew::c {
 
-/// C carries sources without looking inside.
+/// C callers pass vertex sources on as opaque bytes.
 template <>
 struct Convert<sinew_vertex_source, VertexSource> : ConvertInside<sinew_vertex_source, VertexSource> {};
 

@@ -41,7 +41,7 @@ inline constexpr bool kSameBytes<sinew_geometry_binding, GeometryBinding> = true
 
 namespace {
 
-/// The engine's reader as a window asks it. Stays at its address.
+/// Converts the engine's reader to one that a window can call. `given` must not move.
 FrameReader reader_from(sinew_frame_reader& given) noexcept {
   const auto read = [](void* context, std::uint64_t offset, std::span<std::byte> into, FrameRead& pending) noexcept {
     const auto& engine = *static_cast<const sinew_frame_reader*>(context);
@@ -51,7 +51,7 @@ FrameReader reader_from(sinew_frame_reader& given) noexcept {
   return {read, &given};
 }
 
-/// The frames of a file in memory, or of a window over it.
+/// The frames of a file in memory, or of a window over a file that is not.
 class Frames {
  public:
   Frames(const sinew_geometry_cache& cache, const sinew_frame_reader& reader, std::uint32_t window_frames)

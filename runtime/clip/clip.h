@@ -22,15 +22,15 @@ namespace sinew {
 /// distance between a corner of the box as the clip places it and the true position. Linear skinning averages over
 /// joints, so no vertex has a larger error.
 struct ClipCertificate {
-  double asked_m = 0.0;
+  double asked_m = 0.0;               ///< the error budget
   double measured_m = 0.0;            ///< largest sum of joint error and morph weight error at one time
   double weights_m = 0.0;             ///< largest morph weight error over the clip, as the displacement of vertices
   double worst_time_s = 0.0;          ///< time of `measured_m`
   std::uint32_t worst_joint = kNone;  ///< kNone if no joint has an error
   std::uint32_t times_checked = 0;
   std::uint32_t animated_joints = 0;             ///< joints with tracks in the authoring form
-  std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; a folded track counts one
-  /// In a file (clip_file.h): of the clip with every key in full float, and of this clip.
+  std::uint64_t source_keys = 0, kept_keys = 0;  ///< keys of all tracks; a folded track has one.
+  /// Size in a file (clip_file.h): with every key in full float, and as this clip is stored.
   std::uint64_t source_bytes = 0, bytes = 0;
 
   /// False only if the budget is below the error of float arithmetic itself. Then the clip keeps every key in full
@@ -49,7 +49,7 @@ struct ClipCertificate {
 /// float. Only step and linear tracks are rounded.
 struct KeyTolerances {
   struct OfBone {
-    double translation = 0.0;  ///< in metres
+    double translation = 0.0;  ///< a length in metres
     double rotation = 0.0;  ///< the distance by which a point one unit from the axis moves; for small angles, radians
     double scale = 0.0;
   };
@@ -70,13 +70,13 @@ class SINEW_API Clip {
   const std::string& name() const noexcept;
   double duration_s() const noexcept;
   std::size_t joint_count() const noexcept;
-  std::size_t weight_count() const noexcept;    ///< of the scene, one mesh instance after another
-  std::size_t property_count() const noexcept;  ///< of the scene: components of all animated properties
-  std::size_t byte_size() const noexcept;       ///< of key data and tables
+  std::size_t weight_count() const noexcept;    ///< morph weights of the scene, one mesh instance after another
+  std::size_t property_count() const noexcept;  ///< components of all animated properties of the scene
+  std::size_t byte_size() const noexcept;       ///< bytes of key data and tables
 
   /// Tracks that a sample evaluates, by kind.
   struct Counts {
-    std::uint32_t translations = 0, rotations = 0, scales = 0, weights = 0;  ///< animated
+    std::uint32_t translations = 0, rotations = 0, scales = 0, weights = 0;  ///< numbers of animated tracks
     std::uint32_t properties = 0;                                            ///< components of animated properties
     std::uint32_t folded = 0;       ///< constant tracks, which became part of the base pose
     std::uint32_t time_groups = 0;  ///< key searches per sample

@@ -62,6 +62,7 @@ struct JointPlaces {
   std::vector<std::uint32_t> lanes_before;
 
   JointPlaces() = default;
+  /// Makes the map of a block's joints.
   /// in   joints  joint of each lane, increasing, at least one
   explicit JointPlaces(std::span<const std::uint32_t> joints);
 
@@ -87,7 +88,7 @@ struct TrackBlock {
   Property property = Property::translation;
   Interpolation interpolation = Interpolation::linear;
   std::uint32_t lane_count = 0;
-  std::uint32_t plane_count = 0;       ///< per key
+  std::uint32_t plane_count = 0;       ///< number of planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the weight or number; increasing
   JointPlaces places;                  ///< only if targets are joints; targets of weights and numbers are consecutive

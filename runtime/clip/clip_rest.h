@@ -16,24 +16,27 @@ namespace sinew {
 /// Rest values that several clips share. Null only in default-constructed objects.
 using RestNumbers = std::shared_ptr<const std::vector<float>>;
 
-/// The values that sampling starts from: the rest values, with those of the clip's constant tracks in their place. The
-/// clips of a scene share the rest values, so a clip takes memory only for the joints that it changes.
+/// The values that sampling starts from. A value that a constant track of the clip sets comes from that track, all
+/// others are rest values. The clips of a scene share the rest values, so a clip takes memory only for the joints that
+/// it changes.
 class SINEW_API BaseNumbers {
  public:
   struct Override {
     std::uint32_t at;
     float value;
   };
-  /// A clip that changes more than one value in kOverrideShare has its own copy of all values instead.
+  /// A clip that changes more than 1 / kOverrideShare of the values keeps its own copy of all values.
   static constexpr std::size_t kOverrideShare = 16;
 
   BaseNumbers() = default;
+  /// Rest values with some of them overridden.
   /// in   rest  fewer than 2^32 values
-  ///      overrides   in any order; if several have the same `at`, the last one counts; rest values are dropped
+  ///      overrides   in any order; if several have the same `at`, the last one counts; those equal to `rest` are
+  ///      dropped
   /// cost O(overrides log overrides); O(rest) if there are more than rest / kOverrideShare
   explicit BaseNumbers(RestNumbers rest, std::vector<Override> overrides = {});
 
-  /// The given values, of which those equal to `rest` are shared.
+  /// The given values. A value equal to that in `rest` is not stored again.
   /// in   numbers  as many as in rest    cost O(numbers)
   static BaseNumbers over(const RestNumbers& rest, std::span<const float> numbers);
 
@@ -72,10 +75,11 @@ inline RestNumbers rest_numbers(std::vector<float> numbers) {
 /// Rest values of joints, morph weights and properties. Clips that are compiled with the same ClipRest share them.
 struct ClipRest {
   std::size_t joint_count = 0;
-  RestNumbers pose;  ///< in the order of BasePose::planes
+  RestNumbers pose;  ///< rest transforms, in the order of BasePose::planes
   RestNumbers weights, properties;
 };
 
+/// Makes the rest values of a skeleton, its morph weights and its properties.
 /// cost O(joints + weights + properties), allocates
 SINEW_API ClipRest clip_rest(const Skeleton& skeleton, std::span<const float> rest_weights,
                              const PropertyTable& properties);

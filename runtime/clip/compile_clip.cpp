@@ -27,7 +27,7 @@ struct Lane {
 /// A track of weights or property components. Its targets are consecutive.
 template <>
 struct Lane<WeightTrack> {
-  std::uint32_t target;  ///< the first
+  std::uint32_t target;  ///< the first target
   const WeightTrack* track;
   std::span<const double> tolerances = {};  ///< [target_count] or empty = full float
 };
@@ -35,7 +35,7 @@ struct Lane<WeightTrack> {
 /// Tracks with the same key times, which become a TimeGroup.
 struct Draft {
   std::vector<float> times_s;
-  std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
+  std::vector<Lane<Vec3Track>> vectors[2];  // translation tracks, scale tracks
   std::vector<Lane<QuatTrack>> rotations;
   std::vector<Lane<WeightTrack>> weights, numbers;
 };
@@ -57,7 +57,8 @@ class Drafts {
 
 bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }
 
-/// True if the track has the value of its first key at all times. Compares bits, so that folding changes no result.
+/// True if the track has the value of its first key at all times. Compares bits, so that folding it into the base pose
+/// changes no result.
 template <class V>
 bool is_constant(const Track<V>& track) noexcept {
   const auto same = [](const V& a, const V& b) { return std::memcmp(&a, &b, sizeof(V)) == 0; };

@@ -10,10 +10,11 @@
 namespace sinew {
 
 /// The keys of a clip in authoring form. Needed for data derived from keys (root motion, bounds, LODs) if the original
-/// animation is not available. Compiled again it samples the bits of `unpacked(clip)`. Keys that an error budget
-/// removed stay removed; constant tracks have one key.
+/// animation is not available. If these keys are compiled again, the clip samples the same bits as `unpacked(clip)`.
+/// Keys that an error budget removed stay removed; constant tracks have one key.
 /// in    rest, first_weight, properties  of a scene with the joint, weight and property counts of the clip
-/// err   unsupported: a block moves a part of a property, or weights of two instances (never from compile_clip)
+/// err   unsupported: a block of tracks moves only some components of a property, or weights of two instances;
+///       compile_clip never makes such blocks
 /// cost  O(keys + joints), allocates decompiled_bytes(clip)
 SINEW_API Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest,
                                            std::span<const std::uint32_t> first_weight,

@@ -47,7 +47,7 @@ class KeptPoses {
 
   std::span<const std::uint32_t> joints_, numbers_;
   std::size_t stride_;
-  std::map<RestNumbers, RestNumbers> known_;  ///< from rest values of all joints to those of kept joints
+  std::map<RestNumbers, RestNumbers> known_;  ///< key: rest values of all joints; value: those of the kept joints
 };
 
 Clip keep_tracks(const ClipLayout& whole, std::span<const std::uint32_t> numbers, std::size_t joint_count,

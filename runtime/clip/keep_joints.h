@@ -10,12 +10,12 @@
 namespace sinew {
 
 /// A skeleton with only the given joints, in their order, without names and node indices.
-/// in   joints  rising; they contain the parent of each of them
+/// in   joints  rising; the parent of each joint must be among them
 /// cost O(J), allocates
 SINEW_API Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> joints);
 
-/// The clip for that skeleton, without the tracks of other joints. The remaining tracks sample the same bits at every
-/// time. Morph weights and properties do not change.
+/// A copy of the clip for the skeleton that keep_joints makes of the same joints. It has no tracks of other joints. The
+/// remaining tracks sample the same bits at every time. Morph weights and properties do not change.
 /// in   joints  rising
 /// cost O(keys + J), allocates the clip
 SINEW_API Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints);

@@ -16,8 +16,8 @@ namespace sinew {
 /// others since keys are unit. Signs of keys are chosen so that it is positive, as q and -q are the same rotation.
 struct PackedTrack {
   static constexpr std::uint32_t kMostBits = 24;     ///< per component: float holds such integers exactly
-  static constexpr std::uint32_t kMostKeyBits = 56;  ///< per key
-  /// Of components with bits. Sampling divides steps by up to 128, which must be exact.
+  static constexpr std::uint32_t kMostKeyBits = 56;  ///< bits of one key, at most
+  /// Smallest step of a component that has bits. Sampling divides steps by up to 128, and the result must be exact.
   static constexpr float kLeastStep = 0x1p-100f;
   static constexpr std::uint8_t kNoneDerived = 4;
 
@@ -25,7 +25,7 @@ struct PackedTrack {
   std::uint8_t derived = kNoneDerived;
   std::array<float, 4> low{}, step{};
   std::array<std::uint8_t, 4> width{};
-  std::vector<std::uint32_t> numbers;  ///< [key][component]
+  std::vector<std::uint32_t> numbers;  ///< [key][component] the packed numbers
 
   std::uint32_t bits_per_key() const noexcept { return std::uint32_t{width[0]} + width[1] + width[2] + width[3]; }
 };

@@ -35,7 +35,7 @@ std::size_t bit_of(const PackedRows& rows, std::size_t lanes, std::size_t slot, 
          static_cast<std::size_t>(std::countr_zero(rows.mask[at]));
 }
 
-/// The eight bytes in which a number begins. The read stays inside thanks to kReadAhead.
+/// Reads the eight bytes in which a number begins. The read stays inside the array thanks to kReadAhead.
 std::uint64_t eight_bytes(const std::uint8_t* row, std::size_t bit) noexcept {
   std::uint64_t bytes;
   std::memcpy(&bytes, row + bit / 8, sizeof bytes);

@@ -56,6 +56,7 @@ inline constexpr std::size_t kMostPackedLanes = 1024;
 static_assert(kMostPackedLanes * PackedTrack::kMostKeyBits < 65536);
 inline constexpr std::size_t kReadAhead = 16;
 
+/// Arranges packed tracks as the lanes of a block.
 /// in   tracks  of one property, at most kMostPackedLanes, all with `key_count` keys
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count);
 

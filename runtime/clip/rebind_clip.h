@@ -10,9 +10,9 @@ namespace sinew {
 
 /// Indices of the clip's channels in another skeleton or model; kNone = dropped. All others are distinct.
 struct ClipTargets {
-  std::vector<std::uint32_t> joints;   ///< [joints of the clip]
-  std::vector<std::uint32_t> weights;  ///< [morph weights of the clip]
-  std::vector<std::uint32_t> numbers;  ///< [components of animated properties of the clip]
+  std::vector<std::uint32_t> joints;   ///< [joints of the clip] new index of each joint
+  std::vector<std::uint32_t> weights;  ///< [morph weights of the clip] new index of each weight
+  std::vector<std::uint32_t> numbers;  ///< [components of animated properties of the clip] new index of each
 };
 
 /// Channels that a clip moves, by a track or by a constant that differs from the rest value.
@@ -20,6 +20,7 @@ struct ClipMotion {
   std::vector<bool> joints, weights, numbers;
 };
 
+/// Finds the channels that a clip moves.
 /// in   rest  that the clip was compiled with
 /// cost O(tracks + joints + weights + numbers), allocates
 ClipMotion motion_of(const Clip& clip, const ClipRest& rest);

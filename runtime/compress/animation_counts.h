@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// Keys of all tracks.
+/// Number of keys of all tracks.
 inline std::uint64_t key_count(const Animation& animation) {
   std::uint64_t keys = 0;
   for (const BoneAnimation& bone : animation.bones)
@@ -17,7 +17,7 @@ inline std::uint64_t key_count(const Animation& animation) {
   return keys;
 }
 
-/// Joints that have a track.
+/// Number of joints that have a track.
 inline std::uint32_t animated_joints(const Animation& animation) {
   std::set<std::uint32_t> joints;
   for (const BoneAnimation& bone : animation.bones)

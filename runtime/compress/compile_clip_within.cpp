@@ -21,13 +21,13 @@ namespace {
 
 /// Fraction of the budget to use; the rest covers times between the measured ones.
 constexpr double kUsed = 0.97;
-/// Number of rounds with other shares after a clip was found.
+/// Number of rounds that change the shares after a clip was found.
 constexpr int kLoosened = 9;
 constexpr double kMaxLoosened = 2.0;
-/// First guess for the morph weights' part of the budget.
+/// First guess for the part of the budget that morph weights get.
 constexpr double kOfWeights = 0.25;
-/// Fraction of a track's tolerance for rounding its keys; the rest is for dropping keys. Which split gives the smaller
-/// clip depends on the clip, so each part of the search tries one.
+/// Fraction of a track's tolerance for rounding its keys; the rest is for dropping keys. The better split depends on
+/// the clip, so each part of the search tries one split.
 constexpr std::array<double, ClipSearch::kParts> kOfRounding = {0.25, 0.97};
 
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
@@ -45,7 +45,7 @@ class Shares {
   double joint_m(std::uint32_t joint) const { return of_joint_[joint] * kUsed * budget_m_; }
   double weights_m() const { return of_weights_ * kOfWeights * budget_m_; }
 
-  /// Reduces the shares of everything that moved vertices too far. False if nothing did.
+  /// Reduces the shares of all joints and weights that moved vertices too far. False if none did.
   bool tighten(const ClipError& error) {
     if (error.worst_m <= kUsed * budget_m_) return false;
     const double weights_m = error.weights_m, left_m = std::max(kUsed * budget_m_ - weights_m, 0.25 * budget_m_);
@@ -60,7 +60,8 @@ class Shares {
     return true;
   }
 
-  /// Raises the share of each joint as far as the errors below it allow, and that of the weights likewise.
+  /// Raises the share of each joint as far as the errors below it allow. Raises the share of the weights in the same
+  /// way.
   void loosen(const ClipError& error) {
     const double left_m = std::max(kUsed * budget_m_ - error.weights_m, 0.25 * budget_m_);
     std::vector<double> factor(of_joint_.size(), kMaxLoosened);
@@ -81,7 +82,7 @@ class Shares {
 
 double per_unit(double metres, double reach) noexcept { return reach > 0.0 ? metres / reach : 0.0; }
 
-/// Joint and weight tracks that really move, each with its part of the budget.
+/// The joint and weight tracks that change over time, each with its part of the budget.
 std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, const VirtualVertices& vertices,
                                       const std::vector<JointReach>& reach, const Shares& shares) {
   std::vector<LooseTrack> tracks;
@@ -165,7 +166,7 @@ struct Task {
   std::vector<double> times_s = times_to_check(truth, scene.skeleton.joint_count());
   TruthSamples samples{scene, truth, vertices, times_s};
   std::vector<JointReach> reach = joint_reach(truth, scene.skeleton, vertices);
-  std::uint64_t source_bytes = saved_bytes(compile(scene, truth));  // with every key
+  std::uint64_t source_bytes = saved_bytes(compile(scene, truth));  // of the clip with every key
 };
 
 struct Attempt {
@@ -193,7 +194,7 @@ bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) {
   return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes;
 }
 
-/// The result of one search, and how much work it took.
+/// The result of one search, and the number of poses that it evaluated.
 struct Found {
   std::optional<ClipWithin> smallest;
   std::uint64_t truth_poses = 0;

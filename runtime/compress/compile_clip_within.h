@@ -11,7 +11,7 @@ namespace sinew {
 /// A clip within an error budget.
 struct ClipWithin {
   Animation keys;                 ///< the keys that were kept, in authoring form and not rounded; for writing to a file
-  Clip clip;                      ///< with its certificate
+  Clip clip;                      ///< the compiled clip, with its certificate
   std::uint64_t truth_poses = 0;  ///< number of poses of the authoring form that the search evaluated
 };
 
@@ -24,11 +24,11 @@ struct ClipWithin {
 /// budget wins. If none is found in kMaxRounds rounds, every key is kept.
 ///
 /// Morph weights share the budget by how far they displace vertices. Properties keep every key: a length in metres
-/// means nothing for colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
+/// means nothing for colours. A budget of 0 keeps everything, bit for bit. The same input always gives the same clip.
 /// in   scene     the animation's own scene, finished (scene.h) and checked
 ///      vertices  of that scene
 ///      budget_m  in the file's units, >= 0
-/// cost seconds for ten thousand joints or an hour; allocates
+/// cost seconds for a clip with ten thousand joints, or for one that lasts an hour; allocates
 SINEW_API ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                          double budget_m);
 inline constexpr int kMaxRounds = 32;

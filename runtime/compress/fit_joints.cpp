@@ -14,15 +14,15 @@
 namespace sinew {
 namespace {
 
-/// Moving joints times times that are held at once, 272 bytes each, and the fewest times of a part.
+/// Most moving joints times times in memory at once, at 272 bytes each, and the fewest times of a part.
 constexpr std::size_t kMostHeld = std::size_t{1} << 18, kFewestTimes = 256;
 /// A track that kept this fraction of its keys will keep all of them, and needs hardly any share.
 constexpr double kNeedsAll = 0.9, kWeightOfWhole = 0.01;
 
 double key_time(const std::vector<float>& times_s, std::size_t key) { return static_cast<double>(times_s[key]); }
 
-/// Times that the search looks at: keys, the last moments before jumps, and between keys the middle (quarters, if a
-/// track is cubic).
+/// Times that the search examines: all keys, the last moments before jumps, and the middle between keys. If a track is
+/// cubic, also the quarters between keys.
 std::vector<double> times_to_look_at(const Animation& animation) {
   std::vector<double> times_s{0.0, animation.duration_s};
   bool cubic = false;

@@ -9,9 +9,9 @@
 
 namespace sinew {
 
-/// Leaves keys out of the tracks of joints, from the roots to the tips. Each track holds the error that has come
-/// together so far, of its joint and all below it, within a share of the budget. The shares rise along each path of
-/// joints, up to the whole budget at its end. Later tracks may use the part that earlier ones left.
+/// Leaves keys out of the tracks of joints, from the roots to the tips. After each track, the error that its joint and
+/// all joints below it have accumulated stays within a share of the budget. The shares rise along each path of joints,
+/// up to the whole budget at its end. Later tracks may use the part that earlier ones left.
 class JointFit {
  public:
   /// The arguments must outlive it.
@@ -34,15 +34,15 @@ class JointFit {
     std::uint32_t joint = 0;     ///< index of the moving joint
     std::uint32_t property = 0;  ///< index into MovingJoint::bone_of
     KeptKeys kept;
-    double weight = 1.0;          ///< relative share
+    double weight = 1.0;          ///< share relative to those of other tracks
     double from = 0.0, to = 0.0;  ///< part of the budget that may be used before and after this track
   };
   /// The times of one part of the animation. Long animations are worked on in parts, which bounds the memory.
   struct Part {
     std::vector<double> times_s;
     bool first = false, last = false;
-    std::vector<std::vector<Transformd>> local;  ///< [moving joints][times] of the truth
-    std::vector<std::vector<Affined>> model;     ///< [moving joints][times] of the truth
+    std::vector<std::vector<Transformd>> local;  ///< [moving joints][times] local transforms of the truth
+    std::vector<std::vector<Affined>> model;     ///< [moving joints][times] model matrices of the truth
   };
 
   void set_shares();
@@ -55,7 +55,7 @@ class JointFit {
   const Skeleton& skeleton_;
   const Animation &truth_, &stored_;
   std::vector<MovingJoint> joints_;
-  std::vector<Stage> stages_;  ///< by joint, parents first
+  std::vector<Stage> stages_;  ///< in the order of joints, parents first
   std::vector<double> times_s_;
   std::size_t times_per_part_ = 0;
   std::vector<Part> kept_parts_;  ///< the only part of a short animation, else empty

@@ -18,13 +18,14 @@
 namespace sinew {
 namespace {
 
-/// Fraction of the budget that the search uses. The rest covers times that it does not look at.
+/// Fraction of the budget that the search uses. The rest covers times that it does not examine.
 constexpr double kSearchedPart = 0.98;
-/// Number of looks with other shares, and of further ones with a smaller budget if the measured error is above it.
+/// Number of searches with other shares. Then the number of searches with a smaller budget, if the measured error is
+/// too large.
 constexpr int kLooks = 3, kSmaller = 4;
 /// The part of the budget of morph weights, if joints move as well.
 constexpr double kWeightsPart = 0.25;
-/// Number of poses in which the size of morph displacements in model space is looked at.
+/// Number of poses in which the size of morph displacements in model space is measured.
 constexpr int kMorphPoses = 12;
 
 std::uint64_t value_bytes(const Animation& animation, std::set<std::vector<float>>& times) {
@@ -86,7 +87,7 @@ std::uint32_t resting_key(const WeightTrack& track, const LooseTrack& loose) {
   return best;
 }
 
-/// Morph weights, which no other track depends on.
+/// Chooses the keys of morph weights, which no other track depends on.
 void fit_weights(const Scene& scene, const Animation& truth, const Animation& stored, const VirtualVertices& vertices,
                  double budget_m, std::vector<KeptKeys>& out) {
   const std::vector<double> stretch = stretches(scene, truth, vertices);

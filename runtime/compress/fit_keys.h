@@ -8,12 +8,13 @@ namespace sinew {
 
 /// The keys of an animation that a file needs within an error budget. No virtual vertex, in model space, is farther
 /// than `budget_m` from its place in `truth`, at keys and between them. Every kept key is a key of the file, with its
-/// time, value and tangents. A track that hardly moves keeps one key. Keys that a format rounds are judged as they are
-/// rounded: compile_clip_within() makes clips of the runtime, which rounds in its own way.
+/// time, value and tangents. A track that hardly moves keeps one key. If the file format rounds keys, the error
+/// includes that rounding (`stored`). Use compile_clip_within() for clips of the runtime, which rounds in its own way.
 ///
-/// The search goes from the roots of the skeleton to its tips. It holds the error that has come together so far, of a
-/// joint and all below it, within a share of the budget. A tip may use everything that is left. A second look gives
-/// joints that need many keys larger shares. The form with the fewest bytes (FileBytes) wins. Morph weights have a
+/// The search goes from the roots of the skeleton to its tips. Each joint may use a share of the budget for itself and
+/// all joints below it, and a tip may use everything that is left. Later rounds give larger shares to joints that need
+/// many keys. The form with the fewest bytes (FileBytes) wins. Morph weights have a share of the budget by how far they
+/// displace vertices. Properties keep every key, as do squad tracks.
 /// share of the budget by how far they displace vertices. Properties keep every key, as do squad tracks.
 /// in   truth     of the scene
 ///      stored    the same tracks and times, with the values that a reader of the file will see
@@ -25,8 +26,8 @@ SINEW_API Animation fit_keys(const Scene& scene, const Animation& truth, const A
 
 /// Bytes of the keys of an animation in a glTF file. Equal key times are stored once.
 struct FileBytes {
-  static constexpr std::uint64_t kTimes = 130;  ///< the description of a list of key times
-  static constexpr std::uint64_t kValues = 90;  ///< that of a list of values
+  static constexpr std::uint64_t kTimes = 130;  ///< the JSON that describes one list of key times
+  static constexpr std::uint64_t kValues = 90;  ///< the JSON that describes one list of values
 };
 SINEW_API std::uint64_t bytes_in_file(const Animation& animation);
 

@@ -29,7 +29,7 @@ class TrackFit {
         limit_squared_(limit * limit),
         error_squared_(error_squared) {}
 
-  /// Adds to `kept.keys` those that the part needs.
+  /// Adds the keys that the part needs to `kept.keys`.
   void run(KeptKeys& kept) const {
     if (first_ && last_)
       if (const std::uint32_t key = middle_key(track_); holds_value(0, at_s_.size(), key)) {
@@ -42,8 +42,8 @@ class TrackFit {
     if (last_) drop_last(kept.keys);
   }
 
-  /// The value that the kept keys give at a time of the part. `segment` is the last key at or before it, a hint that
-  /// goes up.
+  /// The value that the kept keys give at a time of the part. `segment` is a hint: the index of the last kept key at or
+  /// before the time. It moves forward with rising times.
   Value value_at(const KeptKeys& kept, std::size_t t, std::size_t& segment) const {
     const std::vector<std::uint32_t>& keys = kept.keys;
     while (segment + 1 < keys.size() && time_of(keys[segment + 1]) <= at_s_[t]) ++segment;
@@ -114,7 +114,7 @@ class TrackFit {
     }
   }
 
-  /// Drops keys at the end whose value the one before may stand for.
+  /// Drops keys at the end, if the value of the kept key before them may stand for theirs.
   void drop_last(std::vector<std::uint32_t>& keys) const {
     while (keys.size() > 1) {
       const std::uint32_t before = keys[keys.size() - 2];

@@ -11,10 +11,11 @@ namespace sinew {
 /// sharing out the budget; the compiled clip is measured afterwards.
 struct JointReach {
   double translation = 0.0;  ///< per unit of length in the parent's space
-  double rotation = 0.0;     ///< per radian
+  double rotation = 0.0;     ///< metres per radian
   double scale = 0.0;        ///< per unit of scale
 };
 
+/// Computes the reach of each joint.
 /// eq   from the tips to the roots: radius[j] = max(|M[j] c - o[j]|, |o[child] - o[j]| + radius[child])
 /// cost O(J), allocates
 std::vector<JointReach> joint_reach(const Animation& animation, const Skeleton& skeleton,

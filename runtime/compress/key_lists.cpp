@@ -20,7 +20,7 @@ using Keys = std::vector<std::uint32_t>;
 /// Tracks that keep the same keys of the same list.
 struct SharedList {
   Keys keys;
-  std::size_t bytes_per_key = 0;     ///< of the values of all tracks
+  std::size_t bytes_per_key = 0;     ///< bytes of the values of all tracks, per key
   std::vector<std::size_t> members;  ///< indices of tracks
 };
 
@@ -65,7 +65,7 @@ void merge(std::vector<SharedList>& lists) {
   }
 }
 
-/// Gives lists all `count` keys of their source back where one list of all keys takes fewer bytes than theirs.
+/// Gives lists all `count` keys of their source back, if one list of all keys takes fewer bytes than they do.
 void keep_all(std::size_t count, std::vector<SharedList>& lists) {
   SharedList all;
   for (std::uint32_t key = 0; key < count; ++key) all.keys.push_back(key);
@@ -112,7 +112,7 @@ std::size_t entries_per_value(const Track<V>&) {
 }
 std::size_t entries_per_value(const WeightTrack& track) { return track.target_count; }
 
-/// One value at all times: that of a key. It is linear, since a cubic track needs two keys.
+/// Makes a track of one value at all times, that of a key. It is linear, since a cubic track needs two keys.
 template <class TrackType>
 void rest(TrackType& track, std::uint32_t key) {
   const auto per_value = static_cast<std::ptrdiff_t>(entries_per_value(track));

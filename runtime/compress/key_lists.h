@@ -22,10 +22,10 @@ inline std::size_t track_count(const Animation& animation) noexcept {
   return 3 * animation.bones.size() + animation.weights.size();
 }
 
-/// The keys of a track that stay.
+/// The keys that a track keeps.
 struct KeptKeys {
-  std::size_t track = 0;            ///< its number
-  std::vector<std::uint32_t> keys;  ///< increasing
+  std::size_t track = 0;            ///< number of the track, as in with_track
+  std::vector<std::uint32_t> keys;  ///< indices of the keys, increasing
   bool rests = false;               ///< there is one key, and the track has its value at all times
 };
 

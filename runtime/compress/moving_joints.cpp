@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-/// Poses in which the reach of each joint is looked at, and the number of points that all of them may take.
+/// Number of poses in which the reach of each joint is measured, and the most points of all these poses.
 constexpr std::size_t kMostPoses = 12, kMostPoints = 1'000'000;
 
 void add_corners(const Affined& to_space, const Aabb& box, Aabb& sum) {
@@ -16,7 +16,7 @@ void add_corners(const Affined& to_space, const Aabb& box, Aabb& sum) {
   for (std::size_t i = 0; i < 8; ++i) sum.add(glm::vec3(Vec3<double>(corners[0][i], corners[1][i], corners[2][i])));
 }
 
-/// The tracks that count of each joint: of two tracks for one property the last one, as in evaluate_truth.
+/// For each joint the tracks that count: of two tracks for one property the last one, as in evaluate_truth.
 std::vector<std::array<std::uint32_t, 3>> tracks_of(const Animation& animation, const Skeleton& skeleton) {
   std::vector<std::array<std::uint32_t, 3>> bone_of(skeleton.joint_count(), {kNone, kNone, kNone});
   for (std::uint32_t b = 0; b < animation.bones.size(); ++b) {
@@ -29,7 +29,7 @@ std::vector<std::array<std::uint32_t, 3>> tracks_of(const Animation& animation, 
   return bone_of;
 }
 
-/// Adds what moves below each joint, in several poses.
+/// Adds the places of the virtual vertices below each joint, in several poses.
 void add_below(const Animation& animation, const Skeleton& skeleton, std::vector<MovingJoint>& joints) {
   std::size_t points = 1;
   std::vector<std::size_t> depth(joints.size(), 1);
@@ -59,8 +59,10 @@ std::vector<MovingJoint> moving_joints(const Animation& animation, const Skeleto
                                        const VirtualVertices& vertices) {
   const std::vector<std::array<std::uint32_t, 3>> tracks = tracks_of(animation, skeleton);
   std::vector<MovingJoint> joints;
-  std::vector<std::uint32_t> owner(skeleton.joint_count(), kNone);  // [J] the moving joint that each joint belongs to
-  std::vector<Affined> to_owner(skeleton.joint_count());            // [J] constant: to its space, or to model space
+  // [J] index of the moving joint that each joint belongs to
+  std::vector<std::uint32_t> owner(skeleton.joint_count(), kNone);
+  // [J] constant: to the space of the owner, or to model space
+  std::vector<Affined> to_owner(skeleton.joint_count());
   for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
     const std::uint32_t parent = skeleton.parents[j];
     const Affined from_parent = parent == kNone ? Affined{} : to_owner[parent];

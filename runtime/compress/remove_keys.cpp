@@ -165,7 +165,7 @@ std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key
   return kept;
 }
 
-constexpr std::size_t kKeysLookedAt = 2048;  // enough keys of a track to estimate how many it needs
+constexpr std::size_t kKeysLookedAt = 2048;  // so many keys of a track suffice to estimate how many it needs
 constexpr int kGroupDepth = 2;               // a list is cut in two, and its halves once more
 constexpr std::size_t kCutPlaces = 8;        // cuts are tried at each eighth of a list
 

@@ -35,8 +35,7 @@ inline constexpr std::size_t kLongestStep = 64;
 /// Removes all other keys.       in  keys  increasing
 void keep_keys(const LooseTrack& track, std::span<const std::uint32_t> keys);
 
-/// Replaces the track by one constant value if that is within its tolerance.
-/// out  true if it was
+/// Replaces the track by one constant value if that is within its tolerance.     out  true if it was replaced
 bool flatten_to_constant(const LooseTrack& track);
 
 /// Splits tracks that share their key times into groups that keep different keys, if that takes fewer bytes. Otherwise

@@ -14,12 +14,13 @@ namespace sinew {
 /// The eight corners of a box in model space, all x, then all y, then all z.
 using BoxCorners = std::array<std::array<double, 8>, 3>;
 
+/// Computes the corners of a joint's box in model space.
 /// eq   M c for each corner c of corners_of(box); the same bits as transform_point
 SINEW_API BoxCorners corners_in_model(const Affined& model, const Aabb& box) noexcept;
 
 /// The exact values of an animation at one time, which samples of compiled clips are compared with.
 struct TruthSample {
-  std::vector<BoxCorners> corners;  ///< [J] of the virtual vertices, model space
+  std::vector<BoxCorners> corners;  ///< [J] boxes of virtual vertices, in model space
   std::vector<double> weights;      ///< values of the weight tracks, one track after the other.
   /// [instances] Longest image in model space of a unit length of mesh space; 0 for instances without weight tracks.
   /// Empty if the animation has no weight tracks.

@@ -15,12 +15,13 @@ namespace sinew {
 struct VirtualVertices {
   static constexpr float kShell = 0.03f;  ///< half-width of the cube of a joint without vertices, in the file's units
 
-  std::vector<Aabb> boxes;           ///< [J] never empty
+  std::vector<Aabb> boxes;           ///< [J] box of each joint, never empty
   std::vector<bool> moves_vertices;  ///< [J] the box contains vertices of a mesh
   /// [W] longest displacement by each morph weight, in mesh space; kShell for empty targets
   std::vector<float> metres_per_weight;
 };
 
+/// Computes the boxes of all joints of a scene.
 /// in   scene  must have passed its checks      cost O(vertices x influences), allocates
 SINEW_API VirtualVertices virtual_vertices(const Scene& scene);
 

@@ -15,7 +15,7 @@ namespace sinew {
 /// A primitive of a mesh instance, and the mesh of a cache that it takes its vertices from.
 struct GeometryBinding {
   std::uint32_t instance = 0, primitive = 0;
-  std::uint32_t mesh = 0;  ///< of the cache
+  std::uint32_t mesh = 0;  ///< index of the cache's mesh
 };
 
 struct GeometryBindings {
@@ -38,7 +38,7 @@ SINEW_API Result<std::vector<std::uint32_t>> match_vertices(const GeometryMesh& 
 
 /// Checks that a player can use these bindings.
 /// err  index_out_of_range   no such instance, primitive or mesh
-///      unsupported          an instance has unbound primitives, or one that is bound twice
+///      unsupported          an instance has an unbound primitive, or a primitive that is bound twice
 ///      and those of match_vertices
 SINEW_API ErrorCode check(const GeometryCache& cache, const Scene& scene, std::span<const GeometryBinding> bindings);
 

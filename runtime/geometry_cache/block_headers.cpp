@@ -32,8 +32,8 @@ bool may_follow(FramePlace place, BlockBase base) noexcept {
 
 /// The byte planes of both sections. Byte `b` of plane `p` is at p * (bytes of a plane) + b.
 struct Planes {
-  const std::uint8_t *kinds, *widths, *upper_offsets, *shifts, *upper_matrices;  // coarse
-  const std::uint8_t *offsets, *matrices;                                        // fine
+  const std::uint8_t *kinds, *widths, *upper_offsets, *shifts, *upper_matrices;  // planes of the coarse section
+  const std::uint8_t *offsets, *matrices;                                        // planes of the fine section
   unsigned offset_planes;  // number of planes above the lowest byte
   std::size_t blocks, turning;
 };

@@ -38,7 +38,7 @@ struct BlockMotion {
   BlockBase base = BlockBase::last;
   bool turns = false;                    ///< M is present: the block also turns, stretches and shears
   bool spreads = false;                  ///< residuals are predicted from neighbours, as in `space`
-  std::uint8_t shift = 0;                ///< [0, 30]
+  std::uint8_t shift = 0;                ///< bits by which the product with M is shifted right, 0 to 30
   std::array<std::uint8_t, 3> width{};   ///< bits of each residual along x, y, z
   std::array<std::int16_t, 9> matrix{};  ///< column by column
   std::array<std::int32_t, 3> offset{};
@@ -50,7 +50,7 @@ struct MoveBlocksJob {
   std::span<const BlockMotion> blocks;
   std::span<const std::uint8_t> payload;  ///< packed zigzag residuals: 8 * width bytes per block and axis, then padding
   std::span<const std::uint8_t> corners;  ///< [3 * 64 * blocks] a, b, c of each point, below 64, or kNoCorner
-  std::span<const std::int32_t> x1, x2;   ///< [192 * blocks]
+  std::span<const std::int32_t> x1, x2;   ///< [192 * blocks] numbers one and two frames earlier
   std::span<std::int32_t> x;              ///< [192 * blocks] may be x2
 };
 ErrorCode check(const MoveBlocksJob& job) noexcept;
@@ -60,9 +60,9 @@ void run_unchecked(const MoveBlocksJob& job) noexcept;
 /// eq   out = step ((1 - part) from + part to), each product and sum rounded to float by itself; `to` alone at part 1
 /// err  size_mismatch     cost O(points), no allocation
 struct EmitPointsJob {
-  std::span<const std::int32_t> from, to;  ///< [192 * blocks] of two frames
-  float part = 1.0f;                       ///< [0, 1]
-  float step = 1.0f;                       ///< metres
+  std::span<const std::int32_t> from, to;  ///< [192 * blocks] numbers of two frames
+  float part = 1.0f;                       ///< [0, 1] fraction of the way from `from` to `to`
+  float step = 1.0f;                       ///< metres per integer step
   std::span<glm::vec3> out;                ///< [points], at most 64 * blocks
 };
 ErrorCode check(const EmitPointsJob& job) noexcept;

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// A read that the engine has been asked for and has not finished yet.
+/// A read that was requested from the engine and has not finished yet.
 class FrameRead {
  public:
   /// Call once per read, from any thread. `ok` = the bytes have arrived; otherwise the window asks again when it needs
@@ -36,7 +36,8 @@ enum class ReadOutcome : std::uint8_t {
 /// How the engine reads a file. Several caches may share one reader if `context` or the FrameRead tells their reads
 /// apart.
 struct SINEW_API FrameReader {
-  /// Reads `into.size()` bytes of the file from `offset` on. May return before they are there (ReadOutcome::pending).
+  /// Reads `into.size()` bytes of the file from `offset` on. May return before they have arrived
+  /// (ReadOutcome::pending).
   ReadOutcome (*read)(void* context, std::uint64_t offset, std::span<std::byte> into,
                       FrameRead& read) noexcept = nullptr;
   void* context = nullptr;
@@ -58,7 +59,7 @@ class SINEW_API FrameWindow {
   /// cost O(frames^2) of the window, and the reads;  no allocation
   void prefetch(std::uint32_t next) noexcept;
 
-  operator FrameSource() noexcept;  ///< valid as long as this; requests a frame that is missing
+  operator FrameSource() noexcept;  ///< valid as long as this window; a request for a missing frame starts its read
 
   std::size_t pending_reads() const noexcept;
   std::uint32_t frames_loaded() const noexcept;  ///< loaded frames; may be called while another thread plays

@@ -35,7 +35,7 @@ struct GeometryStream {
   float step = 0.0f;                           ///< quantisation step: values are integer multiples of it
   std::uint32_t point_count = 0;               ///< number of points in the file
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices] the point of each vertex of the mesh
-  std::vector<std::uint8_t> corners;           ///< [3 * 64 * blocks] as MoveBlocksJob::corners
+  std::vector<std::uint8_t> corners;           ///< [3 * 64 * blocks] for each point the three points that predict it
   std::uint32_t most_payload = 0;              ///< bytes of packed residuals in the largest frame
   double asked = 0.0;     ///< requested error bound: metres, or the length of a difference of normals or colours
   double measured = 0.0;  ///< largest error of a decoded value in any frame, measured after decoding
@@ -45,18 +45,18 @@ struct GeometryStream {
 
 /// Largest position errors in metres, over all vertices and frames of a mesh.
 struct GeometryCertificate {
-  double asked_m = 0.0;     ///< as GeometryStream::asked of positions
-  double measured_m = 0.0;  ///< as GeometryStream::measured
+  double asked_m = 0.0;     ///< error budget of positions, as GeometryStream::asked
+  double measured_m = 0.0;  ///< largest measured error of positions, as GeometryStream::measured
   double between_m = -1.0;  ///< halfway between frames, for linearly interpolated positions; negative = not measured
 };
 
 struct GeometryMesh {
   std::string name;
   std::uint32_t vertex_count = 0;
-  std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = stored elsewhere
+  std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = the cache does not store them; the scene does
   std::vector<GeometryStream> streams;   ///< at most one of each kind, in the order of kinds; positions always exist
   GeometryCertificate certificate;
-  Aabb bounds;  ///< of all frames
+  Aabb bounds;  ///< box around the mesh in all frames
 };
 
 /// Where the bytes of a frame lie in the file.
@@ -81,6 +81,7 @@ class SINEW_API GeometryCache {
   /// tell; kGeometryFileHead bytes are enough.
   static std::uint64_t head_bytes(std::span<const std::byte> start) noexcept;
 
+  /// Reads and checks the head of a file.
   /// in   head       the file, or its first head_bytes()
   ///      file_size  bytes of the whole file
   /// Any bytes may be passed. Memory stays below 16 MiB and 64 times the head.
@@ -91,7 +92,7 @@ class SINEW_API GeometryCache {
   }
 
   std::span<const GeometryMesh> meshes() const noexcept { return meshes_; }
-  std::size_t stream_count() const noexcept { return stream_count_; }  ///< of all meshes, one mesh after another
+  std::size_t stream_count() const noexcept { return stream_count_; }  ///< number of streams of all meshes
   std::uint32_t frame_count() const noexcept { return static_cast<std::uint32_t>(frames_.size()); }
   /// Every segment_frames-th frame is a key frame
   std::uint32_t segment_frames() const noexcept { return segment_frames_; }

@@ -42,14 +42,14 @@ class SINEW_API GeometryPlayer {
   GeometryInput at(double time_s, float weight = 1.0f) noexcept { return {source(), time_s, weight}; }
   VertexSource source() noexcept;  ///< valid as long as this
 
-  /// Contains the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so instances can be
-  /// culled before they play.
+  /// A box that contains the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so
+  /// instances can be culled before they play.
   /// in   instance  one of instances()
   Aabb bounds(std::uint32_t instance, double time_s) const noexcept;
 
   const GeometryCache& cache() const noexcept { return cache_; }
   const GeometryDecoder& decoder() const noexcept { return decoder_; }
-  GeometryStatus status() const noexcept { return status_; }  ///< of the last decoded frame
+  GeometryStatus status() const noexcept { return status_; }  ///< status of the last decoded frame
 
  private:
   /// A primitive that the player moves.

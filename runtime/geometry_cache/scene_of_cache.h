@@ -14,7 +14,7 @@ struct CacheScene {
   /// For each mesh of the cache: a node, a mesh, an instance and a double-sided material of its name. Its rest shape is
   /// the first frame. A mesh without triangles is shown as points.
   Scene scene;
-  std::vector<GeometryBinding> bindings;  ///< for GeometryPlayer: mesh i plays in instance i
+  std::vector<GeometryBinding> bindings;  ///< bindings for GeometryPlayer: mesh i plays in instance i
 };
 
 /// Normals are those of the cache, or else smooth over points of equal position. Colours are those of the first frame.

@@ -48,7 +48,7 @@ Match match_names(const SharedArray<std::string>& from, const SharedArray<std::s
   return match;
 }
 
-/// For weights and property components, which have no signature that tells if two lists are equal.
+/// Matches weights or property components. No signature tells if their lists are equal, so the names are compared.
 Match match_lists(const SharedArray<std::string>& from, const SharedArray<std::string>& to) {
   const bool all_named = std::none_of(from.begin(), from.end(), [](const std::string& name) { return name.empty(); });
   return from.shares_with(to) || (all_named && from == to) ? each_to_itself(from.size()) : match_names(from, to);
@@ -61,7 +61,7 @@ void append_new(std::vector<std::string>& names, const std::vector<std::string>&
     if (there.insert(name).second) names.push_back(name);
 }
 
-/// all = all or moved
+/// Sets `all` to (all or moved), entry by entry.
 void unite(std::vector<bool>& all, const std::vector<bool>& moved) {
   all.resize(moved.size());
   for (std::size_t i = 0; i < moved.size(); ++i) all[i] = all[i] || moved[i];

@@ -12,7 +12,7 @@ namespace sinew {
 
 /// Channels that clips move, but that could not be bound. Each name is listed once, for any number of clips.
 struct SINEW_API Unbound {
-  std::vector<std::string> missing;    ///< not in `to`; without a name, a description: "joint 3 without a name"
+  std::vector<std::string> missing;    ///< names that `to` lacks, or descriptions: "joint 3 without a name"
   std::vector<std::string> ambiguous;  ///< several channels have the name, in `from` or in `to`, so none was bound
 
   bool empty() const noexcept { return missing.empty() && ambiguous.empty(); }

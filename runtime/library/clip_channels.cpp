@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Falls back to the name of the joint, since many exporters name only nodes.
+/// The mesh's name. If it has none, the name of the joint, since many exporters name only nodes.
 std::string_view name_of(const MeshInstance& instance, const Scene& scene) noexcept {
   const std::string_view mesh = scene.meshes[instance.mesh].name;
   const std::vector<std::string>& joints = scene.skeleton.names;

@@ -21,10 +21,10 @@ namespace sinew {
 ///
 /// owns  the names, together with its copies
 struct ClipChannels {
-  std::uint64_t signature = 0;       ///< of the skeleton (animation/skeleton_signature.h)
-  SharedArray<std::string> joints;   ///< [J]
-  SharedArray<std::string> weights;  ///< [W]
-  SharedArray<std::string> numbers;  ///< [P]
+  std::uint64_t signature = 0;       ///< signature of the skeleton (animation/skeleton_signature.h)
+  SharedArray<std::string> joints;   ///< [J] name of each joint
+  SharedArray<std::string> weights;  ///< [W] name of each morph weight
+  SharedArray<std::string> numbers;  ///< [P] name of each component of a property
   ClipRest rest;
 };
 

@@ -70,10 +70,10 @@ class SINEW_API ClipLibrary {
 };
 
 /// The clips of a library bound to a scene, in the library's order, for compile_plan. They share the keys of the
-/// library, unless joints or morph targets have another order in the scene. Bodies of other sizes are scenes with
+/// library, unless joints or morph targets have another order in the scene. A body of another size is a scene with
 /// another rest pose.
-/// out  the clips, and the channels that do not bind, also those that only other outfits have. Properties bind only if
-///      clips of the scene itself animate them (Scene::properties).
+/// out  the clips, and the channels that do not bind, including channels that only other outfits have. Properties bind
+///      only if clips of the scene itself animate them (Scene::properties).
 /// cost O(names + clips * (joints + weights + numbers)), allocates
 SINEW_API BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
 

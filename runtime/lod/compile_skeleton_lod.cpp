@@ -163,7 +163,7 @@ class Pruner {
     return stride;
   }
 
-  /// The branches below a joint that stays become candidates of their own.
+  /// The branches below a joint that stays become candidates themselves.
   void open_below(std::uint32_t joint) {
     for (const std::uint32_t child : children_[joint]) {
       Branch branch{{child}};

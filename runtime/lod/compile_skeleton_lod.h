@@ -12,9 +12,9 @@ namespace sinew {
 
 /// Finds the largest set of joints that poses can leave out. No virtual vertex (virtual_vertices.h) may then be farther
 /// than `tolerance_m` from its place with all joints. A left-out joint is held at the mean of its transforms in the
-/// clips. From the roots down, a joint goes with all its descendants if their virtual vertices stay within the
-/// tolerance. This is checked at every key and at five times between each two. Joints without vertices go as soon as no
-/// descendant is needed. Joints of cameras and lights stay.
+/// clips. From the roots down, a joint is left out with all its descendants if their virtual vertices stay within the
+/// tolerance. This is checked at every key and at five times between each two. Joints without vertices are left out as
+/// soon as no descendant is needed. Joints of cameras and lights stay.
 ///
 /// Rigid meshes and linear blending keep the tolerance up to rounding, since their vertices are weighted means of what
 /// the joints do. For other kinds of skinning, frames with and without the joints are compared vertex by vertex. Fewer

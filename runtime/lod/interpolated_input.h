@@ -14,14 +14,13 @@ SINEW_API std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame,
 
 /// Evaluates a character in the frames of its level and interpolates in between. A clip is known in advance, so the
 /// pose of the next update is evaluated one interval early. Frames between the two updates are interpolated without lag
-/// (interpolate_poses.h). Sampling and blending of layers then cost 2^-k of their cost in every frame. Interpolation,
-/// model matrices, palettes and skinning still run in every frame for what is in view. It pays where layers are many,
-/// or where vertices are skinned elsewhere. HeldInput (update_rate.h) saves the rest as well, but its motion is jerky.
+/// (interpolate_poses.h). At level k, sampling and blending of layers then cost 2^-k of their full cost. Interpolation,
+/// model matrices, palettes and skinning still run in every frame for meshes in view. It pays where layers are many, or
+/// where vertices are skinned elsewhere. HeldInput (update_rate.h) saves the rest as well, but its motion is jerky.
 ///
 /// A change of clip, weight or speed shows at the next update, up to 2^k - 1 frames late and without a jump. The root,
 /// given morph weights, vertex sources and visibility are always those of the current frame. Pose programs are
-/// evaluated
-/// in every frame: their next pose is not known in advance.
+/// evaluated in every frame, since their next pose is not known in advance.
 /// err  of second order: under an acceleration a, the pose is off by at most a h^2 / 8, h the time between updates.
 ///      Under a constant turn by an angle x per interval it is off by less than 0.0041 x^3 rad (rotations are
 ///      interpolated on the chord). A sudden step between two updates is smeared over the interval.
@@ -43,7 +42,7 @@ class SINEW_API InterpolatedInput {
 
  private:
   std::vector<ClipLayer> from_, to_;
-  std::uint64_t start_ = 0, end_ = 0;  // the frames of from_ and to_
+  std::uint64_t start_ = 0, end_ = 0;  // frame numbers of from_ and to_
   bool moves_ = false;
 };
 

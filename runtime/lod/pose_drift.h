@@ -9,7 +9,7 @@ namespace sinew {
 
 /// How far points attached to a joint can move from their places at the middle of a time interval.
 struct Drift {
-  double fixed_m = 0.0;    ///< of the joint's origin
+  double fixed_m = 0.0;    ///< movement of the joint's origin
   double per_metre = 0.0;  ///< added for each metre of distance from the origin, in the joint's space
 };
 
@@ -41,7 +41,8 @@ class PoseDrift {
 
   const Skeleton& skeleton_;
   const Animation& animation_;
-  std::vector<bool> cubic_vectors_, bent_rotations_;  // [J]
+  // [J] a translation or scale track of the joint is cubic; its rotation curve is no arc
+  std::vector<bool> cubic_vectors_, bent_rotations_;
   TruthPose middle_, places_[4];
   std::vector<Drift> drifts_;
 };

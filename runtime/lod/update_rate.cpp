@@ -34,10 +34,10 @@ FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64
   }
   if (is_due || !holds_) {
     FrameInput kept = now;
-    if (kept.program.empty()) kept.program_inputs = {};  // which nothing names then
+    if (kept.program.empty()) kept.program_inputs = {};  // without a program nothing refers to these
     if (!kept.program.empty() && held_.check_room(kept) != ErrorCode::ok) {
       holds_ = false;
-      return now;  // run_plan says why
+      return now;  // run_plan then says what is wrong
     }
     held_.assign(kept);
     holds_ = true;

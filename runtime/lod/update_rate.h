@@ -23,6 +23,7 @@ struct UpdateRates {
 /// eq   r / (d tan(fov_y / 2))
 SINEW_API double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept;
 
+/// Chooses the level of a character by its screen size.
 /// in   screen_size  of the character;   before  its level in the last frame
 SINEW_API UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates = {}) noexcept;
 

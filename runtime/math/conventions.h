@@ -3,7 +3,8 @@
 /// Read this first: the conventions of every header in sinew.
 ///
 /// - Right-handed axes, +Y up, glTF's +Z forward. Metres, seconds, radians.
-/// - Column vectors: `p_world = world_from_local * p_local`; in a product adjacent words match.
+/// - Column vectors: `p_world = world_from_local * p_local`. Space names on both sides of a `*` are equal: here
+///   `local`.
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
 /// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n).
@@ -14,6 +15,9 @@
 ///   negated where the instance is mirrored.
 /// - An affine matrix is 3x4 and stored as three rows of four: 48 bytes, which load without over-reading and upload to
 ///   a GPU as three vec4. The fourth row is 0 0 0 1 and not stored.
+/// - `[J]` in a comment is the length of an array. J counts joints of a skeleton, V vertices of a primitive and T
+///   morph targets of a mesh. W counts morph weights of a scene, and P components of its animated properties. K counts
+///   keys of a track, or joints that poses of a plan keep.
 /// - Functions of this folder are templates over float and double. Tests compare the float results with double.
 /// - The same input gives the same bits, for every number of threads. Poses have the same bits on every instruction
 ///   set. Deformed vertices have one set of bits with fused multiply-add (AVX2, AVX-512, NEON) and another without it

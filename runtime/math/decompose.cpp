@@ -28,7 +28,7 @@ bool finite(const Mat& m) noexcept {
   return true;
 }
 
-/// Turns columns i and j against each other until they are perpendicular; false when they already were.
+/// Rotates columns i and j until they are perpendicular; false if they already were.
 bool rotate_columns(Mat& b, Mat& v, int i, int j) noexcept {
   const double ii = glm::dot(b[i], b[i]), jj = glm::dot(b[j], b[j]), ij = glm::dot(b[i], b[j]);
   if (std::abs(ij) <= std::numeric_limits<double>::epsilon() * std::sqrt(ii) * std::sqrt(jj)) return false;
@@ -170,9 +170,9 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
 template <class T>
 constexpr double kRounding = 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
-/// Rounding a singular stretch to T can flip the sign of its determinant, which decides the side of normals. Moves the
-/// eigenvalues by the size of that rounding until the sign is that of the matrix. For sign 0 also a positive one is
-/// fine.
+/// Rounding a singular stretch to T can flip the sign of its determinant, which decides the side of normals. This moves
+/// the eigenvalues by the size of that rounding until the sign is that of the matrix. For sign 0 a positive determinant
+/// is fine too.
 template <class T>
 void keep_side(int sign, PolarT<T>& polar) noexcept {
   T* s = polar.stretch;

@@ -38,7 +38,7 @@ TwoDoubles exact_product(double a, double b) noexcept {
 /// An exact sum, stored as parts of rising magnitude whose digits do not overlap.
 class ExactSum {
  public:
-  /// (Shewchuk 1997, GROW-EXPANSION, without zeros)
+  /// Adds a number without error (Shewchuk 1997, GROW-EXPANSION, without zeros).
   void add(double term) noexcept {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {

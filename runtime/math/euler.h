@@ -13,6 +13,7 @@ struct HeadPitchRollT {
   T head_rad = T(0), pitch_rad = T(0), roll_rad = T(0);
 };
 
+/// Rotation matrix of a head, pitch and roll.
 /// eq   E(h, p, r) = Rz(r) Rx(p) Ry(h)   (Real-Time Rendering, eqs. 4.21-4.23)
 template <class T>
 Mat3<T> matrix_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept;

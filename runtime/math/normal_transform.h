@@ -34,7 +34,7 @@ Mat3<T> normal_matrix(const Mat3<T>& m) noexcept {
 }
 
 /// Unit normal of a surface that was moved by M. It points to the side that the winding gives: that of the cross
-/// product of two moved edges. If M leaves no normal (rank below 2) it is n.
+/// product of two moved edges. If M leaves no normal (rank below 2), the result is n.
 /// eq   normalise(cof(M) n)
 template <class T>
 Vec3<T> transform_normal(const Mat3<T>& m, const Vec3<T>& n) noexcept {

@@ -14,6 +14,7 @@ struct HalfTwistT {
   T sine = T(0), cosine = T(1);
 };
 
+/// The half twist of a rotation about an axis.
 /// eq   (v . a, w) for q = (v, w).  A half turn that reverses the axis has no defined twist: it counts as no twist.
 template <class T>
 HalfTwistT<T> half_twist(const Quat<T>& q, const Vec3<T>& unit_axis) noexcept {

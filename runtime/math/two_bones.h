@@ -33,8 +33,8 @@ T free_reach(const TwoBonesT<T>& limb, T soft_reach = T(kSoftReach)) noexcept {
 
 namespace two_bones {
 
-/// Distance of the tip from the root for a wanted distance. Up to `free` it is the wanted one. Beyond, it approaches
-/// upper + lower exponentially, so the middle joint does not snap when the limb straightens.
+/// Distance from the root at which the tip is placed, for a wanted distance. Up to `free` both are equal. Beyond, the
+/// result approaches upper + lower exponentially, so the middle joint does not snap when the limb straightens.
 template <class T>
 T softened_distance(T wanted, T free, T upper, T lower) noexcept {
   const T rest = upper + lower - free;

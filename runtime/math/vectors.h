@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Vectors of three and four alone, for headers of frames: all of conventions.h is 13,000 lines more of GLM.
+/// Only vectors of three and four components. Headers of frames include this file instead of conventions.h, which would
+/// add 13,000 lines of GLM to each source that runs frames.
 #include <type_traits>
 
 #include <glm/ext/vector_float3.hpp>

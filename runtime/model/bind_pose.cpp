@@ -16,12 +16,12 @@ namespace sinew {
 namespace {
 
 constexpr double kSame = 1e-4;          // radians, and fractions of the size and of scales: what files round
-constexpr double kOtherPose = 1e-3;     // as kSame, from which on two skins differ
+constexpr double kOtherPose = 1e-3;     // as kSame; from this difference on, two skins show another pose
 constexpr double kSameUnit = 0.05;      // relative difference of units; a pose may scale its top joint a little
 constexpr double kMostTurned = 1.05;    // radians that a pose may turn the top joint of a skin: 60 degrees
 constexpr double kFarthest = 1.0;       // fraction of the size that a pose may move the top joint of a skin
-constexpr double kTurnedLittle = 0.52;  // as kMostTurned, for spaces that no node has: 30 degrees
-constexpr double kNearest = 0.25;       // as kFarthest, for spaces that no node has
+constexpr double kTurnedLittle = 0.52;  // as kMostTurned, for a space that belongs to no node: 30 degrees
+constexpr double kNearest = 0.25;       // as kFarthest, for a space that belongs to no node
 constexpr double kRounds = 0.01;        // relative distance of a unit from a power of ten that counts as rounding
 
 double unit_of(const Affined& m) noexcept { return std::cbrt(std::abs(determinant(m))); }
@@ -44,7 +44,7 @@ Difference difference_of(const Affined& a, const Affined& b) noexcept {
 /// Bind matrices of the joints of a skin, in the space in which it was bound.
 struct BoundSkin {
   std::uint32_t skin = 0;
-  std::vector<std::uint32_t> joints;  ///< rising
+  std::vector<std::uint32_t> joints;  ///< joints of the skin, rising
   std::vector<Affined> bind;          ///< parallel to `joints`
   std::vector<std::uint32_t> tops;    ///< rising; joints without an ancestor in the skin
 
@@ -85,7 +85,7 @@ BoundSkin bound_skin(const Scene& scene, std::uint32_t s) {
   return bound;
 }
 
-/// The skins that tell a pose; those with more joints first.
+/// The skins whose bind matrices tell a pose; skins with more joints come first.
 std::vector<BoundSkin> bound_skins(const Scene& scene) {
   std::vector<std::uint32_t> order(scene.skins.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -240,7 +240,8 @@ class Posing {
     return off.angle_rad <= kTurnedLittle && off.distance <= kNearest * pose_.size ? turned : as_rested;
   }
 
-  /// True if the joints of a skin stand to each other as they were bound. A file may put such a body anywhere.
+  /// True if the joints of a skin have the same places relative to each other as when they were bound. A file may put
+  /// such a body anywhere.
   bool rests_as_bound(const BoundSkin& skin, const Affined& space) const noexcept {
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
       const Difference off = difference_of(space * skin.bind[i], rest_model_[skin.joints[i]]);
@@ -254,7 +255,7 @@ class Posing {
     const BoundSkin& skin = skins_[s];
     const std::uint32_t above = nearest_above(skeleton_, skin, j);
     std::optional<Affined> own;
-    if (above == kNone && !placed_[s]) {  // The joints that skins share tell how their spaces lie to each other.
+    if (above == kNone && !placed_[s]) {  // Joints that two skins share tell how the spaces of the skins are related.
       if (const auto from_bind = inverse_of(*skin.find(j))) placed_[s] = bound * *from_bind;
     } else {
       own = bound_matrix(s, j);

@@ -29,7 +29,7 @@ struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty if only the header was read
-  std::string missing_reason;      ///< not empty = draw the placeholder
+  std::string missing_reason;      ///< not empty = the image is missing, so the placeholder is drawn
   std::string mime_type;           ///< from the content, such as "image/png"; empty if missing
   std::uint64_t encoded_size = 0;  ///< bytes in the file
   std::vector<std::byte> encoded;  ///< the bytes of the file, if the importer was asked to keep them
@@ -103,12 +103,12 @@ struct Material {
   TextureUse occlusion_texture;  ///< channel R, linear
   float occlusion_strength = 1.0f;
   glm::vec3 emissive{0.0f};        ///< 0 to 1; the strength multiplies it
-  float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
+  float emissive_strength = 1.0f;  ///< factor for `emissive` (KHR_materials_emissive_strength)
   TextureUse emissive_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;  ///< KHR_materials_unlit
+  bool unlit = false;  ///< no lighting: the base colour is shown (KHR_materials_unlit)
   Specular specular;
   Clearcoat clearcoat;
   Sheen sheen;

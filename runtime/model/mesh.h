@@ -25,8 +25,8 @@ struct VariantMaterial {
   friend bool operator==(const VariantMaterial&, const VariantMaterial&) = default;
 };
 
-/// One draw: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list and a
-/// material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
+/// One draw call: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list
+/// and a material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
 struct Primitive {
   Topology topology = Topology::triangles;
   std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per point, line or triangle; always present, always < V
@@ -34,7 +34,7 @@ struct Primitive {
   std::vector<glm::vec3> normals;      ///< [V] unit; the importer computes missing ones for triangles
   std::vector<glm::vec4> tangents;     ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
   std::vector<std::vector<glm::vec2>> texcoords;
-  std::vector<glm::vec4> colors;  ///< [V] COLOR_0, linear
+  std::vector<glm::vec4> colors;  ///< [V] vertex colours (COLOR_0), linear
   VertexInfluences influences;    ///< empty = not skinned
   /// [V] rest space, for Skinning::center_of_rotation; empty = none (importer/add_centers_of_rotation.h makes them)
   std::vector<glm::vec3> centers_of_rotation;
@@ -42,7 +42,7 @@ struct Primitive {
   std::uint32_t material = kNone;
   std::vector<VariantMaterial> variant_materials;  ///< sorted by variant; other variants use `material`
   std::vector<std::uint32_t> source_vertex;        ///< [V] vertex index in the file; empty = unchanged
-  bool flat_normals = false;  ///< the file has no normals: they are those of the faces, also after morphing
+  bool flat_normals = false;  ///< the file has no normals: each face gets its own normal, computed again after morphing
   Aabb bounds;                ///< contains all positions
 
   std::size_t vertex_count() const noexcept { return positions.size(); }
@@ -59,7 +59,7 @@ struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
   std::vector<float> default_weights;     ///< [T] mesh.weights of the file, else zeros
-  std::vector<std::string> target_names;  ///< [T] or empty; from extras.targetNames, a common practice
+  std::vector<std::string> target_names;  ///< [T] or empty; many exporters write them to extras.targetNames
 
   std::size_t target_count() const noexcept { return default_weights.size(); }
 };

@@ -31,7 +31,8 @@ MirrorReference mirror_reference(const Scene& scene, const MirrorOptions& option
   const JointPairs of_rest = pair_joints(skeleton, rested, options), of_bind = pair_joints(skeleton, bound, options);
   const auto rest_partners = partners_of(of_rest), bind_partners = partners_of(of_bind);
   const bool bind_has_more = bind_partners.size() >= rest_partners.size();
-  // Both poses are judged by the same joints and partners. Places alone would pair only what is near its image anyway.
+  // Both poses are judged by the same joints and partners. Pairing by positions would only find joints near their
+  // image.
   MirrorOptions common = options;
   common.pairs = bind_has_more ? bind_partners : rest_partners;
   for (const auto& pair : options.pairs)

@@ -12,7 +12,7 @@ namespace sinew {
 /// The more symmetric of two poses of a scene.
 struct MirrorReference {
   PoseReference pose = PoseReference::rest;
-  std::vector<Transform> local;                       ///< [J]
+  std::vector<Transform> local;                       ///< [J] local transforms of the chosen pose
   double rest_asymmetry = 0.0, bind_asymmetry = 0.0;  ///< 0 if both poses agree
 };
 

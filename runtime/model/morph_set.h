@@ -17,12 +17,12 @@ struct SparseDeltas {
   bool empty() const noexcept { return vertices.empty(); }
 };
 
+/// One morph target of a primitive. Tangents change in x, y, z only; colours are clamped to [0, 1] after the sum.
 /// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets")
-/// Tangents change in x, y, z only; colours are clamped to [0, 1] after the sum.
 struct MorphTarget {
   SparseDeltas<glm::vec3> positions, normals, tangents;
-  SparseDeltas<glm::vec4> colors;                  ///< COLOR_0
-  std::vector<SparseDeltas<glm::vec2>> texcoords;  ///< TEXCOORD_n
+  SparseDeltas<glm::vec4> colors;                  ///< displacements of COLOR_0
+  std::vector<SparseDeltas<glm::vec2>> texcoords;  ///< displacements of each TEXCOORD_n
 };
 
 /// The morph targets of one primitive; all primitives of a mesh have the same number of targets.

@@ -14,6 +14,7 @@ struct NumberedName {
   std::uint32_t number = 1;  ///< from 1
 };
 
+/// Reads a choice such as "Walk#2".
 /// err  empty if the text does not end in "#" and a number from 1 without leading zeros
 inline std::optional<NumberedName> parse_numbered_name(std::string_view text) noexcept {
   const auto sign = text.rfind('#');

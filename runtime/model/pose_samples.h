@@ -45,7 +45,7 @@ enum class PolynomialTail : std::uint8_t {
 ///      values[S * M]     added to each of these weights in each sample; any sign and size
 struct PoseSamples {
   std::string name;
-  std::vector<PoseDriver> drivers;  ///< [D]
+  std::vector<PoseDriver> drivers;  ///< [D] joints that drive the corrective
   std::vector<glm::quat> rotations;
   std::vector<std::uint32_t> weights;
   std::vector<float> values;
@@ -59,6 +59,7 @@ struct PoseSamples {
   std::size_t sample_count() const noexcept { return drivers.empty() ? 0 : rotations.size() / drivers.size(); }
 };
 
+/// Checks the input of a corrective.
 /// err  size_mismatch (no driver, sample or weight, or arrays of wrong length); not_finite (also rotations and axes
 ///      without direction, and drivers of weight 0 only); unsupported (negative driver weight or regularisation,
 ///      radius <= 0)

@@ -43,7 +43,7 @@ void show_scene(Scene& scene, std::uint32_t index) {
   if (index == kNone) return;
   const std::vector<std::uint32_t>& parents = scene.skeleton.parents;
   std::vector<bool> shown(parents.size(), false);
-  for (const std::uint32_t joint : scene.hidden_joints) shown[joint] = true;  // so that none is hidden twice
+  for (const std::uint32_t joint : scene.hidden_joints) shown[joint] = true;  // these need not be hidden again
   for (std::uint32_t joint : scene.scenes[index].joints) {
     while (parents[joint] != kNone) joint = parents[joint];
     shown[joint] = true;

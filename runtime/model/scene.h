@@ -44,28 +44,28 @@ void for_each_copy(const MeshInstance& instance, const AffineT<T>& world_from_me
                                                               Vec3<T>(copy.scale)}));
 }
 
-/// A camera at a joint. A camera of the file that several nodes use becomes one Camera for each, with the same name.
+/// A camera at a joint. If several nodes use one camera of the file, each of them gets a Camera of the same name.
 struct Camera {
   SharedName name;
   std::uint32_t joint = kNone;  ///< kNone = no node uses it
   bool perspective = true;
-  float fov_y_rad = 0.8f;                       ///< perspective
+  float fov_y_rad = 0.8f;                       ///< perspective cameras only
   float aspect = 0.0f;                          ///< 0 = use the window's
-  float half_width = 1.0f, half_height = 1.0f;  ///< orthographic
+  float half_width = 1.0f, half_height = 1.0f;  ///< orthographic cameras only, metres
   float near_m = 0.1f;
   float far_m = 0.0f;  ///< 0 = infinite
 };
 
-/// A light at a joint (KHR_lights_punctual). A light of the file that several nodes use becomes one Light for each,
-/// with the same name.
+/// A light at a joint (KHR_lights_punctual). If several nodes use one light of the file, each of them gets a Light of
+/// the same name.
 struct Light {
   enum class Kind : std::uint8_t { directional, point, spot };
   SharedName name;
   Kind kind = Kind::directional;
   std::uint32_t joint = kNone;
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;
-  float range_m = 0.0f;  ///< 0 = infinite
+  float intensity = 1.0f;  ///< candela; lux for directional lights
+  float range_m = 0.0f;    ///< 0 = infinite
   float inner_cone_rad = 0.0f, outer_cone_rad = 0.785398163f;
 };
 
@@ -84,7 +84,8 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<MeshInstance> instances;
-  std::vector<std::uint32_t> first_weight;   ///< [instances + 1] into the scene's flat array of morph weights
+  std::vector<std::uint32_t> first_weight;   ///< [instances + 1] index of each instance's first weight in the scene's
+                                             ///< flat array of morph weights
   std::vector<PoseCorrective> correctives;   ///< add to morph weights, depending on joint rotations
   PropertyTable properties;                  ///< all animated properties besides joints and weights
   std::vector<std::uint32_t> hidden_joints;  ///< hidden at rest, with all joints below them (KHR_node_visibility)
@@ -100,18 +101,18 @@ struct Scene {
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
-/// A scene for compile_plan that all its plans share. It lives as long as the last of them, and as their frame buffers
-/// and job threads.
+/// Makes a scene for compile_plan that its plans own together. It is destroyed with the last plan, frame buffer or job
+/// thread that uses it.
 inline std::shared_ptr<const Scene> share(Scene scene) { return std::make_shared<const Scene>(std::move(scene)); }
 
-/// A scene for compile_plan that the caller keeps: in its place, until no plan, frame buffer or job thread uses it. For
-/// scenes that lie beside their plan; nothing checks the promise.
+/// Makes a scene for compile_plan that stays the caller's. The caller must neither move nor destroy it while a plan,
+/// frame buffer or job thread uses it; nothing checks this.
 inline std::shared_ptr<const Scene> lend(const Scene& scene) noexcept {
   return std::shared_ptr<const Scene>(std::shared_ptr<const void>(), &scene);
 }
-std::shared_ptr<const Scene> lend(const Scene&& scene) = delete;  // it would be gone already
+std::shared_ptr<const Scene> lend(const Scene&& scene) = delete;  // a temporary would be destroyed too soon
 
-/// First clip of that name; nothing when there is none.    cost O(clips)
+/// First clip of that name; nullopt if there is none.    cost O(clips)
 SINEW_API std::optional<std::uint32_t> find_clip(const Scene& scene, std::string_view name) noexcept;
 
 /// Rest morph weights of all mesh instances, one instance after another.
@@ -135,13 +136,14 @@ SINEW_API void finish_scene(Scene& scene);
 /// err  the first broken rule;  cost O(size of the scene), allocates O(meshes)
 SINEW_API ErrorCode check(const Scene& scene);
 
-/// Shows one of Scene::scenes: adds to `hidden_joints` all root joints that are neither roots of it nor above one.
-/// Hidden joints are still evaluated, since skins may use them. Call it before plans are compiled.
+/// Shows one of Scene::scenes. It adds a root joint of the skeleton to `hidden_joints`, unless the joint or one below
+/// it is a root of that scene. Hidden joints are still evaluated, since skins may use them. Call it before plans are
+/// compiled.
 /// in   index  into Scene::scenes; kNone = all roots are shown, nothing changes
 /// cost O(J)
 SINEW_API void show_scene(Scene& scene, std::uint32_t index);
 
-/// The part of check(Scene) for animations, here of ones that are not in the scene yet.
+/// Checks animations that are not in the scene yet, by the same rules as check(Scene).
 SINEW_API ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept;
 
 }  // namespace sinew

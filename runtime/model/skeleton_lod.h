@@ -9,8 +9,9 @@
 namespace sinew {
 
 /// A skeleton LOD: the joints that are evaluated. A joint that is left out has no track, transform or matrix in any
-/// frame. It is rigidly attached to the nearest kept joint above; its vertices, meshes, cameras and lights follow that
-/// one. compile_skeleton_lod (lod/compile_skeleton_lod.h) finds the joints that move vertices least, and by how much.
+/// frame. It is rigidly attached to the nearest kept joint above, and its vertices, meshes, cameras and lights follow
+/// that joint. compile_skeleton_lod (lod/compile_skeleton_lod.h) finds the joints that move vertices least, and
+/// measures by how much.
 ///
 /// The LODs of a character are several plans of one scene. To change level, run the other plan with another frame
 /// buffer, or with a new one over the same block of memory. On a job thread each level is a character, and all but one

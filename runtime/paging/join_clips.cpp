@@ -26,7 +26,7 @@ bool are_alike(const TimeGroup& a, const TimeGroup& b) noexcept {
                     [](const TrackBlock& p, const TrackBlock& q) { return are_alike(p, q); });
 }
 
-/// The base pose, with 0 for animated values: those are unused, and a loaded clip has other ones than a compiled clip.
+/// The base pose, with 0 for animated values. These values are unused, and differ between a loaded and a compiled clip.
 std::vector<float> resting_pose(const ClipLayout& clip) {
   std::vector<float> pose = clip.base_pose.all();
   const std::size_t stride = BasePose::stride_for(clip.joint_count);

@@ -29,8 +29,8 @@ class SINEW_API ClipJoiner {
 
  private:
   Clip head_;
-  std::vector<std::vector<float>> times_s_;   ///< [group]
-  std::vector<std::vector<KeySlices>> keys_;  ///< [group][block]
+  std::vector<std::vector<float>> times_s_;   ///< [group] key times so far
+  std::vector<std::vector<KeySlices>> keys_;  ///< [group][block] keys so far
 };
 
 }  // namespace sinew

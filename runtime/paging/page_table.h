@@ -24,7 +24,8 @@ struct PageTable {
   friend bool operator==(const PageTable&, const PageTable&) = default;
 };
 
-/// Clip times of one page. Neighbouring pages share their common time.
+/// The range of clip times of one page. A page ends at the time at which the next one begins. The first page begins at
+/// minus infinity, and the last one ends at infinity.
 struct PageTimes {
   double first_s, last_s;
 
@@ -53,12 +54,12 @@ inline std::size_t page_count_of(double duration_s, double page_s) noexcept {
   return static_cast<std::size_t>(std::clamp(std::ceil(duration_s / page_s), 1.0, 0x1p53));
 }
 
-/// The name that is stored in a page, so that it is not mistaken for another: "walk [3]".
+/// The name that is stored in a page, so that a page of another clip or another number is recognised: "walk [3]".
 inline std::string name_of_page(const std::string& clip, std::size_t page) {
   return clip + " [" + std::to_string(page) + "]";
 }
 
-/// One page of a clip: as cut_clip, but with the name of the page and without a certificate.
+/// One page of a clip, as cut_clip (cut_clip.h) makes it, but with the name of the page and without a certificate.
 /// cost O(keys of the page + tracks), allocates
 SINEW_API Clip cut_page(const Clip& clip, double page_s, std::size_t page);
 

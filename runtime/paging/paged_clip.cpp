@@ -17,7 +17,7 @@ tl::unexpected<ClipFileError> refuse(std::string detail) {
   return tl::unexpected(ClipFileError{"clip-page", kClipFileHead, std::move(detail)});
 }
 
-/// The page with the base values of the head, so that they exist once.
+/// The page with the base values of the head, so that both share them in memory.
 Clip sharing_rest(const Clip& page, const Clip& head) {
   ClipLayout layout = page.layout();
   layout.base_pose = head.layout().base_pose;

@@ -21,12 +21,12 @@ namespace sinew {
 ///     const PageSample at = paged.at(time_s);
 ///     const ClipLayer layer{.clip = number, .time_s = at.time_s, .page = &at.page};
 ///
-/// owns  the keys, whatever is loaded meanwhile. Keep it until the frame has run, or if a layer is held over several
-///       frames (lod/update_rate.h), until the last of them has run.
+/// owns  its page, so that a later load cannot destroy the keys. Keep it until the frame has run. If a layer is held
+///       over several frames (lod/update_rate.h), keep it until the last of them has run.
 struct PageSample {
-  Clip page;                ///< for ClipLayer::page or SampleClipJob::clip
-  double time_s = 0.0;      ///< for ClipLayer::time_s
-  bool is_missing = false;  ///< the page is not loaded: `page` and `time_s` give the nearest pose that is
+  Clip page;                ///< the clip for ClipLayer::page or SampleClipJob::clip
+  double time_s = 0.0;      ///< the time for ClipLayer::time_s
+  bool is_missing = false;  ///< the page for this time is not loaded; here is the nearest loaded pose
 };
 
 /// A long clip with a bounded number of pages in memory: those around the playing time. The engine's loader asks for
@@ -46,10 +46,12 @@ class SINEW_API PagedClip {
                                                   ///< (plan/compile_plan.h); empty = all joints
   };
 
-  /// err  unsupported: no pages, a page length that is no time above 0, or a window of fewer than 2 pages. A paged clip
-  ///      of such numbers breaks a contract
+  /// Checks the numbers of a paged clip before it is constructed.
+  /// err  unsupported: no pages, a page length that is not above 0, or a window of fewer than 2 pages. The constructor
+  ///      breaks a contract for such numbers
   static ErrorCode check(double page_s, std::size_t page_count, const Options& options) noexcept;
 
+  /// A paged clip without loaded pages.
   /// in   head        first_keys() of the clip, with all joints. Plans are compiled with it, and it is shown while no
   ///                  page is loaded
   ///      page_s, page_count   as in PageTable, page_count > 0
@@ -66,9 +68,9 @@ class SINEW_API PagedClip {
   /// cost O(window^2)
   std::optional<std::size_t> next_page() const noexcept;
 
-  /// Stores a page, if it is still in the window, in place of a page that is not.
+  /// Stores a page if it is still in the window. It takes the place of a page outside of the window.
   /// out  true if the page is in memory now
-  /// err  ClipFileError: those of load_clips, and clip-page (the block is another page, or a page of another clip)
+  /// err  ClipFileError: those of load_clips, and clip-page (the block holds a page of another number or another clip)
   /// cost O(bytes), allocates the page
   tl::expected<bool, ClipFileError> load_page(std::size_t page, std::span<const std::byte> bytes);
 
@@ -93,7 +95,7 @@ class SINEW_API PagedClip {
   std::size_t page_count_;
   Options options_;
 
-  mutable std::mutex lock_;  ///< guards all members below
+  mutable std::mutex lock_;  ///< guards the members below
   std::vector<Slot> slots_;  ///< at most options_.window
   std::size_t playing_ = 0;  ///< page of the time that plays
   bool backwards_ = false;

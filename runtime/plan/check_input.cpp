@@ -25,7 +25,8 @@ ErrorCode unusual(float number) noexcept {
   return std::isfinite(number) ? ErrorCode::too_large : ErrorCode::not_finite;
 }
 
-/// A page of another clip with as many targets is the caller's mistake, which no frame looks for.
+/// Pages are compared by their sizes only. A page of another clip with the same sizes is a mistake that no frame
+/// detects.
 bool has_size_of(const Clip& page, const Clip& clip) noexcept {
   return page.joint_count() == clip.joint_count() && page.weight_count() == clip.weight_count() &&
          page.property_count() == clip.property_count();
@@ -70,7 +71,7 @@ Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers
   return kFine;
 }
 
-/// True if an earlier instance plays from the same source at another time.
+/// True if an earlier cached instance plays the same source at another time.
 bool has_two_times(std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
   for (std::size_t s = slot; s-- > 0;)
     if (geometry[s].plays() && geometry[s].source.context == geometry[slot].source.context)
@@ -111,7 +112,7 @@ Refusal check_numbers(std::span<const float> numbers, const char* list) noexcept
   return kFine;
 }
 
-/// Arrays that are not empty have one entry for each of the plan's own.
+/// Checks that each array is empty or has one entry for each of the plan's own.
 Refusal check_counts(const CompiledPlan& plan, const FrameInput& input) noexcept {
   const auto fits = [](std::size_t count, std::size_t planned) { return count == 0 || count == planned; };
   if (!fits(input.weights.size(), plan.rest_weights.size()))
@@ -131,7 +132,7 @@ Refusal check_factor(const CompiledPlan& plan, float factor) noexcept {
 }
 
 Refusal check_root(const Affine& root) noexcept {
-  int unusual = 0;  // counted, so that no number costs a branch
+  int unusual = 0;  // counted without a branch for each number
   for (const glm::vec4& row : root.row)
     unusual += !is_usual(row.x) + !is_usual(row.y) + !is_usual(row.z) + !is_usual(row.w);
   if (unusual == 0) return kFine;
@@ -141,7 +142,7 @@ Refusal check_root(const Affine& root) noexcept {
   return {ErrorCode::too_large, "root"};
 }
 
-/// The lists of a program's inputs are as long as the needs say at most.
+/// Checks that the lists of a program's inputs are not longer than the needs declare.
 Refusal check_program_lists(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {
   const PoseProgramRoom& room = plan.needs.in.program;
   if (inputs.externals.size() > room.externals)

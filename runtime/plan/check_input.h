@@ -11,11 +11,11 @@ namespace sinew {
 /// lengths of normals overflow from about 1e18 on.
 inline constexpr float kLargestInput = 1e9f;
 
-/// Checks what run_plan promises about its input.     cost O(layers + weights + sources). Internal to plan/
+/// Checks an input by the rules that run_plan documents.     cost O(layers + weights + sources). Internal to plan/
 Refusal check_input(const CompiledPlan& plan, const FrameInput& input) noexcept;
 
-/// Checks that the buffers are there and of this plan.
-/// in   followed  null: none
+/// Checks that the buffers have memory and were made for this plan.
+/// in   followed  the buffer given to FrameBuffer::follow; null = none
 Refusal check_buffers(const Plan& plan, const FrameBuffer& frame, const FrameBuffer* followed) noexcept;
 
 /// check_buffers, then check_input.

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uint32_t kMostEntries = std::numeric_limits<std::uint16_t>::max();  // that PoseOp::index can count
+constexpr std::uint32_t kMostEntries = std::numeric_limits<std::uint16_t>::max();  // as many as PoseOp::index can count
 
 bool is_usable(const PoseProgramRoom& room) noexcept {
   return room.ops <= kMostPoseOps && room.slots <= room.ops && room.masks <= PoseOp::kNoMask &&
@@ -29,7 +29,7 @@ Refusal check_masks(std::span<const std::vector<float>> masks, std::size_t joint
   return {};
 }
 
-/// Rising, so each is named once.
+/// True for rising indices of instances, so that each is named at most once.
 bool are_instances(std::span<const std::uint32_t> named, std::size_t count) noexcept {
   for (std::size_t i = 0; i < named.size(); ++i)
     if (named[i] >= count || (i > 0 && named[i] <= named[i - 1])) return false;

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// The first rule that needs break for a scene, for needs that come from elsewhere, such as a file or a script.
-/// compile_plan breaks a contract for them.
+/// Finds the first rule that needs break for a scene. Use it for needs that come from a file or a script, since
+/// compile_plan breaks a contract for bad needs.
 /// out  Refusal::field  the member, such as "in.masks"
 /// err  unsupported (in.max_layers is 0; more masks, or more room for programs, than programs can use)
 ///      not_finite (a weight of in.masks is NaN, infinite or below 0)
@@ -17,7 +17,7 @@ namespace sinew {
 /// cost O(masks * joints), no allocation
 SINEW_API Refusal find_fault(const Needs& needs, const Scene& scene) noexcept;
 
-/// True if the clip moves what the scene has, and no more.
+/// True if the clip moves as many joints, morph weights and properties as the scene has.
 SINEW_API bool fits(const Clip& clip, const Scene& scene) noexcept;
 
 }  // namespace sinew

@@ -22,7 +22,8 @@
 namespace sinew {
 namespace {
 
-/// Joints that a mirrored layer moves: the partners of those that clips move, and those that the mirror moves at rest.
+/// Adds joints that a mirrored layer moves: the partners of those that clips move, and those that the mirror moves at
+/// rest.
 void add_mirrored_joints(const MirrorMap& map, const Skeleton& skeleton, std::vector<bool>& moved) {
   const std::vector<bool> by_clips = moved;
   for (std::uint32_t j = 0; j < moved.size(); ++j)
@@ -36,7 +37,7 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
   const auto compare = [&](std::size_t at, float number) {
     if (!same_bits(number, rest.planes[at])) moved[at % rest.stride] = true;
   };
-  const RestNumbers* compared = nullptr;  // of the clip before; most clips share one, which is compared once
+  const RestNumbers* compared = nullptr;  // of the clip before; most clips share rest values, so they are compared once
   for (const Clip& clip : assets.clips) {
     const ClipLayout& layout = clip.layout();
     const RestNumbers& shared = layout.base_pose.rest();
@@ -59,7 +60,7 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
   return joints;
 }
 
-/// True if the caller may place any joint anywhere.
+/// True if the caller may move any joint.
 bool places_joints(const Inputs& in) {
   return in.cut || in.program.externals > 0 || in.program.overrides > 0 || in.program.procedures > 0;
 }
@@ -70,7 +71,7 @@ std::vector<std::uint32_t> all_joints(const PlanAssets& assets) {
   return joints;
 }
 
-/// in   joints  rising
+/// The joints of poses that are not in the list.     in  joints  rising
 std::vector<std::uint32_t> other_joints(const PlanAssets& assets, std::span<const std::uint32_t> joints) {
   std::vector<std::uint32_t> others;
   const std::vector<std::uint32_t> all = all_joints(assets);
@@ -82,7 +83,7 @@ std::vector<JointScale> any_scales(const PlanAssets& assets) {
   return std::vector<JointScale>(assets.joint_count(), {ScaleKind::uneven, 0, true});
 }
 
-/// Additions may be asked for as layers, or be operations of a program.
+/// True if the plan can add poses: by additive layers, or by operations of a program.
 bool adds(const CompiledPlan& plan) { return plan.add || plan.needs.in.program.ops > 0; }
 
 std::vector<ClipTracks> tracks_of(std::span<const Clip> clips) {
@@ -131,7 +132,7 @@ void choose_pose_stages(CompiledPlan& plan) {
   plan.bounds = needs.out.bounds && !scene.instances.empty();
 }
 
-/// All stages as one set, when the primitives are planned.
+/// All stages that run. Called after the primitives are planned.
 std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
   std::bitset<kStageCount> stages;
   const auto runs = [&](Stage stage, bool does) { stages[static_cast<std::size_t>(stage)] = does; };

@@ -29,26 +29,25 @@ struct AttributeSet {
 struct PrimitivePlan {
   std::uint32_t instance = 0, primitive = 0;
   AttributeSet morph, skin;
-  AttributeSet cached;  ///< of frames in which the instance plays (FrameInput::geometry)
+  AttributeSet cached;  ///< written in frames in which a source plays in the instance (FrameInput::geometry)
   bool morph_colors = false;
   bool flat_normals = false;  ///< recomputed from the deformed triangles
   bool cofactors = false;  ///< normals follow the cofactor matrix: the needs ask for it, and scale or blends are uneven
-  bool lacks_centers = false;  ///< `skinning` is linear in place of center_of_rotation
+  bool lacks_centers = false;  ///< without centers of rotation, `skinning` is linear instead
   Skinning skinning = Skinning::linear;
 
   bool deformed() const noexcept { return morph.any() || skin.any() || cached.any() || morph_colors || flat_normals; }
 };
 
 /// The evaluation of one scene for given needs: which stages run, and what they do. Immutable. A plan is a handle:
-/// copies share what was compiled, and a FrameBuffer keeps that as long as it lives. All characters that show the scene
-/// share one plan.
-///
-/// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan does
-/// not change. One exception: clips and animations may be added to a lent scene, moved and removed, since the plan
-/// shares the clips themselves. Frames know the clips that the plan was compiled for, by the index that they had.
+/// copies share the compiled data, and a FrameBuffer keeps these data alive. All characters that show the scene share
+/// one plan.
+/// A plan keeps its scene alive, and so do its frame buffers and the job threads that run it. The scene of a plan must
+/// not change, with one exception: the caller may add, move and remove clips and animations of a lent scene. The plan
+/// shares the clips themselves. Frames refer to clips by the index that they had when the plan was compiled.
 class SINEW_API Plan {
  public:
-  /// No plan: run_plan answers no_plan, and all other calls but is_compiled() break a contract.
+  /// An empty handle: run_plan returns no_plan for it, and every other function except is_compiled() breaks a contract.
   Plan() noexcept = default;
   explicit Plan(std::shared_ptr<const CompiledPlan> compiled) noexcept : compiled_(std::move(compiled)) {}
 
@@ -58,7 +57,7 @@ class SINEW_API Plan {
   const Scene& scene() const noexcept;
   const Needs& needs() const noexcept;
 
-  /// Some frame may run the stage.
+  /// True if any frame can run the stage.
   bool runs(Stage stage) const noexcept;
 
   /// All stages in the order in which they run, each with the reason why frames run it or leave it out.
@@ -70,9 +69,10 @@ class SINEW_API Plan {
 
   std::span<const PrimitivePlan> primitives() const noexcept;       ///< one per primitive of each mesh instance
   std::span<const std::uint32_t> first_primitive() const noexcept;  ///< [instances + 1] into `primitives`
-  std::span<const ClipTracks> clip_tracks() const noexcept;         ///< [clips]
-  std::span<const std::uint32_t> moved_joints() const noexcept;     ///< indices into FrameResult::model: moved by some
-                                                                    ///< clip, or below such joints
+  /// [clips] tracks that a sample of each clip evaluates
+  std::span<const ClipTracks> clip_tracks() const noexcept;
+  std::span<const std::uint32_t> moved_joints() const noexcept;  ///< indices into FrameResult::model: moved by some
+                                                                 ///< clip, or below such joints
 
   /// Internal (compiled_plan.h).
   const std::shared_ptr<const CompiledPlan>& compiled() const noexcept { return compiled_; }
@@ -101,19 +101,20 @@ SINEW_API std::vector<std::uint32_t> kept_joints(const Plan& plan);
 /// it is the joint itself.     cost O(1)
 SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexcept;
 
-/// Compiles the plan of a scene: share(std::move(scene)) makes one that plans keep alive, lend(scene) one that the
-/// caller keeps (model/scene.h).
+/// Compiles the plan of a scene. share(std::move(scene)) makes a scene that plans keep alive; with lend(scene) the
+/// caller keeps it alive (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
-///      needs   must have no fault (find_fault in check_needs.h). One breaks a contract, whose text names the rule
-/// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
+/// in   needs must have no fault (find_fault in check_needs.h). A fault breaks a contract, whose text names the rule
+/// cost O(size of the scene), allocates the plan. If joints are left out, also reduced copies of skeleton, clips and
 ///      skins
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
 
-/// Same, for a scene that only this plan has.
+/// Same, for a scene that only this plan uses.
 inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_plan(share(std::move(scene)), needs); }
 
 /// Same, for clips of a library (library/clip_library.h) in place of the scene's own. Layers name them by index.
-/// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so that the array may go
+/// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so the array may be
+///      destroyed
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
 
 }  // namespace sinew

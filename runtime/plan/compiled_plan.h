@@ -18,57 +18,59 @@
 
 namespace sinew {
 
-/// How a primitive of a mesh instance is skinned, beside what PrimitivePlan says.
+/// How a primitive of a mesh instance is skinned, in addition to PrimitivePlan.
 struct PrimitiveSkinning {
   std::vector<JointPair> pairs;    ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
-  std::uint32_t combined = kNone;  ///< index into CompiledPlan::combined of its skin, where that is used
+  std::uint32_t combined = kNone;  ///< index into CompiledPlan::combined of its skin; kNone = not used
 };
 
 /// The content of a Plan: everything that run_plan reads beside the input. Internal to plan/ and its tests.
 struct CompiledPlan {
   std::shared_ptr<const Scene> scene;
   Needs needs;
-  PlanAssets assets;  ///< what poses are made of
+  PlanAssets assets;  ///< skeleton, clips, skins and correctives that poses are made of
   FrameLayout layout;
 
-  // Which stages run. Of those that work on skins and vertices the tables below decide for each.
+  // The stages that frames run. For stages on skins and vertices, the tables below say for which of them.
   bool poses = false;  ///< clips or programs make poses: frames do not just show the rest pose
   bool sample = false, mirror = false, blend = false, add = false, interpolate = false, correctives = false,
        properties = false, local_to_model = false, bounds = false;
-  bool hide = false, hide_per_frame = false;  ///< some joint may be hidden; clips decide it
-  std::bitset<kStageCount> stages;            ///< all of them, for Plan::runs
+  bool hide = false, hide_per_frame = false;  ///< some joint may be hidden; clips decide which
+  std::bitset<kStageCount> stages;            ///< all stages that run, for Plan::runs
 
   // Clips and poses.
-  std::vector<ClipTracks> clip_tracks;        ///< [clips]
-  std::vector<std::uint32_t> moved_joints;    ///< of poses, by some clip, or below such joints: the others have their
-                                              ///< rest pose in every frame
+  std::vector<ClipTracks> clip_tracks;        ///< [clips] tracks that a sample evaluates
+  std::vector<std::uint32_t> moved_joints;    ///< joints of poses that some clip moves, and all below them. All other
+                                              ///< joints have their rest pose in every frame
   std::vector<std::uint32_t> unmoved_joints;  ///< all other joints of poses
-  std::vector<JointScale> joint_scales;       ///< [joints of poses]
-  MirrorTables mirror_tables;                 ///< of poses, where `mirror`
+  std::vector<JointScale> joint_scales;       ///< [joints of poses] scales that can reach each joint
+  MirrorTables mirror_tables;                 ///< for the joints of poses; used if `mirror`
   std::vector<std::vector<float>> mask_weights;  ///< [masks of the needs][joints of poses]
   std::vector<std::span<const float>> masks;     ///< views of `mask_weights`
-  std::vector<float> rest_weights;               ///< [W]
+  std::vector<float> rest_weights;               ///< [W] rest weights of all mesh instances
   PoseProgramAssets pose_assets;                 ///< views of the above; the rest pose is FrameLayout::rest_pose
 
   // Mesh instances and their primitives.
   std::vector<PrimitivePlan> primitives;                     ///< one per primitive of each mesh instance
   std::vector<PrimitiveSkinning> primitive_skinning;         ///< parallel to `primitives`
-  std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`, of those with flat normals
-  std::vector<std::shared_ptr<const SurfaceFaces>> surface_faces;  ///< parallel to `primitives`, of those that may play
+  std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`; null without flat normals
+  std::vector<std::shared_ptr<const SurfaceFaces>> surface_faces;  ///< parallel to `primitives`; null: no source
   std::vector<std::uint32_t> first_primitive;                      ///< [instances + 1] into `primitives`
-  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::in.cached_instances where a primitive
-                                             ///< may play, else kNone; empty where none may
+  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::in.cached_instances, or kNone if no
+                                             ///< source can play; empty if none can play anywhere
   std::vector<bool> instance_skinned;        ///< [instances] some primitive follows the instance's skin
   std::vector<JointScale> instance_scales;   ///< [instances] of the matrix whose determinant says which way faces
                                              ///< wind, without the root
 
   // Skins.
-  std::vector<bool> palette, split;  ///< [skins] the skin's matrices are made; they are split as well
-  std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly
-  std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
+  std::vector<bool> palette, split;  ///< [skins] frames make the skin's matrices; they split them too
+  /// [skins] combined matrices of primitives that are skinned linearly
+  std::vector<std::vector<CombinedInfluences>> combined;
+  /// [skins] pairs of joints of skins that are split (hemisphere_pairs.h)
+  std::vector<std::vector<JointPair>> hemisphere_edges;
 };
 
-/// Index into what a frame keeps of Needs::in.cached_instances, or kNone.
+/// Index of an instance in the tables of Needs::in.cached_instances, or kNone.
 inline std::uint32_t geometry_slot_of(const CompiledPlan& plan, std::size_t instance) noexcept {
   return plan.geometry_slot.empty() ? kNone : plan.geometry_slot[instance];
 }

@@ -31,7 +31,7 @@ ErrorCode run_to_cut(const Plan& plan, const FrameInput& input, FrameBuffer& fra
   const FrameTables tables(compiled, memory);
   const Reuse nothing_stands(compiled, tables, {memory, frame.last_}, {memory, frame.last_}, frame.result_.frame + 1);
   evaluate_to_cut(compiled, input, memory, nothing_stands, ops, pose, frame.result_);
-  frame.last_.is_known = false;  // the memory's pose is about to be the caller's
+  frame.last_.is_known = false;  // the caller is about to change the pose in the memory
   frame.cut_pose_ = pose.local;
   frame.cut_ops_ = ops;
   return ErrorCode::ok;

@@ -7,10 +7,10 @@
 
 namespace sinew {
 
-/// The pose of a frame that has run to its cut, in memory of the frame buffer.
+/// The pose of a frame whose first half has run, in memory of the frame buffer.
 struct CutPose {
   PoseSpan local;                 ///< [K] may be written: bodies of a physics engine, IK of the caller
-  std::span<const Affine> model;  ///< [K] world matrices of that pose; empty where the plan composes none
+  std::span<const Affine> model;  ///< [K] world matrices of that pose; empty if the plan composes none
 };
 
 }  // namespace sinew

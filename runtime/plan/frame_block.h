@@ -9,8 +9,9 @@ namespace sinew {
 struct CompiledPlan;
 class Plan;
 
-/// A share of a compiled plan: a std::shared_ptr, which is made and given back in frame_buffer.cpp. Including <memory>
-/// would cost every source file that runs frames 15,000 lines more. Internal to plan/.
+/// Shared ownership of a compiled plan: the bytes of a std::shared_ptr, which only frame_buffer.cpp constructs and
+/// destroys. Including <memory> here would cost every source file that runs frames 15,000 lines more. Internal to
+/// plan/.
 class SINEW_API PlanShare {
  public:
   explicit PlanShare(const Plan& plan) noexcept;
@@ -18,7 +19,7 @@ class SINEW_API PlanShare {
   PlanShare& operator=(PlanShare&& other) noexcept;
   ~PlanShare();
 
-  const CompiledPlan* get() const noexcept { return plan_; }  ///< null: moved from
+  const CompiledPlan* get() const noexcept { return plan_; }  ///< null after a move from it
   const CompiledPlan& operator*() const noexcept { return *plan_; }
   const CompiledPlan* operator->() const noexcept { return plan_; }
   bool operator==(std::nullptr_t) const noexcept { return plan_ == nullptr; }
@@ -28,7 +29,7 @@ class SINEW_API PlanShare {
   alignas(void*) std::byte shared_[2 * sizeof(void*)];
 };
 
-/// Memory of a frame buffer, given back where it came from. Internal to plan/.
+/// The memory of a frame buffer. The destructor returns it to the allocator that it came from. Internal to plan/.
 class FrameBlock {
  public:
   using Deallocate = void (*)(void* context, void* block, std::size_t byte_count);

@@ -106,7 +106,7 @@ FrameBuffer::FrameBuffer(const Plan& plan, FrameBlock block) : plan_(plan), bloc
 }
 
 void FrameBuffer::prefetch() const noexcept {
-  constexpr std::size_t kMostBytes = 24 * 1024;  // of the nearest cache the character that runs needs some
+  constexpr std::size_t kMostBytes = 24 * 1024;  // a part of the nearest cache: the running character needs the rest
   sinew::prefetch(block_.get(), std::min(plan_->layout.front_bytes, kMostBytes));
 }
 

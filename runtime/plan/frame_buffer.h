@@ -27,11 +27,12 @@ concept BlockMemory = requires(Memory& memory, void* block) {
   memory.deallocate(block, std::size_t{}, std::size_t{});
 };
 
-/// The input of a frame buffer's last run, but for the arrays, which are in its block. Internal to plan/.
+/// The input of a frame buffer's last run. Its arrays lie in the buffer's block; here are their sizes and all other
+/// members. Internal to plan/.
 struct LastInput {
-  bool is_known = false;  ///< the block has the arrays, and the pose that they gave
-  bool asleep = false;    ///< the pose in the block is of an earlier run
-  bool is_late = false;   ///< a source had not loaded its frame yet, so the same input may show another one
+  bool is_known = false;  ///< the block holds the arrays of that input, and the pose that it gave
+  bool asleep = false;    ///< the character slept in the last run, so the pose in the block is older
+  bool is_late = false;   ///< a vertex source had not loaded its frame, so the same input may give other vertices
   float interpolation_factor = 0.0f;
   std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0, op_count = 0, version_count = 0;
   Affine root;
@@ -39,10 +40,10 @@ struct LastInput {
 
 /// The memory of a frame: one block of Plan::frame_bytes() bytes, made once and reused every frame. It holds the result
 /// and the input of its last run. Nothing else is ever allocated for a character. The buffer keeps its plan and the
-/// scene alive, also when the plan's handle goes or is assigned anew.
+/// scene alive, even if the Plan object is destroyed or gets another plan.
 class SINEW_API FrameBuffer {
  public:
-  static constexpr std::size_t kAlignment = 64;  ///< of the block
+  static constexpr std::size_t kAlignment = 64;  ///< alignment of the block in bytes
 
   /// Takes the block from operator new, or from `memory`, which must outlive the buffer. `memory` is a
   /// std::pmr::memory_resource, or another type with the two functions of BlockMemory.
@@ -68,7 +69,7 @@ class SINEW_API FrameBuffer {
 
   const FrameResult& result() const noexcept { return result_; }
 
-  /// Size of the block that the buffer took; 0 for the caller's own.
+  /// Size of the block that the buffer allocated; 0 if it uses the caller's block.
   std::size_t owned_bytes() const noexcept { return block_.owned_bytes(); }
 
   /// Loads the memory that the next run touches first into the caches, without waiting. In a crowd, call it for the
@@ -79,7 +80,8 @@ class SINEW_API FrameBuffer {
   /// soon: a crowd larger than the caches, or memory that the GPU reads. The bits are the same.
   void write_past_caches(bool past_caches) noexcept { past_caches_ = past_caches; }
 
-  /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
+  /// Sets the frame number: the next run makes FrameResult::frame = `last_frame` + 1. Frame numbers of one character
+  /// must rise.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
   /// For a character with several buffers: the next run into this buffer follows the run into `before`. Parts that did
@@ -109,7 +111,7 @@ class SINEW_API FrameBuffer {
   const FrameBuffer* before_ = nullptr;
   bool past_caches_ = false;
   LastInput last_;
-  PoseSpan cut_pose_;  // of a frame between its halves; no memory: there is none
+  PoseSpan cut_pose_;  // of a frame whose second half has not run; has no memory if there is no such frame
   std::size_t cut_ops_ = 0;
   FrameResult result_;
 };

@@ -17,9 +17,9 @@ class Clip;
 
 /// How a layer enters the pose.
 enum class LayerKind : std::uint8_t {
-  blend,        ///< these layers are averaged
-  add_to_rest,  ///< the clip's difference from the rest pose is added to that mean (add_pose.h)
-  add_to_start  ///< the clip's difference from its own first instant is added
+  blend,        ///< layers of this kind are averaged by weight
+  add_to_rest,  ///< the clip's difference from the rest pose is added to the average (add_pose.h)
+  add_to_start  ///< the clip's difference from its own pose at time 0 is added to the average
 };
 
 /// One clip playing at one time, with a weight.
@@ -32,9 +32,9 @@ struct ClipLayer {
   LayerKind kind = LayerKind::blend;
   bool mirrored = false;  ///< the clip plays with left and right exchanged, its morph weights too (Needs::in.mirror).
                           ///< Masks weigh joints of the mirrored pose; properties are not mirrored
-  const Clip* page = nullptr;  ///< a part of `clip` with the keys of time_s (paging/paged_clip.h), which is sampled in
-                               ///< its place. It stays unchanged while frames get this layer. Null: `clip` itself.
-                               ///< With a Needs::out.skeleton_lod it is a page for that plan, of fewer joints
+  const Clip* page = nullptr;  ///< a part of `clip` that has the keys of time_s (paging/paged_clip.h), sampled instead
+                               ///< of `clip`. It must stay unchanged while frames get this layer. Null: `clip` itself.
+                               ///< With a Needs::out.skeleton_lod it is a page with only the joints of that LOD
 };
 
 /// True if both lists of layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros
@@ -57,8 +57,8 @@ inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer>
 ///      the joint's world matrix for VertexSpace::mesh, and vertices are those of the source, bit for bit.
 struct GeometryInput {
   VertexSource source;  ///< none = the instance does not play
-  double time_s = 0.0;  ///< on the source's clock; a clock that loops is the caller's (playback_clock.h)
-  float weight = 1.0f;  ///< [0, 1]; at 0 the source is not asked for anything
+  double time_s = 0.0;  ///< on the source's clock; the caller wraps the time of a loop (playback_clock.h)
+  float weight = 1.0f;  ///< [0, 1]; at 0 the source is not called
 
   bool plays() const noexcept { return source.is_there() && weight > 0.0f; }
 };
@@ -70,16 +70,17 @@ inline bool same_geometry(const GeometryInput& a, const GeometryInput& b) noexce
          same_bits(a.weight, b.weight);
 }
 
-/// The state of a character in one frame. All numbers must be finite, weights and the root below 1e9. No layers = the
-/// rest pose (also when the scene has no clips at all). Layers that blend are averaged by weight. Where their weights
-/// sum to less than 1, the rest pose has the rest of the weight. A layer of weight 0 counts as absent. Layers that add
-/// follow in their order.
+/// The state of a character in one frame. All numbers must be finite, weights and the root below 1e9. Without layers
+/// the character has its rest pose. Layers of LayerKind::blend are averaged by weight; if their weights sum to less
+/// than 1, the rest pose takes the remaining weight. Additive layers are then added in their order. A layer of weight 0
+/// counts as absent.
 struct FrameInput {
   std::span<const ClipLayer> layers;
-  std::span<const float> weights;  ///< [W] replaces all morph weights; empty = from the clips, else rest.
-                                   ///< Correctives add to either
-  /// Placed above all root joints. Results are float: 16 km out they lie on a grid of 2 mm, and vertices are off by
-  /// some steps of it. Keep it near, relative to the camera or a local origin, and place results in double.
+  std::span<const float> weights;  ///< [W] replaces all morph weights; empty = weights from the clips, or else the rest
+                                   ///< weights. Correctives add to them in both cases
+  /// World transform above all root joints. Results are float: 16 km from the origin they lie on a grid of 2 mm, and
+  /// vertices are off by a few such steps. Keep the root near the origin, relative to the camera or a local origin, and
+  /// add that origin to the results in double.
   Affine root;
   std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; ignored while `interpolation_factor` is 0
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
@@ -88,16 +89,17 @@ struct FrameInput {
   /// [instances] 1 = the mesh instance is out of view: it is neither morphed, skinned, bounded nor decoded. Joints and
   /// weights are evaluated all the same. Empty = all are in view.
   std::span<const std::uint8_t> out_of_view = {};
-  /// [Needs::in.cached_instances] what plays in each of them; empty = nothing does
+  /// [Needs::in.cached_instances] the source that plays in each of these mesh instances; empty = no source plays
   std::span<const GeometryInput> geometry = {};
-  /// Makes the pose in place of `layers`, which must be empty then; within Needs::in.program. Clips and masks are those
-  /// of the plan; masks of `program_inputs` follow them. Empty = the layers make it.
+  /// A pose program that makes the pose instead of `layers`, which must be empty then. It must fit Needs::in.program.
+  /// Its clip and mask indices refer to the plan; the masks of `program_inputs` are numbered after those of the plan.
+  /// Empty = the layers make the pose.
   PoseProgramSpan program = {};
   /// Poses, joints and masks of the caller that the program names by index. With a SkeletonLod, poses and joints are
   /// those that it keeps (pose_joint).
   PoseProgramInputs program_inputs = {};
-  bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion lie outside of frames
-                        ///< and go on
+  bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion are not part of
+                        ///< frames, so they go on
 };
 
 }  // namespace sinew

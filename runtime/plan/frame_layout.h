@@ -47,22 +47,22 @@ struct TableLayout {
 /// written once, all else by every frame. Internal to plan/.
 struct FrameLayout {
   PoseBlock rest_pose;
-  PoseBlocks pose;                           ///< of the frame, the lowest pose of the stack of pose operations
-  Block<std::byte> pose_program;             ///< the other poses of that stack, and scratch
-  PoseSlotLayout pose_slots;                 ///< of `pose_program`
-  PoseBlocks updates[2];                     ///< poses of `layers` and `next_layers` of frames between updates
-  Block<double> corrective_scratch;          ///< of one corrective at a time
-  Block<bool> hidden;                        ///< [joints of the scene]
-  Block<bool> palette_wanted;                ///< [skins] a visible instance needs the skin
-  Block<Affine> model;                       ///< [joints of poses]
+  PoseBlocks pose;                   ///< pose of the frame; it is the lowest pose of the stack of pose operations
+  Block<std::byte> pose_program;     ///< the other poses of that stack, and scratch
+  PoseSlotLayout pose_slots;         ///< layout of `pose_program`
+  PoseBlocks updates[2];             ///< poses of `layers` and `next_layers` of frames between updates
+  Block<double> corrective_scratch;  ///< scratch for one corrective at a time
+  Block<bool> hidden;                ///< [joints of the scene] true = not shown
+  Block<bool> palette_wanted;        ///< [skins] a visible instance needs the skin
+  Block<Affine> model;               ///< [joints of poses] world matrices
   std::vector<Block<JointMatrix>> palettes;  ///< [skins] matrices of the joints, then of their combinations
-  std::vector<Block<RigidStretch>> splits;   ///< [skins]
+  std::vector<Block<RigidStretch>> splits;   ///< [skins] palettes split for dual quaternions
   Block<bool> stretch;                       ///< [skins] the split found stretch
-  std::vector<VertexBlocks> primitives;      ///< as CompiledPlan::primitives
-  VertexBlocks morphed;                      ///< of the primitive at hand, between morph and skin
+  std::vector<VertexBlocks> primitives;      ///< deformed vertices, parallel to CompiledPlan::primitives
+  VertexBlocks morphed;                      ///< vertices of the current primitive, between morph and skin
   Block<glm::vec3> morph_scratch;
-  VertexBlocks cached;            ///< of the primitive at hand, before it is blended with its pose
-  Block<glm::vec4> surface_sums;  ///< of the geometry_cache stage
+  VertexBlocks cached;            ///< vertices of the current primitive, before they are blended with its pose
+  Block<glm::vec4> surface_sums;  ///< scratch of the geometry_cache stage
   TableLayout tables;
   std::size_t front_bytes = 0;  ///< the first bytes, which frames of one clip touch before vertices
   std::size_t frame_bytes = 0;  ///< all of it, a multiple of 64

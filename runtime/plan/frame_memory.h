@@ -47,7 +47,7 @@ inline void copy_numbers(const PoseNumbers& from, const PoseNumbers& to) noexcep
   std::copy(from.properties.begin(), from.properties.end(), to.properties.begin());
 }
 
-/// The memory of one frame. Blocks of the plan's FrameLayout say where in it things lie.
+/// The memory of one frame. The blocks of the plan's FrameLayout are offsets into it.
 struct FrameMemory {
   std::byte* start = nullptr;
 

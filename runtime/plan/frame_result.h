@@ -11,9 +11,9 @@
 
 namespace sinew {
 
-/// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. Empty spans: the attribute
-/// is not deformed or not asked for, use the primitive's own. A morphed primitive whose weights are all zero gives
-/// views of the primitive's own arrays.
+/// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. An empty span means that
+/// the attribute is not deformed or not in the needs: use the primitive's own. A morphed primitive whose weights are
+/// all zero gives views of the primitive's own arrays.
 struct DeformedPrimitive {
   std::uint32_t instance = 0;
   std::uint32_t primitive = 0;
@@ -30,30 +30,30 @@ struct DeformedPrimitive {
 struct InstanceResult {
   Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already.
                                       ///< MeshInstance::copies are relative to it (model/scene.h)
-  std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
-  bool mirrored = false;  ///< front faces wind clockwise: the determinant of world_from_mesh is negative, for a skinned
-                          ///< mesh the determinant of the first joint's skinning matrix (G48)
-  bool visible = true;    ///< false: on a hidden joint, or out of view by FrameInput. Then its box is empty and nothing
-                          ///< is deformed, except hidden meshes under Needs::out.hidden_meshes
-  bool from_cache = false;  ///< vertices are those of its source (FrameInput::geometry), in part or in full. In full:
-                            ///< world_from_mesh places the source's space; in part: vertices are in world space, except
-                            ///< of unskinned meshes whose source is in mesh space
+  std::uint32_t first_primitive = 0;  ///< index into FrameResult::primitives: one entry per primitive of its mesh
+  bool mirrored = false;  ///< front faces wind clockwise, since the determinant of world_from_mesh is negative. For a
+                          ///< skinned mesh it is that of the first joint's skinning matrix
+  bool visible = true;  ///< false if the mesh is on a hidden joint, or out of view by FrameInput. Then its box is empty
+                        ///< and nothing is deformed, except hidden meshes under Needs::out.hidden_meshes
+  bool from_cache = false;  ///< some or all of the vertices come from a source (FrameInput::geometry). At weight 1,
+                            ///< world_from_mesh places the space of the source. At smaller weights, vertices are in
+                            ///< world space, except those of unskinned meshes whose source is in mesh space
   bool late = false;        ///< the source had not loaded this frame yet, so an older frame (or the pose) is shown
   Aabb bounds;  ///< world space; empty unless Needs::out.bounds. Deformed meshes: the box of their vertices. Rigid
-                ///< meshes: the box of their moved rest box, which contains the vertices. In full from a source: the
-                ///< moved box that the source knows, likewise
+                ///< meshes: the box of their moved rest box, which contains the vertices. At weight 1 of a source: the
+                ///< box of the source's moved box
 };
 
 /// Skinning matrices of one skin; empty when no mesh instance of this frame uses it.
 struct SkinPalette {
-  std::span<const JointMatrix> matrices;  ///< [joints of the skin]
+  std::span<const JointMatrix> matrices;  ///< [joints of the skin] one matrix per joint
   std::uint64_t since_frame = 0;          ///< as in DeformedPrimitive
 };
 
 /// Work done by one frame of one character. A stage that the plan leaves out counts exactly zero.
 struct WorkCounters : PoseProgramWork {
-  std::uint64_t poses_interpolated = 0;  ///< between two that are there
-  std::uint64_t poses_compared = 0;      ///< with the samples of correctives
+  std::uint64_t poses_interpolated = 0;  ///< mixed from two updates (FrameInput::interpolation_factor)
+  std::uint64_t poses_compared = 0;      ///< comparisons with the sample poses of correctives
   std::uint64_t joints_composed = 0;
   std::uint64_t palette_entries = 0;
   std::uint64_t palette_entries_split = 0;
@@ -61,14 +61,14 @@ struct WorkCounters : PoseProgramWork {
   std::uint64_t morph_deltas = 0;
   std::uint64_t vertices_morphed = 0;
   std::uint64_t vertices_skinned_linear = 0;
-  std::uint64_t normals_by_cofactors = 0;  ///< of the vertices that are skinned linearly
+  std::uint64_t normals_by_cofactors = 0;  ///< linearly skinned vertices whose normals use the cofactor matrix
   std::uint64_t vertices_skinned_dual_quaternion = 0;
   std::uint64_t vertices_skinned_center_of_rotation = 0;
-  std::uint64_t windings_tested = 0;  ///< of mesh instances, whose scale may change its sign
+  std::uint64_t windings_tested = 0;  ///< mesh instances whose determinant was computed, since its sign can change
   std::uint64_t cache_frames_decoded = 0;
   std::uint64_t vertices_from_cache = 0;
-  std::uint64_t vertices_blended = 0;  ///< of those from a cache: with the pose
-  std::uint64_t smooth_triangles = 0;  ///< for normals and tangents that a cache does not have
+  std::uint64_t vertices_blended = 0;  ///< vertices from a cache that were blended with the pose
+  std::uint64_t smooth_triangles = 0;  ///< triangles that gave normals or tangents, since the cache has none
   std::uint64_t flat_triangles = 0;
   std::uint64_t bounds_vertices = 0;
 

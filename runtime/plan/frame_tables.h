@@ -21,9 +21,9 @@ struct PlayedGeometry {
   float weight = 0.0f;  ///< 0: the instance shows its pose
   VertexSpace space = VertexSpace::scene;
   bool turned = false;                        ///< triangles wind clockwise in the source's space
-  std::uint64_t content = 0;                  ///< VertexSource::content
-  std::uint64_t moment = 0;                   ///< ShownVertices::moment
-  Affine world_from_source, world_from_pose;  ///< where source and pose are blended in world space
+  std::uint64_t content = 0;                  ///< VertexSource::content of the source
+  std::uint64_t moment = 0;                   ///< ShownVertices::moment of the source's answer
+  Affine world_from_source, world_from_pose;  ///< matrices to world space, if source and pose are blended there
 
   bool in_full() const noexcept { return weight == 1.0f; }
   bool in_part() const noexcept { return weight > 0.0f && weight < 1.0f; }
@@ -37,22 +37,22 @@ struct FrameTables {
 
   std::span<InstanceResult> instances;
   std::span<DeformedPrimitive> primitives;
-  std::span<SkinPalette> palettes;         ///< [skins]
-  std::span<std::uint64_t> weights_since;  ///< [instances]
-  std::span<std::uint64_t> winding_since;  ///< [instances] of InstanceResult::mirrored
-  std::span<float> last_weights;           ///< [W] FrameResult::weights
-  std::span<ClipLayer> input_layers;       ///< of the input that gave the results
+  std::span<SkinPalette> palettes;         ///< [skins] palettes of the result
+  std::span<std::uint64_t> weights_since;  ///< [instances] since which frame the weights are the same
+  std::span<std::uint64_t> winding_since;  ///< [instances] since which frame InstanceResult::mirrored is the same
+  std::span<float> last_weights;           ///< [W] FrameResult::weights of the last frame
+  std::span<ClipLayer> input_layers;       ///< layers of the input that gave the results
   std::span<float> input_weights;
   std::span<std::uint8_t> input_out_of_view;  ///< 0 or 1; all 0 where FrameInput::out_of_view is empty
   std::span<ClipLayer> input_next_layers;
-  std::span<const std::uint32_t> cached_instances;  ///< of the needs, where any may play
+  std::span<const std::uint32_t> cached_instances;  ///< Needs::in.cached_instances; empty if no source can play
   std::span<ShownVertices> shown;                   ///< [cached instances] what their sources answered in this frame
-  std::span<PlayedGeometry> played;                 ///< [cached instances]
-  std::span<std::uint64_t> geometry_since;          ///< [cached instances] of `played`
-  std::span<GeometryInput> input_geometry;  ///< [cached instances] no source where nothing plays or nobody sees it
+  std::span<PlayedGeometry> played;                 ///< [cached instances] how each instance shows its source
+  std::span<std::uint64_t> geometry_since;          ///< [cached instances] since which frame `played` is the same
+  std::span<GeometryInput> input_geometry;          ///< [cached instances] no source: none plays, or out of view
   std::span<PoseOp> input_program;
-  std::span<ContentVersion> input_versions;  ///< of all program inputs, list by list
-  std::span<KeptUpdate> updates;             ///< [2] of FrameLayout::updates
+  std::span<ContentVersion> input_versions;  ///< versions of all program inputs, list by list
+  std::span<KeptUpdate> updates;             ///< [2] layers of the poses in FrameLayout::updates
   std::span<std::uint64_t> stage_ns;         ///< FrameResult::stage_ns
 
  private:
@@ -78,7 +78,7 @@ struct FrameTables {
         stage_ns(memory.of(at.stage_ns)) {}
 };
 
-/// The entry of a primitive that goes through no stage.
+/// The result of a primitive that goes through no stage.
 inline DeformedPrimitive nothing_deformed(const PrimitivePlan& planned) noexcept {
   DeformedPrimitive shape;
   shape.instance = planned.instance;

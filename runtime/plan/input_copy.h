@@ -9,9 +9,9 @@
 
 namespace sinew {
 
-/// A frame's input that owns its arrays, so that it may be run after the caller's arrays are gone.
-/// owns  copies of all arrays, from `memory`, with room for what the plan declares (Needs::in.layer_room): assigning an
-///       input of no more layers allocates nothing
+/// A frame's input that owns its arrays, so that it may be run after the caller's arrays are destroyed.
+/// owns  copies of all arrays, allocated from `memory` with the room that the plan declares (Needs::in.layer_room).
+///       Assigning an input that fits into this room allocates nothing
 class InputCopy {
  public:
   explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
@@ -68,7 +68,7 @@ class InputCopy {
   std::pmr::vector<std::uint8_t> out_of_view_;
   std::pmr::vector<GeometryInput> geometry_;
   ProgramCopy program_;
-  FrameInput numbers_;  // its spans are the caller's, and not used
+  FrameInput numbers_;  // its spans still point to the caller's arrays; they are not used
 };
 
 }  // namespace sinew

@@ -59,7 +59,7 @@ class SeenScales {
 
 void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenScales>& scales) {
   const bool has_other_keys =
-      key_count == 1;  // elsewhere, in pages (paging/cut_clip.h): other tracks of one key are folded
+      key_count == 1;  // its other keys are in pages (paging/cut_clip.h): a whole clip folds tracks of one key
   const bool keeps_range = !has_other_keys && block.packed.empty() &&
                            (block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear);
   for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
@@ -71,7 +71,7 @@ void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenSc
   }
 }
 
-/// The scales that no track of the clip moves: those that several clips share where asked for, and those of the clip.
+/// Adds the scales that no track moves: those of the clip, and with `with_shared` the rest values that clips share.
 void add_constants(const BaseNumbers& base, bool with_shared, std::vector<SeenScales>& scales) {
   const std::size_t stride = BasePose::stride_for(scales.size());
   const std::size_t first = first_plane(Property::scale) * stride;
@@ -104,7 +104,7 @@ std::vector<SeenScales> own_scales(const PlanAssets& assets) {
     const glm::vec3 rest = assets.skeleton->rest[j].scale;
     scales[j].add({rest.x, rest.y, rest.z});
   }
-  const RestNumbers* added = nullptr;  // most clips share one
+  const RestNumbers* added = nullptr;  // rest values that were added; most clips share them
   for (const Clip& clip : assets.clips) {
     const ClipLayout& layout = clip.layout();
     add_constants(layout.base_pose, added == nullptr || *added != layout.base_pose.rest(), scales);

@@ -20,12 +20,12 @@ enum class ScaleKind : std::uint8_t {
 /// root.
 struct JointScale {
   ScaleKind kind = ScaleKind::none;
-  int sign = 1;             ///< of the determinant, where it does not change; 0 where some scale is 0
-  bool may_change = false;  ///< the sign
+  int sign = 1;             ///< sign of the determinant, if it does not change; 0 if some scale is 0
+  bool may_change = false;  ///< the sign can change
 };
 
-/// From the rest pose, constants and keys of all clips. Tracks that may leave the range of their keys (cubic, rounded)
-/// are taken to reach any scale.
+/// Finds the scales from the rest pose and from the constants and keys of all clips. Tracks that may leave the range of
+/// their keys (cubic, rounded) count as reaching any scale.
 /// in   additive   layers may add: a scale that changes at all may get any sign
 /// out  [joints of poses]      cost O(J + keys of scale tracks), allocates. Internal to plan/
 SINEW_API std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive);

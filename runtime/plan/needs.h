@@ -19,10 +19,10 @@ enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation
 /// Parts of the result that a consumer wants from each frame.
 struct Outputs {
   bool joints = true;      ///< world matrices of the joints that `skeleton_lod` keeps
-  bool local_pose = true;  ///< FrameResult::local
+  bool local_pose = true;  ///< local transforms of joints (FrameResult::local)
   bool positions = true;   ///< deformed vertex positions
   bool normals = true;
-  bool tangents = true;          ///< of primitives that have a normal map in some variant, or no material
+  bool tangents = true;          ///< tangents of primitives that have a normal map in some variant, or no material
   bool tangents_of_all = false;  ///< tangents of all primitives, for consumers with materials of their own
   bool weights = true;           ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool palettes = false;         ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
@@ -32,23 +32,25 @@ struct Outputs {
   bool stage_times = false;      ///< the time that each stage takes; reads the clock a few times per frame
   SkeletonLod skeleton_lod = {};  ///< joints that poses leave out
 
-  /// True if anything of the vertices is asked for, not just joints and weights.
+  /// True if the needs ask for vertices, not just for joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 
-/// Features of FrameInput that frames may use. Memory is made for no more.
+/// Features of FrameInput that frames may use. A frame buffer has memory for these and no more.
 struct Inputs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
-                                 ///< Layers that add do not count
+                                 ///< Additive layers do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;  ///< frames with more of them are evaluated anew each time
+  std::uint32_t max_additive_layers = 8;  ///< room to remember the additive layers of the last run. A frame with more
+                                          ///< of them is allowed, but never recognised as unchanged
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
   std::vector<std::vector<float>> masks = {};    ///< [at most 255][J] joint weights >= 0 that layers may name
   /// Mesh instances whose vertices FrameInput::geometry may give, rising.
   std::vector<std::uint32_t> cached_instances = {};
-  PoseProgramRoom program = {};  ///< of FrameInput::program: the most of each (room_of). No operations = no programs.
-                                 ///< `masks` are those of `masks` above and of the input together
+  PoseProgramRoom program = {};  ///< limits of FrameInput::program: the largest count of each kind in any frame
+                                 ///< (room_of gives that of one program). 0 operations = no programs. Its `masks`
+                                 ///< counts the `masks` above and those of the input together
   bool cut = false;  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
 
   /// Room for layers in a frame, blended and additive ones.
@@ -60,8 +62,9 @@ struct Inputs {
 /// How the skinned vertices of each mesh instance follow their joints.
 struct SkinningRules {
   Skinning kind = Skinning::linear;
-  std::vector<Skinning> per_instance = {};      ///< [instances] overrides `kind` per mesh instance; empty = no override
-  NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
+  std::vector<Skinning> per_instance = {};  ///< [instances] overrides `kind` per mesh instance; empty = no override
+  /// How normals are skinned linearly; other kinds of skinning transform normals exactly
+  NormalRule normal_rule = NormalRule::linear;
 
   Skinning kind_of(std::size_t instance) const noexcept {
     return instance < per_instance.size() ? per_instance[instance] : kind;

@@ -30,7 +30,7 @@ Affined held_matrix(const Skeleton& skeleton, const SkeletonLod& detail, std::ui
   return affine_from_transform(in_double(detail.held.empty() ? skeleton.rest[joint] : detail.held[joint]));
 }
 
-/// The parts of a scene that poses are made of, for some of its joints alone.
+/// Copies of the skeleton and skins for only some joints of a scene.
 struct Copies {
   Skeleton skeleton;
   std::vector<Skin> skins;
@@ -52,7 +52,7 @@ Copies copy_parts(const Scene& scene, const std::vector<JointMapping>& map,
   return copies;
 }
 
-/// The same mirror for the joints that poses have. Partners are kept together.
+/// The same mirror map for only the joints that poses have. Both partners of a pair are kept or left out together.
 MirrorMap mirror_of_kept(const MirrorMap& mirror, const std::vector<JointMapping>& map,
                          const std::vector<std::uint32_t>& kept) {
   MirrorMap of_kept = mirror;

@@ -30,8 +30,8 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
   return moved;
 }
 
-/// True if some material of the primitive has a normal map, also one of a variant. True without a material: the
-/// consumer may light such primitives with a normal map of its own.
+/// True if a material of the primitive, in any variant, has a normal map. True without a material: the consumer may
+/// light such primitives with its own normal map.
 bool shows_tangents(const Scene& scene, const Primitive& primitive) noexcept {
   const auto has_normal_map = [&](std::uint32_t material) {
     return material != kNone && scene.materials[material].normal_texture.used();
@@ -42,7 +42,7 @@ bool shows_tangents(const Scene& scene, const Primitive& primitive) noexcept {
                      [&](const VariantMaterial& v) { return has_normal_map(v.material); });
 }
 
-/// Morph and skin touch an attribute only where the primitive has it, the needs ask for it, and something moves it.
+/// Plans morph and skin for each attribute that the primitive has, that the needs ask for, and that something moves.
 PrimitivePlan plan_primitive(const Scene& scene, const Primitive& primitive, bool has_skin, bool may_play,
                              Skinning skinning, const Needs& needs) {
   PrimitivePlan plan;
@@ -90,7 +90,7 @@ class CombinationsOfPlan {
  public:
   explicit CombinationsOfPlan(CompiledPlan& plan) : plan_(plan) {}
 
-  /// Index into CompiledPlan::combined of the skin, or kNone where each vertex blends its own matrices.
+  /// Index into CompiledPlan::combined of the skin; kNone if each vertex blends its own matrices.
   std::uint32_t of(const Primitive& primitive, std::uint32_t skin) {
     std::vector<CombinedInfluences>& all = plan_.combined[skin];
     const auto [at, is_new] = known_.try_emplace({&primitive, skin}, static_cast<std::uint32_t>(all.size()));
@@ -116,7 +116,7 @@ class FlatFacesOfPlan {
   std::map<const Primitive*, std::shared_ptr<const FlatFaces>> known_;
 };
 
-/// Joins the triangles of primitives that may play, once for all instances of a mesh.
+/// Joins the triangles of primitives that a source may play, once for all instances of a mesh.
 class SurfacesOfPlan {
  public:
   std::shared_ptr<const SurfaceFaces> of(const Primitive& primitive, bool with_tangents) {
@@ -130,13 +130,13 @@ class SurfacesOfPlan {
   std::map<const Primitive*, std::shared_ptr<const SurfaceFaces>> known_;
 };
 
-/// Frames may derive normals or tangents of the primitive from its triangles.
+/// True if frames may derive normals or tangents of the primitive from its triangles.
 bool has_surface(const PrimitivePlan& planned, const Primitive& primitive) {
   return (planned.cached.normals || planned.cached.tangents) && primitive.topology == Topology::triangles;
 }
 
-/// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of
-/// joints.
+/// True if cofactors turn normals another way than the matrix does. That needs an uneven matrix: by scale, or as a
+/// blend of joints.
 bool has_uneven_normals(const CompiledPlan& plan, const Primitive& primitive, const Skin& skin) {
   const auto uneven_joint = [&](std::uint32_t joint) { return plan.joint_scales[joint].kind == ScaleKind::uneven; };
   const auto uneven_bind = [](const Affine& bind) { return scale_kind(bind) == ScaleKind::uneven; };

@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// Plans what every primitive of every mesh instance goes through, and which skins that calls for.
+/// Decides the stages of every primitive of every mesh instance, and which skins these stages need.
 /// in   plan   has its needs, assets, joint scales and stages of poses
-/// out  plan   `primitives` to `instance_scales`; `palette`, `split` and `combined` of skins
+/// out  plan   the members `primitives` to `instance_scales`; `palette`, `split` and `combined` of skins
 /// cost O(influences + V log V), allocates. Internal to plan/
 void plan_primitives(CompiledPlan& plan);
 

@@ -21,7 +21,7 @@ std::uint64_t pose_bytes(const CompiledPlan& plan) {
   return sizeof(float) * (PoseSpan::floats_for(plan.assets.joint_count()) + plan.scene->weight_count());
 }
 
-/// How many tracks of a clip use each kind of interpolation. A kind that no track uses costs nothing.
+/// Says how many tracks of a clip use each kind of interpolation. Kinds that no track uses are left out.
 std::string describe_tracks(const Clip& clip) {
   std::uint32_t steps = 0, lerps = 0, slerps = 0, cubics = 0, squads = 0;
   for (const TimeGroup& group : clip.layout().groups)
@@ -130,7 +130,7 @@ PlanStage describe_properties(const CompiledPlan& plan) {
           table.rest.size(), table.rest.size() * sizeof(float)};
 }
 
-/// The largest kind of scale that reaches joints.
+/// Names the largest kind of scale that reaches joints.
 std::string describe_scale(const CompiledPlan& plan) {
   const auto of_kind = [&](ScaleKind kind) {
     return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(),
@@ -159,7 +159,7 @@ PlanStage describe_local_to_model(const CompiledPlan& plan) {
   return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
 }
 
-/// Palettes, or their split, of the skins where `used[skin]`; `entry_bytes` for each of their joints.
+/// Describes palettes, or their split, for the skins with `used[skin]`; `entry_bytes` is the size for each joint.
 PlanStage describe_skins(const CompiledPlan& plan, std::string stage, const std::vector<bool>& used,
                          std::size_t entry_bytes, std::string why_not) {
   std::uint64_t skins = 0, entries = 0;
@@ -174,7 +174,7 @@ PlanStage describe_skins(const CompiledPlan& plan, std::string stage, const std:
           entries, entries * entry_bytes};
 }
 
-/// Matrices that vertices share, of the distinct primitives of each skin.
+/// Describes matrices that vertices share, of the distinct primitives of each skin.
 PlanStage describe_combinations(const CompiledPlan& plan) {
   struct Sum {
     std::uint64_t primitives = 0, combinations = 0, vertices = 0;
@@ -202,7 +202,7 @@ PlanStage describe_combinations(const CompiledPlan& plan) {
   return {"combinations", true, std::move(reason), used.combinations, used.combinations * sizeof(JointMatrix)};
 }
 
-/// The winding of faces is known before any frame unless scale can change its sign.
+/// Describes the winding of faces. It is known before any frame unless scale can change its sign.
 PlanStage describe_winding(const CompiledPlan& plan) {
   const std::size_t instances = plan.instance_scales.size();
   if (instances == 0) return {"winding", false, "the scene shows no meshes", 0, 0};
@@ -253,7 +253,7 @@ PlanStage describe_morph(const CompiledPlan& plan) {
   return stage;
 }
 
-/// Primitives that ask for center-of-rotation skinning and have no centers.
+/// Number of primitives that ask for center-of-rotation skinning and have no centers.
 std::uint64_t without_centers(const CompiledPlan& plan) {
   std::uint64_t count = 0;
   for (const PrimitivePlan& p : plan.primitives) count += p.skin.any() && p.lacks_centers;
@@ -266,7 +266,7 @@ std::string why_other_skinning(const CompiledPlan& plan, Skinning kind) {
   return primitives(fallen_back) + " without centers of rotation: skinned linearly";
 }
 
-/// Which normals follow the cofactor matrix where the needs ask for it.
+/// Says which normals follow the cofactor matrix if the needs ask for it.
 std::string describe_cofactors(const CompiledPlan& plan) {
   std::uint64_t by_cofactors = 0, by_matrices = 0;
   for (const PrimitivePlan& p : plan.primitives)
@@ -305,7 +305,7 @@ PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kin
   return stage;
 }
 
-/// Primitives that may take their vertices from a geometry cache, and the frame memory for these vertices.
+/// Describes primitives that may take their vertices from a geometry cache, and the frame memory for these vertices.
 PlanStage describe_geometry_cache(const CompiledPlan& plan) {
   PlanStage stage{"geometry_cache", false, "", 0, 0};
   std::uint64_t played = 0, with_surface = 0;

@@ -37,7 +37,7 @@ struct PlanStage {
   bool runs = false;
   std::string reason;       ///< one sentence, also where the stage is left out
   std::uint64_t count = 0;  ///< items that the stage touches per frame: tracks, joints, entries or vertices
-  std::uint64_t bytes = 0;  ///< of frame memory that it writes
+  std::uint64_t bytes = 0;  ///< bytes of frame memory that the stage writes
 };
 
 }  // namespace sinew

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// Layers of the later pose; none where the frame does not look at them.
+/// The layers of the later pose; empty if the frame does not use them.
 inline std::span<const ClipLayer> next_layers_of(const FrameInput& input) noexcept {
   return input.interpolation_factor == 0.0f ? std::span<const ClipLayer>{} : input.next_layers;
 }

@@ -21,7 +21,7 @@ PoseProgramAssets pose_assets(const CompiledPlan& plan) noexcept {
 
 PoseProgramRoom pose_room(const CompiledPlan& plan) noexcept {
   const std::uint32_t blended = plan.blend ? plan.needs.in.max_layers : 1;
-  const std::uint32_t with_added = plan.add ? 3 : 1;  // the pose, a layer, its reference
+  const std::uint32_t with_added = plan.add ? 3 : 1;  // with additions: the pose, a layer and its reference
   return larger({.slots = std::max(blended, with_added)}, plan.needs.in.program);
 }
 

@@ -9,16 +9,17 @@
 
 namespace sinew {
 
-/// The first rule that an input breaks, and where: `list`[index].`field`, without the part that is not there.
+/// The first rule that an input breaks, and its place: `list`[index].`field`. Parts of the place that do not apply are
+/// null or kNone.
 struct Refusal {
   ErrorCode error = ErrorCode::ok;
   const char* field = nullptr;  ///< null: the rule is about the list as a whole
-  const char* rule = nullptr;   ///< in words; null: those of describe(error) say all
+  const char* rule = nullptr;   ///< the rule in words; null: describe(error) says it
   const char* list = nullptr;
   std::uint32_t index = kNone;
 };
 
-// Rules that the C interface checks, too.
+// Rules that the C interface checks as well.
 inline constexpr const char* kNotEachWeight = "not one for each morph weight of the scene";
 inline constexpr const char* kNotEachSource = "not one for each of the needs' cached instances";
 inline constexpr const char* kLongerThanNeeds = "longer than the needs declare";

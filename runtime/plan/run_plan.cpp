@@ -26,7 +26,7 @@ Refusal check_run(const Plan& plan, const FrameInput& input, const FrameBuffer& 
 }
 
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
-  // 1. Refuse bad input. The input of the frame before was not refused.
+  // 1. Refuse bad input. An input that was accepted in the last run need not be checked again.
   const FrameBuffer* const followed = std::exchange(frame.before_, nullptr);
   if (const Refusal refusal = check_buffers(plan, frame, followed); refusal.error != ErrorCode::ok)
     return refusal.error;
@@ -34,16 +34,16 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.block_.get()};
   const FrameTables tables(compiled, memory);
   const bool had_it = had_same_input({frame.last_, tables}, input);
-  if (!had_it || input.asleep)  // of a character that sleeps, nothing else was compared
+  if (!had_it || input.asleep)  // for a sleeping character nothing else was compared
     if (const Refusal refusal = check_input(compiled, input); refusal.error != ErrorCode::ok) return refusal.error;
 
-  // 2. Find what stands.
+  // 2. Find the parts that stand: they are still valid (reuse/reuse.h).
   frame.cut_pose_ = {};
   const FrameBuffer& before = followed != nullptr && followed->result_.since_frame != 0 ? *followed : frame;
   const Reuse reuse(compiled, input, tables, {memory, frame.last_}, {{before.block_.get()}, before.last_}, had_it,
                     frame.result_.frame + 1);
 
-  // 3. Evaluate the rest.
+  // 3. Evaluate all other parts.
   frame.result_.since_frame = reuse.stands().all_since_before ? before.result_.since_frame : reuse.number();
   frame.result_.frame = reuse.number();
   evaluate_frame(compiled, input, memory, reuse, frame.past_caches_, frame.result_);

@@ -11,13 +11,13 @@
 
 namespace sinew {
 
-/// Runs the stages of the plan for one character. Afterwards `frame.result()` holds the outcome. Parts that stand since
-/// the frame before are not made again: the same input runs no stage, unchanged palettes and weights deform nothing.
-/// Hidden meshes are not deformed, and a character that sleeps does no work.
+/// Runs the stages of the plan for one character. Afterwards `frame.result()` holds the outcome. Parts that have not
+/// changed since the frame before are not computed again. The same input runs no stage, and unchanged palettes and
+/// weights deform nothing. Hidden meshes are not deformed, and a character that sleeps does no work.
 /// in   frame  made for this plan: a plan that was compiled anew needs a new buffer
 /// err  no_plan             a default plan
-///      wrong_plan          the buffer, or the one that it follows, was made for another plan
-///      moved_from          the buffer, or the one that it follows, was moved from
+///      wrong_plan          the buffer, or the one given to FrameBuffer::follow, was made for another plan
+///      moved_from          the buffer, or the one given to FrameBuffer::follow, was moved from
 ///      size_mismatch       `weights`, `out_of_view` or `geometry` is neither empty nor of the length that it needs
 ///      too_many_layers     more layers with a weight blend than Needs::in.max_layers
 ///      index_out_of_range  a clip that the plan does not know, a mask, a source without vertices for its instance
@@ -37,7 +37,7 @@ namespace sinew {
 SINEW_API ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 
 /// Says why run_plan refuses this call: which field, which index, which rule ("layers[1].weight: a weight is below 0").
-/// A buffer that the refused run should have followed is forgotten by then, so ask before the run about that.
+/// Ask before the run if the buffer follows another one: a refused run forgets which buffer it should have followed.
 /// out  empty where run_plan does not refuse     cost as the checks of run_plan, allocates the text
 SINEW_API std::string why_refused(const Plan& plan, const FrameInput& input, const FrameBuffer& frame);
 

@@ -36,7 +36,7 @@ bool is_valid(const Primitive& primitive, const Scene& scene) noexcept {
                      [&](const VariantMaterial& v) { return is_none_or_below(v.material, scene.materials.size()); });
 }
 
-/// Joints of the vertices are within the skin, and the groups within the influences.
+/// True if joints of the vertices are within the skin, and groups within the influences.
 bool are_valid(const VertexInfluences& influences, std::size_t vertex_count, std::size_t joint_count) noexcept {
   if (influences.joints.size() != influences.weights.size()) return false;
   for (const InfluenceGroup& group : influences.groups) {

@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// True if all indices that compile_plan follows are in range, and parallel arrays of one length. check(Scene) proves
-/// that too, among much else; this finds a scene that nobody checked before it is read out of bounds.
+/// True if all indices that compile_plan follows are in range, and parallel arrays have equal lengths. check(Scene)
+/// proves this and much more. This check keeps compile_plan from reading out of bounds in a scene that nobody checked.
 /// cost O(joints + instances + influences), no allocation. Internal to plan/
 bool has_valid_indices(const Scene& scene) noexcept;
 

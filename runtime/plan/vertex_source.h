@@ -10,23 +10,23 @@ namespace sinew {
 
 /// Where the vertices of a source lie.
 enum class VertexSpace : std::uint8_t {
-  scene,  ///< below FrameInput::root, as a whole scene is baked
-  mesh    ///< in the mesh's own space: its joint places them
+  scene,  ///< in the space below FrameInput::root, for sources baked from a whole scene
+  mesh    ///< in the mesh's own space; the joint of the instance places them in the world
 };
 
-/// Answer of a source: the vertices that it shows of a mesh instance.
+/// The answer of VertexSource::show: which vertices the source shows for a mesh instance.
 struct ShownVertices {
-  bool is_there = false;             ///< there are vertices to write; false: the instance keeps its pose
-  bool is_late = false;              ///< the frame asked for is not loaded yet: these vertices are older
+  bool is_there = false;             ///< the source has vertices to write; false: the instance keeps its pose
+  bool is_late = false;              ///< the requested frame is not loaded yet, so these vertices are older
   std::uint64_t moment = 0;          ///< equal numbers mean equal vertices
   Aabb bounds;                       ///< holds all vertices of the instance
-  std::uint32_t frames_decoded = 0;  ///< by this call
+  std::uint32_t frames_decoded = 0;  ///< number of frames that this call decoded
 };
 
-/// Where a frame takes the vertices of mesh instances from, in place of their pose: GeometryPlayer
-/// (runtime/geometry_cache), or an engine's own simulation. Functions and a context, so that the frame needs no library
-/// of any source. A character has sources of its own: run_plan calls them on the thread that it runs on, and one frame
-/// of a character runs at a time. Functions allocate nothing.
+/// A source of vertices that replaces the pose of mesh instances: GeometryPlayer (runtime/geometry_cache), or an
+/// engine's own simulation. It is a set of functions with a context, so that frames need no library of any source. Each
+/// character needs its own source. run_plan calls it on the thread that runs the frame, and runs one frame of a
+/// character at a time. The functions must not allocate.
 struct SINEW_API VertexSource {
   /// True if the source has vertices for all primitives of the instance.
   bool (*has)(const void* context, std::uint32_t instance) noexcept = nullptr;
@@ -37,13 +37,13 @@ struct SINEW_API VertexSource {
 
   /// Writes the vertices of the last `show`.
   /// out  positions[V]  metres, in the source's space;   normals[V]  unit; empty = not wanted
-  ///      answers true if normals were written; else frames derive them from the triangles
+  ///      returns true if normals were written; else frames derive them from the triangles
   bool (*write)(void* context, std::uint32_t instance, std::uint32_t primitive, std::span<glm::vec3> positions,
                 std::span<glm::vec3> normals) noexcept = nullptr;
 
   void* context = nullptr;
-  std::uint64_t content = 0;  ///< sources of one number show the same vertices of an instance at a moment, such as a
-                              ///< checksum of the file
+  std::uint64_t content = 0;  ///< identifies the content, for example by a checksum of the file: sources with equal
+                              ///< numbers show the same vertices of an instance at the same time
   VertexSpace space = VertexSpace::scene;
 
   bool is_there() const noexcept { return show != nullptr; }

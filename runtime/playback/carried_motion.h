@@ -9,6 +9,7 @@
 
 namespace sinew {
 
+/// A motion repeated `count` times.
 /// eq   m^count by repeated squaring; a negative count is the power of the inverse
 inline DualQuatd power(DualQuatd m, double count) noexcept {
   constexpr double kMostTurns = 9.0e15;

@@ -50,6 +50,7 @@ bool is_finite(const V& v) noexcept {
   return true;
 }
 
+/// Cubic interpolation between two keys, with tangents per second.
 /// eq   h00 v0 + h10 d m0 + h01 v1 + h11 d m1 with the Hermite polynomials of u, d the interval (glTF 2.0, Appendix C)
 template <class V>
 V hermite(const V& v0, const V& m0, const V& v1, const V& m1, float d, float u) noexcept {
@@ -60,8 +61,9 @@ V hermite(const V& v0, const V& m0, const V& v1, const V& m1, float d, float u) 
 
 }  // namespace detail
 
-/// err  too_few_keys (none), not_finite, times_not_increasing, not_normalised (rotations), unsupported (an unknown step,
-///      or a flag that does not hold)
+/// Checks the keys of a curve.
+/// err  too_few_keys (none), not_finite, times_not_increasing, not_normalised (rotations), unsupported (an unknown
+///      step, or a flag that does not hold)
 /// cost O(K)
 template <class V>
 ErrorCode check(Curve<V> keys) noexcept {
@@ -80,7 +82,8 @@ ErrorCode check(Curve<V> keys) noexcept {
   return ErrorCode::ok;
 }
 
-/// The value at a time. Before the first and after the last key it is theirs; NaN gives the first.
+/// The value at a time. Before the first key it is the value of that key, and after the last key the value of the last.
+/// NaN gives the first.
 /// in   keys  that check() accepts      cost O(log K), no allocation
 template <class V>
 V sample(Curve<V> keys, double time_s) noexcept {

@@ -55,7 +55,7 @@ class EdgeFinder {
     edges_.rises.push_back(rises);
   }
 
-  /// Between two keys at different times, the first of which does not hold.
+  /// Adds edges between two keys at different times. The first key does not hold its value.
   void follow(const CurveKey<float>& from, const CurveKey<float>& to) {
     const double begin = from.time_s, interval = to.time_s - begin;
     if (from.step == CurveStep::linear) {
@@ -76,7 +76,7 @@ class EdgeFinder {
     if (is_above(before) != is_above(after)) cross(time_s, is_above(after));
   }
 
-  /// In a loop the end of the clip is followed by its beginning.
+  /// Adds the edge at the seam of a loop, where the beginning follows the end.
   void close(bool end_is_above, bool begin_is_above) {
     if (end_is_above == begin_is_above) return;
     edges_.times_s.insert(edges_.times_s.begin(), 0.0);

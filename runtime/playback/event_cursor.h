@@ -47,7 +47,7 @@ class SINEW_API EventCursor {
   PlaybackStep step_;
   std::span<const double> times_s_;
   bool forward_ = true;
-  std::size_t slots_ = 0, slot_ = 0;  // stops of one round, in the order of forward play
+  std::size_t slots_ = 0, slot_ = 0;  // number of stops in one round, and the next one to look at
   std::size_t first_on_seam_ = 0;     // events from here on lie at the last key's time
   // Visited rounds; the step begins in round 0 and ends in the last one.
   std::uint64_t round_ = 0, round_count_ = 0;

@@ -15,7 +15,7 @@ enum class PlayMode : std::uint8_t {
               ///< Nothing is interpolated across the seam, unless the clip was closed (animation/close_loop.h).
   clamp,      ///< stays at the end; leaves it at once if the direction changes
   ping_pong,  ///< plays forward, then backward; each end is shown once
-  once,       ///< as clamp, and finished() is true at the end until a seek or a change of direction
+  once,       ///< as clamp; in addition, finished() is true at the end until a seek or a change of direction
 };
 
 /// The time that one call of advance played, for EventCursor and root_motion. `from_s` and `to_s` are clip times; in

@@ -16,7 +16,7 @@ enum class RootTurn : std::uint8_t {
   full,
 };
 
-/// The parts of a root joint's transform that move the character through the world. The others stay in its pose.
+/// The parts of a root joint's transform that move the character through the world. All other parts stay in its pose.
 struct RootMotionParts {
   bool x = true, y = false, z = true;  ///< translation along the axes of the joint's parent space
   RootTurn turn = RootTurn::heading;
@@ -39,7 +39,7 @@ SINEW_API DualQuatd root_place(const BoneAnimation& root, const Transform& rest,
 ///     world = normalised(world * root_motion(root, rest, parts, step));
 ///     frame.root = world * inverse of root_place(root, rest, parts, clock.time_s());   // removes it from the pose
 ///
-/// With several clips, both what moves and what is removed are blended: blend_root_motion. RootTrack (root_track.h)
+/// With several clips, blend both the motion and the place that is removed: blend_root_motion. RootTrack (root_track.h)
 /// gives the same without the authoring keys.
 /// out  rigid, unit.  cost O(log K + log turns), no allocation
 SINEW_API DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
@@ -58,8 +58,8 @@ struct BlendedRoot {
 
 /// Root motion of clips that blend.
 /// eq   Both are means over sum w, as blend_poses makes them: translations linearly, rotations as quaternions of one
-///      hemisphere. The blended root joint stands at the mean of the clips' places, so taking out the place of one clip
-///      alone would leave the rest in the pose, and the character would be in two places at once.
+///      hemisphere. The blended root joint stands at the mean of the clips' places. Removing the place of only one clip
+///      would leave a part of the motion in the pose, and the character would move twice.
 ///
 ///     world = normalised(world * blended.motion);
 ///     frame.root = world * inverse of blended.place;

@@ -30,9 +30,9 @@ SINEW_API ErrorCode check(const JointPaletteJob& job) noexcept;
 SINEW_API void run_unchecked(const JointPaletteJob& job) noexcept;
 
 /// A skinning matrix J split for dual-quaternion skinning: a stretch in bind space, then a rigid motion.
-/// eq   J = [R S | t]: R is the rotation of the polar decomposition, S is symmetric: `stretch` = xx yy zz xy xz yz For
-///      a mirroring J (det < 0) S is negative, so that R * S is still J. det S has the sign of det J, also where S is
-///      singular within rounding (decompose.h).
+/// eq   J = [R S | t], where R is the rotation of the polar decomposition and S is symmetric. `stretch` stores S as xx
+///      yy zz xy xz yz. If J mirrors (det < 0), S is negative, so that R * S is still J. det S has the sign of det J,
+///      also where S is singular within rounding (decompose.h).
 struct alignas(64) RigidStretch {
   DualQuat rigid;
   float stretch[6] = {1, 1, 1, 0, 0, 0};
@@ -45,8 +45,8 @@ struct JointPair {
 };
 
 /// Splits every palette matrix, one per SIMD lane, in double precision. Lanes do not influence each other's bits.
-/// in   follow[any]  pairs in order: the quaternion of `second` takes the sign on the hemisphere of `first`.
-///      Empty = signs as the decomposition gives them.
+/// in   follow[any]  pairs, handled in order: the quaternion of `second` is negated if it lies on the other hemisphere
+///      than that of `first`. Empty = signs as the decomposition gives them.
 /// out  split[N];   any_stretch  true if a stretch differs from the identity by more than 1e-5, so that skinning needs
 ///      its stretch phase. Smaller stretches are rounding of rigid matrices: inverse bind matrices of files are off by
 ///      up to 5e-6. They are stored all the same. Skinning without the stretch phase misplaces a vertex by at most that

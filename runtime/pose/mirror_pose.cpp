@@ -88,7 +88,7 @@ bool all_copied(const std::array<MirrorRow<kCount>, kCount>& rows) noexcept {
   return std::all_of(rows.begin(), rows.end(), [](const MirrorRow<kCount>& row) { return copied_entry(row) != 0; });
 }
 
-/// Where one property of a pose lies, and the joints that need sums for it.
+/// The place of one property in a pose, and the joints that need sums for it.
 struct PropertyTables {
   std::size_t stride, first_plane;
   std::vector<std::uint32_t>& copies;

@@ -26,6 +26,7 @@ struct MirrorTables {
   MirroredSums translation, rotation, scale;  ///< joints for which copying and negating is not enough
 };
 
+/// Prepares the tables of a job.
 /// in   joints  of a MirrorMap, or a subset that contains its own sources
 /// cost O(J), allocates
 SINEW_API MirrorTables make_mirror_tables(std::span<const MirroredJoint> joints);

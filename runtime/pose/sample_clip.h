@@ -14,8 +14,8 @@ namespace sinew {
 /// last key.
 /// eq   as BoneAnimation::interpolate, in float
 /// in   time_s         seconds in the clip
-///      holds_clip     `pose` already holds a sample of this clip, so joints that it does not animate are not written
-///      again
+///      holds_clip     `pose` already holds a sample of this clip, so joints that the clip does not animate are not
+///      written again
 /// out  pose           of the clip's joint count;   weights[W]  of the clip's weight count; empty = not wanted
 ///      properties[P]  of the clip's property count; empty = not wanted
 /// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation

@@ -5,7 +5,7 @@
 ///
 ///     const auto file = sinew::AssetFile::open(bytes);
 ///     if (!file) return log(describe(file.error()));
-///     const auto scene = sinew::read_scene(*file);  // owns what it has: the bytes are not needed any longer
+///     const auto scene = sinew::read_scene(*file);  // owns its memory: the bytes are not needed any longer
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"

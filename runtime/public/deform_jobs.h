@@ -4,10 +4,11 @@
 /// like those of pose_jobs.h. Normals and tangents need tables that are made once: sort_flat_faces, join_surface.
 /// Linear skinning takes about half of the time with vertices that were sorted once: tile_vertices, SkinTilesJob.
 ///
-///     const sinew::SkinLinearJob skin{.influences = &primitive.influences, .palette = palette,
-///                                     .vertices = {.positions = primitive.positions, .normals = primitive.normals,
-///                                     .tangents = {}}, .out = {.positions = positions, .normals = normals, .tangents =
-///                                     {}}};
+///     const sinew::SkinLinearJob skin{
+///         .influences = &primitive.influences,
+///         .palette = palette,
+///         .vertices = {.positions = primitive.positions, .normals = primitive.normals, .tangents = {}},
+///         .out = {.positions = positions, .normals = normals, .tangents = {}}};
 ///     if (check(skin) == sinew::ErrorCode::ok) run(skin);
 #include "runtime/deform/blend_combinations.h"
 #include "runtime/deform/combine_influences.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Vertices of every frame from a .sgeo file, for what no skeleton can move. GeometryCache reads the file's tables,
-/// bind_by_name finds the meshes of a scene, GeometryPlayer decodes while frames ask for it (FrameInput::geometry).
-/// bake_geometry.h writes such files.
+/// Vertices of every frame from a .sgeo file, for motion that no skeleton can express. GeometryCache reads the file's
+/// tables, bind_by_name finds the meshes of a scene, and GeometryPlayer decodes while frames ask for vertices
+/// (FrameInput::geometry). bake_geometry.h writes such files.
 ///
 ///     sinew::GeometryPlayer player(cache, frames, scene, bindings);
 ///     const sinew::GeometryInput playing[] = {player.at(clock.time_s())};

@@ -5,9 +5,8 @@
 /// asset_file.h finds the pages in one.
 ///
 ///     sinew::PagedClip speech(first_keys, table.page_s, table.page_count());
-///     if (const auto page = speech.next_page()) request(*page);          // then load_page(*page, bytes), on any
-///     thread const sinew::PageSample now = speech.at(clock.time_s());           // for ClipLayer::page and
-///     ClipLayer::time_s
+///     if (const auto page = speech.next_page()) request(*page);  // on any thread; then load_page(*page, bytes)
+///     const sinew::PageSample now = speech.at(clock.time_s());   // for ClipLayer::page and ClipLayer::time_s
 #include "runtime/paging/cut_clip.h"
 #include "runtime/paging/page_table.h"
 #include "runtime/paging/paged_clip.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Playback outside of frames. PlaybackClock advances clip times (loop, clamp, ping-pong), EventCursor finds the events
-/// that a step of it crosses. Curves are values of an engine's own over time, and find_edges makes events of them. Root
-/// motion moves FrameInput::root, and a clock gives ClipLayer::time_s.
+/// Playback outside of frames. PlaybackClock advances clip times (loop, clamp, ping-pong), and EventCursor finds the
+/// events that a step of the clock crosses. Curves are values of an engine's own over time, and find_edges makes events
+/// of them. Root motion moves FrameInput::root, and a clock gives ClipLayer::time_s.
 ///
 ///     sinew::PlaybackClock clock(clip.duration_s());
 ///     const sinew::PlaybackStep step = clock.advance(frame_s);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// Jobs on poses, for engines that run stages themselves; plans (plan.h) run the same jobs. A job is a struct of spans
-/// into memory of the caller. check(job) answers what is wrong with it, run(job) does the work and allocates nothing.
+/// into memory of the caller. check(job) returns the first broken rule, and run(job) does the work and allocates
+/// nothing.
 ///
 ///     sinew::PoseMemory memory(joints);
 ///     const sinew::SampleClipJob sample{.clip = &clip, .time_s = 0.5, .pose = memory.span(), .weights = {}};

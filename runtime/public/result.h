@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Errors. A bad call or a bad number answers an ErrorCode, or a Result: a value or an ErrorCode. A bad file answers
-/// its reader's own error type, which names the place in the file. A bug of the program breaks a contract: a handler is
-/// told, then the program ends.
+/// Errors. A bad call or a bad number returns an ErrorCode, or a Result: a value or an ErrorCode. A reader of files
+/// returns an error type of its own, which names the place in the file. A bug of the program breaks a contract: a
+/// handler is called, then the program ends.
 ///
 ///     const sinew::ErrorCode code = run_plan(plan, input, frame);
 ///     if (code != sinew::ErrorCode::ok) log(describe(code));

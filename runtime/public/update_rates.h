@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// Small characters evaluated in every second or fourth frame, in turns. HeldInput repeats a pose in between.
-/// InterpolatedInput interpolates between two updates. Both answer the FrameInput to run; InputCopy is an input that
+/// Small characters are evaluated in every second or fourth frame, in turns. HeldInput repeats a pose in between.
+/// InterpolatedInput interpolates between two updates. Both return the FrameInput to run; InputCopy is an input that
 /// owns its arrays.
 ///
 ///     const sinew::UpdateLevel level = update_level(screen_size(radius_m, distance_m, fov_y_rad), level_before);

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Sample times for motions that have no keys of their own: the given times, each once and rising. Gaps are filled in
-/// equal steps of at most 1/60 s. Internal to retarget/
+/// Sample times for motions that have no keys of their own: the given times, sorted and without repetitions. Gaps are
+/// filled in equal steps of at most 1/60 s. Internal to retarget/
 /// in   keys  at least one, in any order
 std::vector<double> dense_times(std::vector<double> keys);
 

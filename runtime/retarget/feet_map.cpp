@@ -29,7 +29,7 @@ std::size_t place_in(const std::vector<LegJoint>& joints, std::uint32_t joint) {
   return static_cast<std::size_t>(found - joints.begin());
 }
 
-/// The chain of a leg; nothing if its joints are not descendants of each other.
+/// The chain of a leg; empty if its joints are not descendants of each other.
 std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg) {
   const auto chain_to = [&](std::uint32_t tip) {
     std::vector<LegJoint> joints;
@@ -54,7 +54,7 @@ std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg)
 
 /// Direction of the knee of a straight leg: as it is bent at rest, or else where the toes point.
 Vec3d bend_of(const LegPose<double>& rest, bool has_toes) {
-  constexpr double kBent = 0.01;  // of the leg's length
+  constexpr double kBent = 0.01;  // as a fraction of the leg's length
   const Vec3d whole = rest.foot.place - rest.upper.place, along = normalised_or(whole, Vec3d(0, -1, 0));
   const Vec3d knee = rest.lower.place - rest.upper.place, off = knee - along * glm::dot(knee, along);
   Vec3d bend(0, 0, 1);

@@ -38,7 +38,7 @@ struct LegPair {
 struct FeetMap {
   std::vector<LegPair> legs;
   double ratio = 1.0;          ///< height ratio, target to source; paths of feet are scaled by it
-  std::uint32_t hips = kNone;  ///< joint of the target above all legs; kNone = no mapped joint is
+  std::uint32_t hips = kNone;  ///< joint of the target above all legs; kNone = no mapped joint is above all of them
 };
 
 /// The joints at the hip, the knee, the ankle and the ball of the foot of one leg. `toes` may be kNone.

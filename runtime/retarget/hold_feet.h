@@ -15,7 +15,8 @@ namespace sinew {
 /// other proportions move the feet elsewhere. Feet keep their rotation. Thighs and shanks turn (turn_two_bones,
 /// runtime/math/two_bones.h). If legs are too short, the hips come down by at most a fourth of a leg's length.
 /// eq   goal = g + k (p - r): p is the place of the source's ankle or toes, whichever is lower, r its rest place,
-///      g the rest place of the target's joint and k the height ratio. For toes, the ankle moves by what the toes must.
+///      g the rest place of the target's joint and k the height ratio. If p is the toes, the ankle moves as the toes
+///      need.
 ///      The foot goes to goal + (1 - c) (place - goal). c(h) is 1 up to 4 % of the source's leg length above the
 ///      ground, 0 above 12 %, and smooth between. The result depends on the pose alone: nothing is remembered between
 ///      frames.
@@ -32,8 +33,8 @@ SINEW_API void hold_feet(const FeetMap& feet, double ground, std::span<const Tra
 struct HoldFeetJob {
   const FeetMap* feet = nullptr;
   float ground = 0.0f;
-  PoseSpan pose;  ///< of the source
-  PoseSpan held;  ///< of the target, in place
+  PoseSpan pose;  ///< pose of the source
+  PoseSpan held;  ///< pose of the target, changed in place
 };
 
 SINEW_API ErrorCode check(const HoldFeetJob& job) noexcept;
@@ -61,7 +62,7 @@ struct FootSlide {
   std::size_t contacts = 0;
 };
 
-/// cost O(duration * joints), allocates
+/// Measures how far feet slide in a retargeted animation.     cost O(duration * joints), allocates
 SINEW_API FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, const Skeleton& source,
                                        const Animation& retargeted, const Skeleton& target);
 

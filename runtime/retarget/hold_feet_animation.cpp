@@ -50,7 +50,7 @@ class HeldKeys {
   struct Leg {
     std::array<std::uint32_t, 3> joints;
     std::array<QuatTrack, 3> tracks;
-    bool turns = false;  ///< any of them differs from the retargeted pose
+    bool turns = false;  ///< a rotation of the leg differs from the retargeted pose
   };
 
   std::vector<Leg> legs_;
@@ -59,10 +59,10 @@ class HeldKeys {
   bool hips_move_ = false;
 };
 
-/// One ground contact of an ankle or of toes: measures how far it strays from where it came down.
+/// One ground contact of an ankle or of toes. It measures how far they move away from where they came down.
 class Contact {
  public:
-  /// in   off  its place minus the source's scaled path
+  /// in   off  place of the ankle or toes minus the source's scaled path
   void add(bool is_on, const Vec3<double>& off, FootSlide& slide) {
     if (!is_on) return end(slide);
     if (!is_on_) first_ = off;

@@ -23,6 +23,7 @@ struct LegPose {
   AffineT<T> above_hips = affine_from_transform(TransformT<T>{});  ///< matrix of the parent of the hips
 };
 
+/// Places the joints of a leg in model space.
 /// in   local_of(joint)  returns the local transform of a joint in the pose
 template <class T, class LocalOf>
 LegPose<T> leg_pose(const LegChain& chain, const LocalOf& local_of) {

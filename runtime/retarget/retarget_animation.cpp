@@ -177,8 +177,8 @@ class JointBake {
   const MappedJoint& joint_;
   const SkeletonMap& map_;
   const Skeleton& source_;
-  Transformd own_;       // of the target joint, in the reference pose
-  Quatd rest_rotation_;  // of the target joint
+  Transformd own_;       // transform of the target joint in the reference pose
+  Quatd rest_rotation_;  // rest rotation of the target joint
   std::span<const JointTracks> tracks_;
   std::vector<std::uint32_t> path_;  // source joints, from the joint up to its mapped ancestor
 };
@@ -205,7 +205,7 @@ Animation retarget_animation(const Animation& animation, const SkeletonMap& map,
                              const Skeleton& target) {
   std::vector<JointTracks> tracks = tracks_by_joint(animation, source.joint_count());
   for (std::size_t j = 0; j < tracks.size(); ++j)
-    if (source.fixed_matrix_of[j] != kNone) tracks[j] = {};  // a fixed matrix replaces what they say
+    if (source.fixed_matrix_of[j] != kNone) tracks[j] = {};  // a fixed matrix replaces the tracks
   Animation out{animation.name, animation.duration_s, {}, {}};
   for (const MappedJoint& joint : map.joints) {
     BoneAnimation bone = JointBake(joint, map, source, target, tracks).bake();

@@ -30,8 +30,8 @@ SINEW_API Animation retarget_animation(const Animation& animation, const Skeleto
 /// Largest difference between a retargeted animation and retarget_pose of the original, sampled `per_second` times a
 /// second and halfway between.
 struct RetargetError {
-  double angle_rad = 0.0;       ///< of local rotations
-  double distance = 0.0;        ///< of local translations, in units of the target
+  double angle_rad = 0.0;       ///< largest difference of local rotations
+  double distance = 0.0;        ///< largest difference of local translations, in units of the target
   std::uint32_t joint = kNone;  ///< joint of the target with the largest angle
 };
 SINEW_API RetargetError measure_retarget(const Animation& retargeted, const Animation& animation,

@@ -14,19 +14,19 @@ namespace sinew {
 /// Joints for which one property (rotation, translation or scale) is mapped. Padded to groups of 16 for SIMD lanes.
 struct RetargetedJoints {
   std::vector<std::uint32_t> targets, sources;  ///< [count] padded to a multiple of 16 by repeating the last one
-  std::vector<float> factors;                   ///< planes of [count]
+  std::vector<float> factors;  ///< planes of `count` floats; the number of planes depends on the property
 };
 
-/// A joint of the source on the path from a mapped joint's mapped ancestor down to it.
+/// A joint of the source on the path between a mapped joint and its nearest mapped ancestor.
 struct ChainJoint {
   std::uint32_t joint = 0;
-  bool is_fixed = false;  ///< it has a fixed matrix: `local` replaces the transform of the pose
+  bool is_fixed = false;  ///< the joint has a fixed matrix: `local` replaces the transform of the pose
   Transform local;
 };
 
-/// Joints that are mapped in one pass. Within a pass every source joint is expressed relative to only one ancestor.
+/// Joints that are mapped in one pass. Within a pass, each source joint is expressed relative to one ancestor only.
 struct RetargetPass {
-  /// For mapped joints with unmapped joints between: the chain, from the joint up
+  /// Paths of the mapped joints whose parent is not their mapped ancestor: from the joint up to below that ancestor
   std::vector<std::vector<ChainJoint>> composed;
   std::vector<std::uint32_t> copied_rotations[2];  ///< targets and sources of rotations that are copied unchanged
   std::vector<std::uint32_t> copied_translations[2];
@@ -38,8 +38,8 @@ struct RetargetPass {
 /// A SkeletonMap prepared for RetargetPoseJob. Made once; immutable.
 struct RetargetTables {
   std::size_t source_count = 0, target_count = 0;
-  std::vector<float> rest;  ///< the reference pose of the target, as planes of a pose
-  /// Several if target joints need the same source joint relative to different ancestors
+  std::vector<float> rest;  ///< the reference pose of the target, as planes of a pose.
+  /// There are several passes if target joints need the same source joint relative to different ancestors
   std::vector<RetargetPass> passes;
 
   bool composes() const noexcept {
@@ -47,6 +47,7 @@ struct RetargetTables {
   }
 };
 
+/// Prepares the tables of a job.
 /// cost O(J), allocates
 SINEW_API RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target);
 

@@ -13,7 +13,7 @@ std::size_t thing_count(const Scene& scene, PropertyKind kind) noexcept {
   return kind <= PropertyKind::light_outer_cone ? scene.lights.size() : scene.materials.size();
 }
 
-/// The same property on the target; nothing if it does not exist or the name is ambiguous.
+/// The same property on the target; empty if it does not exist or the name is ambiguous.
 std::optional<PropertyTarget> same_property(const PropertyTarget& from, const SkeletonMap& map, const Scene& source,
                                             const Scene& target) {
   PropertyTarget to = from;

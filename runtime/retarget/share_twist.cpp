@@ -45,7 +45,7 @@ bool names_a_twist_joint(const std::string& name) {
                      [](const std::string& word) { return word.find("twist") != std::string::npos || word == "roll"; });
 }
 
-/// Nothing for a joint that does not lie along the bone.
+/// Makes the twist joint of a limb. Empty if the joint does not lie along the bone.
 std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, std::span<const Transform> reference, const Limb& limb,
                                       std::uint32_t joint) {
   constexpr double kBeyond = 0.1, kAside = 0.25;  // tolerances, as fractions of the bone's length

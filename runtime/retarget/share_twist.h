@@ -52,7 +52,7 @@ SINEW_API void share_twist(const TwistMap& twists, std::span<Transformd> pose) n
 /// err  size_mismatch
 struct ShareTwistJob {
   const TwistMap* twists = nullptr;
-  PoseSpan pose;  ///< of the target, changed in place
+  PoseSpan pose;  ///< pose of the target, changed in place
 };
 
 SINEW_API ErrorCode check(const ShareTwistJob& job) noexcept;

@@ -48,7 +48,7 @@ struct ModelPose {
   }
 };
 
-/// Zero if no mapped joint has a mapped ancestor.
+/// The mean angle between mapped bones; 0 if no mapped joint has a mapped ancestor.
 double mean_bone_angle(const SkeletonMap& map, const ModelPose& from, const ModelPose& to) noexcept {
   double sum = 0.0, count = 0.0;
   for (const MappedJoint& joint : map.joints) {

@@ -29,7 +29,7 @@ struct SkeletonMap {
   std::vector<MappedJoint> joints;  ///< rising target indices: parents before children
   bool by_names = false;            ///< the skeletons share joint names, so scale tracks are retargeted too
   double height_ratio = 1.0;        ///< target to source: height of hips or top joints above the lowest mapped joint
-  std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
+  std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< joints without a counterpart, rising
   /// [kHumanoidBones] joint of the target for each humanoid bone, or kNone
   std::vector<std::uint32_t> target_bones = std::vector<std::uint32_t>(kHumanoidBones.size(), kNone);
   PoseReference source_reference = PoseReference::rest, target_reference = PoseReference::rest;
@@ -68,12 +68,12 @@ struct SkeletonMapOptions {
   /// [kHumanoidBones] Joint of each humanoid bone, or kNone, for files that say so (humanoid_bones_of). Empty = bones
   /// are found by names.
   std::vector<std::uint32_t> source_bones, target_bones;
-  /// [J] Reference poses: local transforms of poses in which both bodies do the same. Empty = the rest pose, or what
-  /// make_skeleton_map of scenes chooses (map_scenes.h).
+  /// [J] Reference poses: for each skeleton, local transforms of a pose. Both bodies must have the same posture in
+  /// them. Empty = the rest pose, or what make_skeleton_map of scenes chooses (map_scenes.h).
   std::span<const Transform> source_reference = {}, target_reference = {};
 };
 
-/// For options that come from elsewhere, such as a file or a script. make_skeleton_map breaks a contract for bad ones.
+/// Checks options that come from a file or a script. make_skeleton_map breaks a contract if they are bad.
 /// err  index_out_of_range (a joint);  unsupported (a joint of the target in two pairs or two chains);  size_mismatch
 ///      (bones, reference poses)
 SINEW_API ErrorCode check(const SkeletonMapOptions& options, const Skeleton& source, const Skeleton& target);

@@ -32,8 +32,8 @@ struct Character {
   // Used only by the thread that runs the frame of this character.
   FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
   const FrameBuffer* last_good = nullptr;
-  ErrorCode error = ErrorCode::ok;  // of the frame that has just run
-  bool is_to_run = false;           // its input is not that of the last good frame
+  ErrorCode error = ErrorCode::ok;  // error of the frame that has just run
+  bool is_to_run = false;           // the input differs from that of the last good frame
 
   Plan plan;
   std::vector<FrameBuffer> buffers;

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// A follower needs a joint of its leader.
+/// Checks that a plan shows a joint that followers need.
 ErrorCode check_leader(const Plan& plan, std::uint32_t joint) noexcept {
   if (!plan.needs().out.joints) return ErrorCode::not_in_needs;
   return joint < plan.scene().skeleton.joint_count() ? ErrorCode::ok : ErrorCode::index_out_of_range;
@@ -33,7 +33,7 @@ CharacterRegistry::Id CharacterRegistry::add(const Plan& plan) {
     const std::size_t count = slots_.size() + 1;
     make_room(slots_, count);
     make_room(ids_, count);
-    make_room(free_indices_, count);  // so that removing allocates nothing
+    make_room(free_indices_, count);  // so that removing a character allocates nothing
     make_room(index_of_entry_, count);
     roster_.reserve(count);
     slots_.emplace_back();
@@ -65,7 +65,7 @@ ErrorCode CharacterRegistry::remove(Id id) {
   if (slot.before != nullptr) --shown_in_place_;
   retire(slot.before);
   retire(slot.now);
-  // An index whose generations are used up is given to nobody again.
+  // An index whose generations are used up is not used again.
   if (++slot.generation < Id{1} << (32 - kIndexBits)) free_indices_.push_back(index_of(id));
   ids_.erase(std::find(ids_.begin(), ids_.end(), id));
   is_current_ = false;
@@ -91,7 +91,7 @@ ErrorCode CharacterRegistry::replace(Id id, const Plan& plan) {
     slot.before = std::move(slot.now);
     ++shown_in_place_;
   }
-  retire(slot.now);  // replaced before anybody saw it
+  retire(slot.now);  // a plan that was replaced before any frame of it was shown
   slot.now = std::move(next);
   is_current_ = false;
   return ErrorCode::ok;
@@ -127,7 +127,7 @@ void CharacterRegistry::begin_frame(std::uint64_t number, std::uint64_t finished
 void CharacterRegistry::assign_input(Id id, const FrameInput& input) {
   Slot& slot = slot_of(id);
   Character& character = *slot.now;
-  if (character.input_of_frame != frame_) character.newest_input ^= 1;  // otherwise this submit lists it twice
+  if (character.input_of_frame != frame_) character.newest_input ^= 1;  // else this submit lists the character twice
   character.input_of_frame = frame_;
   InputCopy& copy = character.inputs[character.newest_input];
   copy.assign(input);
@@ -140,7 +140,7 @@ void CharacterRegistry::list_followers() noexcept {
   for (const Id id : ids_) slot_of(id).first_follower = kEnd;
   for (std::size_t i = ids_.size(); i-- > 0;) {
     Slot& slot = slot_of(ids_[i]);
-    if (!has(slot.leader)) slot.leader = kNobody;  // it was removed
+    if (!has(slot.leader)) slot.leader = kNobody;  // the leader was removed
     if (slot.leader == kNobody) continue;
     slot.next_follower = slot_of(slot.leader).first_follower;
     slot_of(slot.leader).first_follower = index_of(ids_[i]);
@@ -165,7 +165,7 @@ const Roster& CharacterRegistry::roster() noexcept {
   };
   for (const Id id : ids_) {
     if (slot_of(id).leader != kNobody) continue;
-    // All who follow this one, directly or not, come behind it.
+    // All direct and indirect followers come after their leader.
     std::size_t next = roster_.entries.size();
     append(index_of(id), Roster::kNoLeader);
     for (; next < roster_.entries.size(); ++next)

@@ -45,7 +45,7 @@ class CharacterRegistry {
 
   /// True if every character has a frame buffer to write into; always true for three buffers.
   bool can_write() const noexcept;
-  /// The newest published result, unchanged until asked for again; null before the first.
+  /// The newest published result, unchanged until the next call for the character; null before the first.
   const FrameResult* latest(Id id) noexcept;
 
  private:
@@ -54,12 +54,12 @@ class CharacterRegistry {
   static constexpr Id kNobody = ~Id{0};
 
   struct Slot {
-    std::unique_ptr<Character> now;     // null = nobody has the index
+    std::unique_ptr<Character> now;     // null = no character has the index
     std::unique_ptr<Character> before;  // the replaced one, shown until `now` has a result
     Id generation = 0;
     Id leader = kNobody;
     std::uint32_t joint = 0;
-    std::uint32_t entry = 0;  // in the roster, while that is current
+    std::uint32_t entry = 0;  // index in the roster, while the roster is current
     // Followers as a list of indices, made together with the roster.
     std::uint32_t first_follower = 0, next_follower = 0;
   };
@@ -85,9 +85,9 @@ class CharacterRegistry {
   std::vector<Retired> retired_;
   std::size_t shown_in_place_ = 0;  // slots with a `before`, for which retired_ has room
   std::vector<std::uint32_t> index_of_entry_;
-  std::uint64_t frame_ = 0;  // the newest one that was begun
+  std::uint64_t frame_ = 0;  // number of the newest frame that was begun
   Roster roster_;
-  bool is_current_ = true;  // the roster
+  bool is_current_ = true;  // the roster fits the characters
 };
 
 }  // namespace sinew

@@ -22,7 +22,8 @@ class Crowd {
   void make_room(std::size_t count);
   /// Copies the roster of a frame, which start() then takes.
   void queue(const Roster& roster);
-  /// in   number  FrameResult::frame of what the frame gives
+  /// Starts the queued frame, whose tasks may then run.
+  /// in   number  FrameResult::frame of the results
   void start(std::uint64_t number) noexcept;
 
   /// At least 1.
@@ -31,7 +32,7 @@ class Crowd {
   bool run_task(std::size_t task) noexcept;
   std::size_t tasks_run() const noexcept { return tasks_run_.load(std::memory_order_acquire); }
 
-  /// Shows the results of all characters together. One that failed keeps showing its last good frame.
+  /// Shows the results of all characters together. A character whose frame failed keeps showing its last good frame.
   /// out  the first error in the order of characters
   ErrorCode publish() noexcept;
 
@@ -39,7 +40,7 @@ class Crowd {
   void run_part(std::size_t part) noexcept;
 
   std::size_t inline_below_bytes_;
-  Roster queued_, running_, spare_;  // spare_ replaces queued_ where that has too little capacity
+  Roster queued_, running_, spare_;  // spare_ replaces queued_ if that has too little capacity
 
   // Acquire and release on these order memory before, between and after the tasks, even if the executor does not
   // synchronise. The count also reveals an executor that leaves out or repeats a task.

@@ -57,14 +57,14 @@ struct JobThread::State {
   Executor executor;
   std::function<void(std::size_t)> run_one;
   const bool double_buffered;
-  CharacterRegistry registry;  // of the thread that submits
+  CharacterRegistry registry;  // used only by the thread that submits
   Crowd crowd;
 
   std::mutex mutex;
   std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
   // Guarded by the mutex.
   bool has_queued = false, in_flight = false, stop = false;
-  std::size_t next_task = 0;  // of the frame in flight, without a thread of its own
+  std::size_t next_task = 0;  // next task of the frame in flight; used without a thread of its own
   Ticket last_submitted = 0, running = 0;
 
   alignas(64) std::atomic<Ticket> finished{0};
@@ -85,7 +85,7 @@ void JobThread::State::work() noexcept {
   }
 }
 
-/// Under the mutex.
+/// Call it while holding the mutex.
 void JobThread::State::start_queued() noexcept {
   running = last_submitted;  // only one frame waits
   crowd.start(running);
@@ -103,8 +103,8 @@ void JobThread::State::run_by_executor() {
   CONTRACT(crowd.tasks_run() == count);
 }
 
-/// All tasks of the frame in flight have ended. Whoever learns of that by done() may destroy this as soon as the mutex
-/// is free.
+/// Called when all tasks of the frame in flight have ended. A thread that learns of this by done() may destroy the job
+/// thread as soon as the mutex is free.
 void JobThread::State::finish() noexcept {
   error.store(crowd.publish(), std::memory_order_release);
   const std::lock_guard lock(mutex);
@@ -142,7 +142,7 @@ bool JobThread::State::poll() {
   return true;
 }
 
-/// in   id, input  of the i-th of `count` characters whose input is new
+/// in   id, input  return the i-th of `count` characters with a new input, and that input
 template <class Id, class Input>
 Result<Ticket> JobThread::State::submit(std::size_t count, const Id& id, const Input& input) {
   Ticket ticket = 0;
@@ -163,7 +163,7 @@ Result<Ticket> JobThread::State::submit(std::size_t count, const Id& id, const I
   return ticket;
 }
 
-/// With a thread of its own this waits, otherwise it works as well.
+/// Waits until the condition holds. Without a thread of its own it runs the pending frame itself.
 template <class Condition>
 void JobThread::State::wait_until(std::unique_lock<std::mutex>& lock, const Condition& holds) {
   while (!holds()) {

@@ -16,7 +16,7 @@
 
 namespace sinew {
 
-/// Names one submitted frame: 1 for the first, rising by one per submit; also FrameResult::frame of what is run for it.
+/// Names one submitted frame: 1 for the first, rising by one per submit. FrameResult::frame of its results is the same.
 using Ticket = std::uint64_t;
 
 /// Runs `body(i)` exactly once for every i in [0, count), on any threads, and returns when all are done. It must not
@@ -36,7 +36,7 @@ struct JobThreadOptions {
   /// that submits calls it: when characters are added, replaced or removed, and in the destructor.
   std::pmr::memory_resource* frame_memory = nullptr;
   bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
-  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame
+  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit returns busy until the frame
   /// before is finished and latest() has taken its result of every character.
   std::uint8_t frame_buffers = 3;
 };
@@ -69,23 +69,23 @@ class SINEW_API JobThread {
   };
 
   explicit JobThread(JobThreadOptions options = {});
-  /// Finishes the frame in flight and drops the queued one. Without a thread of its own: drops what has not been
-  /// taken; tasks that were taken must have ended.
+  /// Finishes the frame in flight and drops the queued one. Without a thread of its own it drops the tasks that were
+  /// not taken; tasks that were taken must have ended.
   ~JobThread();
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
 
   /// Adds a character that runs `plan`, which must be a compiled one, and shares it.
   Character add_character(const Plan& plan);
-  /// Removes a character. Its last result stays until the next submit. Its followers follow nobody from then on.
+  /// Removes a character. Its last result stays until the next submit. Its followers then follow nobody.
   /// err  unknown_character
   ErrorCode remove_character(Character character);
   /// Gives a character another plan, for example of another level of detail or outfit. Its last result is shown until
   /// the first frame of the new plan is done. Its input stays, if the plan has room for it.
   /// err  unknown_character, index_out_of_range and not_in_needs (followers need a joint that the plan does not show)
   ErrorCode replace_plan(Character character, const Plan& plan);
-  /// Places the root of a character's input on a joint of another in the same frame: a rider on a horse, a prop in a
-  /// hand. While the leader is out of view, its followers are not run.
+  /// Places the root of a character's input on a joint of another character in the same frame: a rider on a horse, a
+  /// prop in a hand. While the leader is out of view, its followers are not run.
   /// eq   root' = M_joint root,   M_joint the world matrix of the leader's joint
   /// err  unknown_character, follows_itself (the leader follows the character, by any number of steps),
   ///      index_out_of_range (joint), not_in_needs (the leader's plan has no Needs::out.joints)
@@ -98,7 +98,7 @@ class SINEW_API JobThread {
 
   /// Queues one frame: inputs[i] is what characters()[i] shows. Inputs are copied; nothing is allocated.
   /// err  size_mismatch (not one input for each character; more weights, instances or sources than its plan has),
-  ///      too_many_layers (more than Needs::in.layer_room), busy (a frame waits already; see also frame_buffers)
+  ///      too_many_layers (more than Needs::in.layer_room), busy (a frame is already queued; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
   /// Queues one frame in which these inputs are new. All other characters keep their last input, so the pages and
   /// procedures that it refers to must stay valid. A character that never had an input is not run.
@@ -107,8 +107,8 @@ class SINEW_API JobThread {
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet
   bool done(Ticket ticket) const noexcept;
-  /// Blocks until the frame is done. Without a thread of its own this runs what is pending, as poll() does, and then
-  /// waits for tasks that other threads have taken.
+  /// Blocks until the frame is done. Without a thread of its own it runs the pending frame as poll() does, then waits
+  /// for tasks that other threads have taken.
   void wait(Ticket ticket) const;
 
   /// Evaluates some characters of one frame. A task is a small value: two machine words.
@@ -129,7 +129,7 @@ class SINEW_API JobThread {
   /// Returns std::nullopt while all tasks are taken. A task that was taken and never run leaves its frame unfinished.
   std::optional<Task> take_task() noexcept;
 
-  /// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
+  /// Without a thread of its own: runs the pending frame on this thread, or by the executor if one was given.
   /// out  true if there was something to run
   bool poll();
 
@@ -139,7 +139,7 @@ class SINEW_API JobThread {
   /// is done, and for characters that were removed.
   const FrameResult* latest(Character character) noexcept;
 
-  /// An error of a character in the last finished frame, ok if none. A character that failed keeps
+  /// The first error of a character in the last finished frame, ok if none failed. A character that failed keeps
   /// showing its last good frame.
   ErrorCode last_error() const noexcept;
 

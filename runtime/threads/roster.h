@@ -24,7 +24,7 @@ struct Roster {
   };
 
   std::vector<Entry> entries;
-  std::vector<std::size_t> part_end;  ///< part p ends before this entry
+  std::vector<std::size_t> part_end;  ///< [parts] index of the entry after the last one of each part
   std::size_t bytes = 0;              ///< Plan::frame_bytes() of all
 
   /// Adds an entry behind all others. Without a leader it begins a new part if the last one has at least `part_bytes`.

@@ -16,8 +16,8 @@ struct Loop {
   std::size_t count = 0, next = 0, running = 0;
 };
 
-/// One thread less than the machine has cores. They end with the process: nobody joins them, since a shared library
-/// that does so while it is unloaded waits for ever on Windows.
+/// One thread less than the machine has cores. They end with the process, and nobody joins them. On Windows a shared
+/// library that joins threads while it is unloaded waits for ever.
 class ThreadPool {
  public:
   ThreadPool() {

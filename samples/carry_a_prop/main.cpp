@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A lantern on a hand: a model of its own, with a clip of its own, placed on a joint of another character by an offset.
-// The lantern is another plan whose root is the socket, so both play from any clip, and each has its own clock.
+// A lantern on a hand. It is a model with its own clip, placed on a joint of another character by an offset. The
+// lantern has its own plan, and its root is the socket. So both play any clip, and each has its own clock.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -45,10 +45,10 @@ Scene make_lantern() {
   return scene.finish();
 }
 
-/// Where on a character another model is placed.
+/// The place on a character at which another model is attached.
 struct Socket {
   std::uint32_t joint = 0;
-  Affine offset;  ///< from the joint
+  Affine offset;  ///< offset from the joint, applied before the joint's matrix
 };
 
 /// A model and the frame that it is in.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pose-space deformation: an arm under linear blending loses volume when the wrist turns. Corrective shapes, sculpted
-// at five twists and weighted by the wrist's rotation, restore it. The result is compared with the same arm under dual
-// quaternions.
+// Pose-space deformation: an arm under linear blending loses volume when the wrist turns. Corrective shapes restore it.
+// They are sculpted at five twists, and the rotation of the wrist weighs them. The result is compared with the same arm
+// under dual quaternions.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -14,7 +14,7 @@
 
 namespace {
 
-/// All bytes of a file; an engine would map it.
+/// The bytes of a file. An engine would map the file into memory instead.
 std::vector<char> bytes_of(const char* path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   std::printf("smile %g, open %g\n", weights[0], weights[1]);
   for (std::size_t v = 0; v < kVertices; ++v)
     std::printf("  %-12s %8.2f %8.2f mm\n", kNames[v], 1000.0f * moved[v].x, 1000.0f * moved[v].y);
-  // The lower lip is moved by "open" alone, and by weight times displacement.
+  // Only the target "open" moves the lower lip, by its weight times its displacement.
   const float expected = kFace[3].y + weights[1] * -0.02f;
   const float off = moved[3].y - expected;
   return off * off <= 1e-14f * (1.0f + expected * expected) ? 0 : 1;

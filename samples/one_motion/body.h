@@ -39,5 +39,5 @@ sinew::Scene make_body(const Build& build);
 void dress(const Build& build, const std::array<std::uint32_t, kJoints>& joints, std::uint32_t holder,
            sinew::showcase::SceneBuilder& scene);
 
-/// Two steps of running in place, 0.8 s, for that body.
+/// A run in place for that body: two steps in 0.8 s.
 sinew::Animation make_run(const Build& build);

@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: one_motion [OUT.glb]      one clip on three bodies, which OUT.glb shows\n");
     return 2;
   }
-  Build animator = kBuilds[0];  // the clip was made for a fourth body
+  Build animator = kBuilds[0];  // a fourth body, for which the clip was made
   animator.thigh = animator.shank = 0.45f;
   Scene source = make_body(animator);
   source.animations.push_back(make_run(animator));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An arm that plays a clip and reaches for a goal: two clips overlaid by a mask, then inverse kinematics of the caller,
-// in one pose program. The same by a cut: the frame stops at its pose, the caller turns the arm, the frame goes on.
+// An arm that plays a clip and reaches for a goal. Two clips are overlaid by a mask, then the caller's inverse
+// kinematics turn the arm, all in one pose program. The second way is a cut: the frame stops at its pose, the caller
+// turns the arm, and the frame goes on.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -40,7 +41,7 @@ Scene make_arm() {
 
 glm::vec3 place_of(const Affine& matrix) { return {matrix.row[0].w, matrix.row[1].w, matrix.row[2].w}; }
 
-/// Turns shoulder and elbow so that the hand comes to a goal: by a share of the way, where that is below 1.
+/// Turns shoulder and elbow so that the hand reaches a goal. A share below 1 turns them by only a part of the way.
 void reach(const PoseSpan& local, const glm::vec3& goal, float share) {
   Affine model[kJointCount];
   glm::quat turned[kJointCount];  // rotations in model space

@@ -78,7 +78,7 @@ class Version {
   JobThread jobs_;  // declared last, because it must end before the plan it runs
   JobThread::Character character_ = 0;
   std::uint32_t clip_ = 0;
-  std::vector<double> asked_s_;  // [ticket - 1]
+  std::vector<double> asked_s_;  // [ticket - 1] clip time of each requested frame
 };
 
 /// A frame to draw. It keeps the version alive that it points into.
@@ -96,8 +96,8 @@ class Character {
   void replace_with(std::shared_ptr<Version> version) { coming_ = std::move(version); }
   bool goes_over() const { return coming_ != nullptr; }
 
-  /// Advances the clock and returns the frame to draw. Once the new version has a frame, the old one gets no more
-  /// requests. The new one is shown when its frame is not older than the drawn one.
+  /// Advances the clock and returns the frame to draw. Once the new version has a frame, the old version gets no more
+  /// requests. The new version is shown when its frame is not older than the drawn one.
   Frame frame() {
     clock_.advance(kFrame_s);
     const FrameResult* const first = coming_ ? coming_->newest() : nullptr;

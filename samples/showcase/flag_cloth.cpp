@@ -33,11 +33,12 @@ class Flag {
  public:
   explicit Flag(const FlagOptions& options) : o_(options), x_(o_.columns * o_.rows), v_(x_.size()), before_(x_.size()) {
     for (std::uint32_t r = 0; r < o_.rows; ++r)
-      for (std::uint32_t c = 0; c < o_.columns; ++c) {  // a first wave, so that the wind has something to push on
+      for (std::uint32_t c = 0; c < o_.columns; ++c) {  // a first wave, so that the wind has a surface to push
         const double s = c * o_.spacing_m;
         x_[at(c, r)] = Vec(s, -(r * o_.spacing_m), 0.02 * s * sine(9.0 * s));
       }
-    for (std::uint32_t c = 0; c < o_.columns; ++c)  // from the pole outwards: a sweep carries the pull to the far end
+    // From the pole outwards, so that one sweep carries the pull to the far end
+    for (std::uint32_t c = 0; c < o_.columns; ++c)
       for (std::uint32_t r = 0; r < o_.rows; ++r)
         for (const auto& [dc, dr, stiffness] : kNeighbours) connect(c, r, dc, dr, stiffness);
   }

@@ -33,7 +33,8 @@ float distance_to_line(const glm::vec2& p, const glm::vec2& a, const glm::vec2& 
 glm::vec3 picture(const glm::vec2& p) {
   constexpr glm::vec3 kField{188.0f, 42.0f, 34.0f}, kLight{242.0f, 232.0f, 208.0f}, kShade{206.0f, 190.0f, 160.0f};
   constexpr glm::vec2 kHead{0.62f, 1.16f}, kTail{1.78f, 0.44f};
-  constexpr float kWidest = 0.2f, kHalfWidth_m = 0.19f;  // where along its length the octahedron is widest
+  // The octahedron is widest at this fraction of its length; half of its width there.
+  constexpr float kWidest = 0.2f, kHalfWidth_m = 0.19f;
   const float hem = std::min(std::min(p.y, kHeight_m - p.y), kWidth_m - p.x);
   if (hem < 0.05f || (hem > 0.09f && hem < 0.11f)) return kLight;
   for (const auto& [joint, radius] : {std::pair(kHead, 0.15f), std::pair(kTail, 0.11f)})

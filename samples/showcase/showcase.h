@@ -13,7 +13,7 @@ namespace sinew::showcase {
 /// A built-in, procedural scene, to show the runtime without a file.
 struct ShowcaseScene {
   std::string name;             ///< short, for a menu
-  std::string what_to_look_at;  ///< one sentence
+  std::string what_to_look_at;  ///< a sentence for the user about what the scene shows
   Scene scene;
   Needs needs;
   std::span<const std::byte> geometry_cache = {};  ///< a file that plays over the scene; empty = none

@@ -26,7 +26,7 @@ float braincase(const V& p) {
 
 float face(const V& p) {
   const float ridge =
-      std::max(arch(p - V(0.0f, -3.7f, kUpperRow.z), kUpperRow.radii, 1.9f, 0.62f), 2.5f - p.z);  // of the teeth
+      std::max(arch(p - V(0.0f, -3.7f, kUpperRow.z), kUpperRow.radii, 1.9f, 0.62f), 2.5f - p.z);  // ridge of the teeth
   float d = joined(ellipsoid(p, {0.0f, -1.8f, 5.4f}, {2.9f, 3.2f, 3.6f}), ridge, 1.0f);
   d = joined(d, rod(p, {0.2f, 2.5f, 8.5f}, {0.35f, 0.7f, 9.5f}, 0.60f, 0.40f), 0.9f);  // nasal bone
   d = joined(d, rod(p, {1.3f, 2.2f, 8.2f}, {1.9f, -2.9f, 7.9f}, 0.5f, 0.9f), 1.0f);    // beside the nose

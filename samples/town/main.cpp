@@ -66,7 +66,8 @@ Scene make_lantern() {
   return scene.finish();
 }
 
-/// Plans of one kind of citizen: near, and far without what nobody sees from there.
+/// Plans of one kind of citizen: one for near citizens, and one for far citizens without details that nobody sees
+/// there.
 struct Kind {
   explicit Kind(Scene made) : scene(std::make_shared<const Scene>(std::move(made))) {
     Needs of_far_ones;
@@ -95,7 +96,7 @@ class Town {
         lantern_(compile_plan(make_lantern(), Needs{})),
         jobs_(std::move(options)) {}
 
-  /// One frame. Returns false where anything was refused.
+  /// Runs one frame. Returns false if a call was refused.
   bool step() {
     const double now_s = kFrameSeconds * static_cast<double>(frame_++);
     std::erase_if(citizens_, [&](const Citizen& one) { return now_s >= one.dies_s && leave(one); });
@@ -147,7 +148,8 @@ class Town {
     return jobs_.remove_character(one.id) == ErrorCode::ok;
   }
 
-  /// Walks, changes state now and then, and its plan where the camera, which goes along x, comes near or goes.
+  /// Moves one citizen: it walks, and changes its state now and then. It gets another plan when the camera, which moves
+  /// along x, comes near or goes away.
   void live(Citizen& one, double now_s) {
     if (one.to == kWalk) one.place.z += static_cast<float>(kFrameSeconds);
     const bool is_far = std::abs(one.place.x - 10.0 * now_s) > 40.0;
@@ -178,7 +180,7 @@ class Town {
     inputs_of_new_lanterns_.clear();
   }
 
-  /// Each lantern is where the hand is in the same frame.
+  /// True if each lantern is where the hand is in the same frame.
   bool lanterns_hang() {
     for (const Citizen& one : citizens_) {
       if (!one.lantern) continue;

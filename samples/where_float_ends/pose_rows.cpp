@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kPart = "poses";
 
-/// The tip of a chain of joints of 10 cm, each turned a little against its parent, compared with the chain in double.
+/// The error of the tip of a chain of joints of 10 cm, each turned a little relative to its parent.
 Row chain_row(std::uint32_t joints, double bound) {
   Skeleton skeleton;
   for (std::uint32_t j = 0; j < joints; ++j) {
@@ -44,8 +44,8 @@ Row chain_row(std::uint32_t joints, double bound) {
   return largest.row(kPart, "tip of a chain of 10 cm joints", std::to_string(joints) + " joints", "m", bound);
 }
 
-/// A point of a character far from the origin: by its world matrix in float, or relative to a root that is added in
-/// double.
+/// The error of a point of a character far from the origin. It is placed by its world matrix in float, or relative to a
+/// root that is added in double.
 Row far_row(double distance, bool relative, double bound) {
   Sweep sweep;
   Largest largest;
@@ -66,7 +66,7 @@ Row far_row(double distance, bool relative, double bound) {
                      std::to_string(static_cast<int>(distance / 1000)) + " km out", "m", bound);
 }
 
-/// The clock after hours of frames of a sixtieth of a second, compared with the exact sum.
+/// The error of the clock after hours of frames of 1/60 s, compared with the exact sum.
 Row clock_row(bool in_float, int hours, double bound) {
   const double duration_s = 1e6, dt_s = 1.0 / 60;
   const long frames = 3600L * 60 * hours;
@@ -89,7 +89,7 @@ Row clock_row(bool in_float, int hours, double bound) {
                      "frames of 1/60 s, " + std::to_string(hours) + " h", "s", bound);
 }
 
-/// The time of a frame in one float: off by up to half a step.
+/// The error of the time of a frame in one float: up to half a float step.
 Row time_row(int hours, double bound) {
   Sweep sweep;
   Largest largest;

@@ -33,7 +33,7 @@ Quat<double> true_slerp(const Quat<double>& from, const Quat<double>& to, double
   return quat_cast<double>(q * (std::sin((1 - L(t)) * a) / std::sin(a)) + r * (std::sin(L(t) * a) / std::sin(a)));
 }
 
-/// One way of interpolating over keys that lie `apart` degrees from each other.
+/// One way to interpolate between keys that are `apart` degrees from each other.
 template <class Kernel>
 Row between_keys(const char* name, Kernel kernel, double apart, double bound) {
   Sweep sweep;
@@ -90,7 +90,7 @@ Row log_exp_row(double angle, double bound) {
   return largest.row(kPart, "exp(log q)", "turns of " + degrees(angle), "rad", bound);
 }
 
-/// The absolute error of a measured angle between two rotations.
+/// The absolute error of a function that measures the angle between two rotations.
 template <class Measure>
 Row angle_row(const char* name, Measure measure, double angle, double bound) {
   Sweep sweep;

@@ -14,7 +14,7 @@ namespace sinew::sample {
 struct Row {
   std::string part;    ///< "rotations", "poses" or "vertices"
   std::string kernel;  ///< the float kernel
-  std::string sweep;   ///< the inputs
+  std::string sweep;   ///< the inputs, in words
   double error = 0.0;
   const char* unit = "";  ///< "rad", "m", "s"
   double ulp = 0.0;  ///< the error in float steps at the magnitude of the result (rotations: of their half angle, at 1)
@@ -38,18 +38,18 @@ class Largest {
     error_ = std::fmax(error_, error);
     ulp_ = std::fmax(ulp_, error / ulp_size);
   }
-  /// Two rotations of any length and sign.
+  /// Adds the angle between two rotations of any length and sign.
   template <class A, class B>
   void add_turn(const Quat<A>& found, const Quat<B>& truth) {
     const double angle = rotation_angle_between(quat_cast<double>(found), quat_cast<double>(truth));
     add(angle, 2 * 0x1p-24);
   }
-  /// Two directions.
+  /// Adds the angle between two directions.
   void add_direction(const Vec3<double>& found, const Vec3<double>& truth) {
     const auto u = normalised_or(found, Vec3<double>(0)), v = normalised_or(truth, Vec3<double>(0));
     add(2 * std::atan2(safe_length(u - v), safe_length(u + v)), 0x1p-24);
   }
-  /// Two places.
+  /// Adds the distance between two places.
   void add_place(const Vec3<float>& found, const Vec3<double>& truth) {
     const double size = std::fmax(std::abs(truth.x), std::fmax(std::abs(truth.y), std::abs(truth.z)));
     const float nearest = static_cast<float>(size);

@@ -74,7 +74,8 @@ struct Crowd {
   }
 };
 
-/// Positions of all three kinds, and normals of the rigid ones, for joints that turn up to `most_degrees`.
+/// Adds the errors of positions of all three kinds, and of normals of the rigid kinds, for joints that turn up to
+/// `most_degrees`.
 void add_skinning(Rows& rows, double most_degrees, double bound) {
   Crowd c(most_degrees);
   Largest linear, dual, dual_normals, center;
@@ -100,7 +101,8 @@ void add_skinning(Rows& rows, double most_degrees, double bound) {
   rows.push_back(center.row(kPart, "center-of-rotation skinning", sweep, "m", bound));
 }
 
-/// Normals under a matrix that flattens by `flatness`: the cofactor rule, and the matrix itself.
+/// Adds the errors of normals under a matrix that flattens by `flatness`, by the cofactor rule and by the matrix
+/// itself.
 void add_normals(Rows& rows, double flatness, double bound) {
   Sweep sweep;
   Largest cofactor, plain;
@@ -118,7 +120,7 @@ void add_normals(Rows& rows, double flatness, double bound) {
   rows.push_back(plain.row(kPart, "normal by the matrix itself", text, "rad", 3.2));
 }
 
-/// Two hundred displacements of a millimetre on a vertex far from its mesh's origin.
+/// Adds the error of two hundred displacements of a millimetre on a vertex far from its mesh's origin.
 void add_morphs(Rows& rows, double distance) {
   Sweep sweep;
   Largest job, one_by_one;

@@ -8,10 +8,10 @@ namespace sinew::test {
 /// program's global operators.
 std::size_t allocation_count() noexcept;
 
-/// Number of such calls by all threads so far.
+/// As above, for calls by all threads.
 std::size_t allocation_count_of_all_threads() noexcept;
 
-/// Allocations of this thread since construction:  `AllocationCounter c; run(job); EXPECT_EQ(c.count(), 0u);`
+/// Counts allocations of this thread since construction:  `AllocationCounter c; run(job); EXPECT_EQ(c.count(), 0u);`
 class AllocationCounter {
  public:
   AllocationCounter() noexcept : before_(allocation_count()) {}

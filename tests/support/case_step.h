@@ -4,15 +4,15 @@
 
 namespace sinew::test {
 
-// __has_feature is how clang tells the address sanitizer; g++ 12 does not have it.
+// clang tells by __has_feature that the address sanitizer is on; g++ 12 does not have __has_feature.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define SINEW_SLOW_BUILD
 #endif
 #endif
 
-/// Tests that damage every byte of a file take only each kCaseStep-th byte under the address sanitizer, where all would
-/// take minutes.
+/// Tests that damage every byte of a file take only every kCaseStep-th byte under the address sanitizer, since all
+/// bytes would take minutes.
 #ifdef SINEW_SLOW_BUILD
 inline constexpr std::size_t kCaseStep = 7;
 #else

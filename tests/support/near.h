@@ -23,7 +23,7 @@ double angle_between(const Quat<A>& a, const Quat<B>& b) {
   return rotation_angle_between(quat_cast<double>(a), quat_cast<double>(b));
 }
 
-/// Largest absolute difference of the twelve numbers.
+/// Largest absolute difference of the twelve numbers of two matrices.
 template <class T>
 double distance(const AffineT<T>& a, const AffineT<T>& b) {
   double worst = 0;

@@ -9,7 +9,8 @@
 
 namespace sinew::test {
 
-/// New places of the joints as in another file of the same character: each level reversed, after one extra root.
+/// Another order of the joints, as another file of the same character may have it. Each level is reversed, and an extra
+/// root comes first.
 /// out  the new index of each joint
 inline std::vector<std::uint32_t> reordered_joints(const Skeleton& skeleton) {
   std::vector<std::uint32_t> places(skeleton.joint_count());
@@ -41,7 +42,7 @@ inline Skeleton reordered(const Skeleton& skeleton, const std::vector<std::uint3
   return other;
 }
 
-/// The scene with its joints reordered so, with the same clips and models. Correctives are dropped.
+/// The scene with its joints in the order of reordered_joints, with the same clips and models. Correctives are dropped.
 inline Scene reordered(Scene scene) {
   const std::vector<std::uint32_t> places = reordered_joints(scene.skeleton);
   scene.skeleton = reordered(scene.skeleton, places);

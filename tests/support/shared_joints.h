@@ -10,8 +10,9 @@
 
 namespace sinew::test {
 
-/// Gives the vertices of each group the joints of its first `sets` vertices, in shuffled orders. The first half of the
-/// vertices has them in a row, the others in turns.
+/// Gives the vertices of each group the joints of its first `sets` vertices, in shuffled orders. In the first half of
+/// the group, vertices with equal joints follow each other. In the second half, each vertex takes one of the sets at
+/// random.
 inline void share_joints(FixedRandom& random, SkinnedVertices& s, std::uint32_t sets) {
   for (const InfluenceGroup& group : s.influences.groups) {
     const std::uint32_t half = group.vertex_count / 2;

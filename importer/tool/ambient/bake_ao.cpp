@@ -55,7 +55,7 @@ tl::expected<VertexVisibility, std::string> one_pose(const std::string& text, co
   return visibility;
 }
 
-/// The key poses of a clip; without a choice that is the first.
+/// The key poses of a clip: the chosen one, or else the first.
 /// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> key_poses(const BakeAoOptions& options, const Scene& scene) {
   const auto clips = choose_clips(scene, options.clip.value_or("0"));
@@ -72,14 +72,14 @@ tl::expected<VertexVisibility, std::string> key_poses(const BakeAoOptions& optio
   return visibility;
 }
 
-/// The poses in which the model is baked, without values yet.
+/// The poses in which the model is baked; their values are not computed yet.
 /// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> poses_of(const BakeAoOptions& options, const Scene& scene) {
   if (options.key_poses > 1) return key_poses(options, scene);
   return options.pose ? one_pose(*options.pose, scene) : VertexVisibility();
 }
 
-/// Metres; infinite for "none".
+/// Reads a length and returns metres; infinite for "none".
 /// err   what is wrong, as a sentence for the user
 tl::expected<double, std::string> distance_of(const std::string& text, const Scene& scene) {
   if (text == "none") return std::numeric_limits<double>::infinity();
@@ -90,8 +90,8 @@ tl::expected<double, std::string> distance_of(const std::string& text, const Sce
   return metres;
 }
 
-/// Casts the rays of one pose after another. All poses have the same largest distance of occluders: the one asked for,
-/// or else one derived from the first pose.
+/// Casts the rays of one pose after another. All poses have the same largest distance of occluders: the given one, or
+/// one derived from the first pose.
 /// err   what is wrong, as a sentence for the user
 tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
   auto visibility = poses_of(options, scene);
@@ -120,7 +120,7 @@ tl::expected<VertexVisibility, std::string> bake(const BakeAoOptions& options, c
   return visibility;
 }
 
-/// Warns of meshes that a file shows several times: they have one value for a vertex.
+/// Warns about meshes that a file shows several times, because all copies share one value per vertex.
 void warn_of_shared_meshes(const BakeAoOptions& options, const Scene& scene) {
   std::vector<std::size_t> places(scene.meshes.size());
   for (const MeshInstance& instance : scene.instances)

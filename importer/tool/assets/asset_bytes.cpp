@@ -12,7 +12,7 @@
 namespace sinew::tool {
 namespace {
 
-/// The first bytes of a file, at most `size`; none where it is no regular file.
+/// The first bytes of a file, at most `size`; empty if it is not a regular file.
 std::vector<std::byte> read_head(const std::string& path, std::uint64_t size) {
   const RegularFile file(platform::path_of(path));
   const auto whole = file.opened() ? file.size() : std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// The bytes of an asset file (asset_file.h) or of compiled clips (clip_file.h); nothing when the file is neither.
+/// The bytes of an asset file (asset_file.h) or of compiled clips (clip_file.h); empty if the file is neither.
 std::optional<std::vector<std::byte>> asset_bytes(const std::string& file);
 
 }  // namespace sinew::tool

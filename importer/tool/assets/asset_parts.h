@@ -12,13 +12,13 @@ namespace sinew::tool {
 /// Everything in an asset file that can be read without another file.
 struct AssetParts {
   AssetFile file;
-  std::optional<Scene> scene;  ///< of a file with a skeleton
+  std::optional<Scene> scene;  ///< present if the file has a skeleton
   std::vector<Clip> clips;
-  std::vector<CompiledSkeletonLod> lods;  ///< of a file with a skeleton
+  std::vector<CompiledSkeletonLod> lods;  ///< empty if the file has no skeleton
 };
 
-/// Opens and reads all of a file, checksums of unknown blocks among it.
-/// in    bytes  must outlive the answer
+/// Opens and reads all of a file. It also compares the checksums of unknown blocks.
+/// in    bytes  must outlive the result
 tl::expected<AssetParts, AssetFileError> asset_parts(std::span<const std::byte> bytes);
 
 }  // namespace sinew::tool

@@ -8,8 +8,8 @@
 
 namespace sinew::tool {
 
-/// Checks an asset file or a file of compiled clips. Reports the first broken rule, or nothing.
-/// out   nothing when the file is neither
+/// Checks an asset file or a file of compiled clips.
+/// out   the first broken rule, or an empty list; no value if the file is neither
 std::optional<std::vector<ImportIssue>> broken_asset_rules(const std::string& file);
 
 }  // namespace sinew::tool

@@ -30,7 +30,8 @@ struct BakeOptions {
   bool without_triangles = false;
 };
 
-/// Reads "0.5deg" or "0.5" as degrees, or a plain number; nothing where it is neither, or not above 0.
+/// Reads "0.5deg" or "0.5" as degrees, or a plain number. Empty if the text is neither, or if the number is not above
+/// 0.
 std::optional<double> parse_budget(std::string_view text, std::string_view unit) {
   if (!unit.empty() && text.ends_with(unit)) text.remove_suffix(unit.size());
   double number = 0.0;
@@ -40,7 +41,7 @@ std::optional<double> parse_budget(std::string_view text, std::string_view unit)
   return number;
 }
 
-/// The budgets of normals and colours; a sentence where one makes no sense.
+/// The budgets of normals and colours; a sentence for the user if one is invalid.
 tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
   TakeBudgets out;
   if (options.normals) {

@@ -47,7 +47,7 @@ TakeMesh mesh_of(std::string name, std::size_t vertices, std::vector<std::uint32
   return mesh;
 }
 
-/// in  rest  in the order of the points
+/// in  rest  vertices of the mesh at rest, in the order of the points
 ImportResult<PointCache> read_points(const PointsOptions& options, std::span<const glm::vec3> rest,
                                      std::string& found) {
   const auto bytes = read_file(platform::path_of(options.file));
@@ -80,7 +80,7 @@ BakedPoints moved_by(TakeMesh mesh, PointCache points, std::string found) {
   return out;
 }
 
-/// A name that ends in a number: what is before it, the number, and its digits.
+/// A name that ends in a number: the text before the number, the number, and how many digits it has.
 struct Numbered {
   std::string before;
   std::uint64_t number = 0;

@@ -12,7 +12,7 @@
 
 namespace sinew::tool {
 
-/// Meshes that point caches or numbered files move, and what was found out about them, a sentence.
+/// Meshes that move as point caches or numbered OBJ files say. `found` is a sentence about how they were read.
 struct BakedPoints {
   GeometryTake take;
   std::string found;
@@ -20,14 +20,14 @@ struct BakedPoints {
 
 struct PointsOptions {
   std::string file;          ///< .mdd or .pc2
-  std::optional<UpAxis> up;  ///< nothing: found out by comparing the first frame with the mesh at rest
+  std::optional<UpAxis> up;  ///< empty = found by comparing the first frame with the mesh at rest
   double fps = 30.0;
 };
 
-/// The mesh of an OBJ file, moved by a point cache in the order of its lines `v`.
+/// The mesh of an OBJ file, moved by a point cache. Its points are in the order of the file's lines `v`.
 ImportResult<BakedPoints> bake_points(const std::filesystem::path& obj, const PointsOptions& options);
 
-/// The one mesh of a scene, moved by a point cache in the order of the file's vertices.
+/// The only mesh of a scene, moved by a point cache. Its points are in the order of the file's vertices.
 /// err  points-mesh  more than one mesh, primitive or instance, or none
 ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& options);
 
@@ -37,7 +37,7 @@ ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& o
 /// err  obj-frames  the name of the first ends in no number
 ImportResult<std::vector<std::filesystem::path>> numbered_obj_files(const std::filesystem::path& first);
 
-/// A mesh that has one OBJ file a frame.
+/// A mesh with one OBJ file for each frame.
 /// in   files  at least one
 /// err  obj-topology  a file has other faces or another number of vertices than the first
 ImportResult<BakedPoints> bake_numbered_obj(const std::vector<std::filesystem::path>& files, double fps);

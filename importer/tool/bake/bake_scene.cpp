@@ -47,7 +47,7 @@ class SceneBaker {
         taken.vertex_count = static_cast<std::uint32_t>(primitive.vertex_count());
         taken.triangles = primitive.indices;
         taken.streams.push_back({GeometryKind::positions, {}, budgets_.positions_m});
-        // A vector off a unit vector by the sine of an angle turns by that angle at most.
+        // If a vector differs from a unit vector by the sine of an angle, it is turned by that angle at most.
         if (budgets_.normals_rad && !primitive.normals.empty())
           taken.streams.push_back({GeometryKind::normals, {}, std::sin(*budgets_.normals_rad)});
         if (budgets_.colors && !primitive.colors.empty()) {
@@ -123,7 +123,7 @@ tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32
   SceneBaker baker(scene, clip, budgets);
   baker.add_meshes(out);
   ProgressLine progress;
-  for (std::size_t half = 0; half < 2 * frames - 1; ++half) {  // frames, and the times half way between them
+  for (std::size_t half = 0; half < 2 * frames - 1; ++half) {  // frames, and the times halfway between them
     progress.show("sampling", static_cast<double>(half) / static_cast<double>(2 * frames));
     if (const ErrorCode code = baker.run(static_cast<double>(half) / (2.0 * fps)); code != ErrorCode::ok)
       return tl::unexpected(std::string(describe(code)));

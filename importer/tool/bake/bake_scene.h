@@ -13,19 +13,20 @@
 
 namespace sinew::tool {
 
-/// So that a typing error in --fps does not fill the memory.
+/// Most frames of one bake. The limit keeps a typing error in --fps from filling the memory.
 inline constexpr std::size_t kMostBakedFrames = 1'000'000;
 
 struct BakedScene {
   GeometryTake take;
-  std::vector<std::string> left_out;  ///< what of the scene is not in the take, a sentence each
+  std::vector<std::string> left_out;  ///< a sentence for each part of the scene that is not in the take
 };
 
-/// Every triangle mesh of a scene while a clip plays, in world space, as a frame shows it. Also between frames, to
-/// measure what interpolation costs. Normals and colours where budgets ask for them and a mesh has them.
+/// Samples every triangle mesh of a scene while a clip plays, in world space, as frames show it. Also samples between
+/// frames, to measure the error of interpolation. Samples normals and colours if budgets ask for them and a mesh has
+/// them.
 /// in   clip         kNone = the rest pose, one frame
-///      most_frames  the first ones; kMostBakedFrames: all, or an error
-/// err  a sentence
+///      most_frames  no more than the first frames are sampled; more than kMostBakedFrames in the clip are an error
+/// err  a sentence for the user
 tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps,
                                                  const TakeBudgets& budgets,
                                                  std::size_t most_frames = kMostBakedFrames);

@@ -11,7 +11,7 @@
 namespace sinew::tool {
 
 /// The positions of the first frames of a cache, decoded.
-/// err   a sentence for the user, if a frame is not as it was written
+/// err   a sentence for the user, if a frame is damaged
 tl::expected<GeometryTake, std::string> decoded_take(const CacheFile& file, std::size_t most_frames);
 
 }  // namespace sinew::tool

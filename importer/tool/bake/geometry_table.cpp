@@ -25,7 +25,7 @@ double raw_bytes(const GeometryCache& cache) {
 
 std::uint32_t segments(const GeometryCache& cache) { return (cache.frame_count() - 1) / cache.segment_frames() + 1; }
 
-/// Of the frames alone, while they play at their rate.
+/// Bytes per second of the frames, played at their rate.
 double bytes_a_second(const GeometryCache& cache) {
   const double frames = static_cast<double>(cache.file_bytes() - cache.frames()[0].offset);
   return frames / (cache.frame_s() * cache.frame_count());

@@ -7,10 +7,10 @@
 
 namespace sinew::tool {
 
-/// "positions", "normals", "colours".
+/// The name of a kind for people: "positions", "normals", "colours".
 const char* name_of(GeometryKind kind);
 
-/// An error of a stream in its unit: a length, an angle that a unit vector so far off may turn by, or a difference.
+/// The error of a stream with its unit: a length of positions, an angle of normals, or a difference of colours.
 std::string error_text(GeometryKind kind, double error);
 
 /// A table of the streams of a geometry cache, with the budget and the measured errors of each. Lines below it give

@@ -19,8 +19,8 @@ struct CacheFile {
 };
 
 /// Reads a geometry cache.
-/// in    whole  false: its head alone, without the frames
-/// out   nothing when the file is no geometry cache
+/// in    whole  false: reads only the head, without the frames
+/// out   empty if the file is no geometry cache
 /// err   the exit code, after its message was printed
 std::optional<tl::expected<CacheFile, ExitCode>> read_cache(const std::string& file, bool whole);
 

@@ -14,17 +14,17 @@ namespace sinew::tool {
 /// The streams that are baked from a scene, each with its largest allowed error.
 struct TakeBudgets {
   double positions_m = 1e-4;
-  std::optional<double> normals_rad;  ///< nothing: no normals
-  std::optional<double> colors;       ///< of a linear component
+  std::optional<double> normals_rad;  ///< empty = no normals
+  std::optional<double> colors;       ///< error of a linear colour component; empty = no colours
 };
 
 /// The source of a geometry cache, from the options of `bake` or `verify`.
 struct TakeSource {
   std::string file;  ///< .gltf, .glb or .obj
   std::optional<std::string> clip, points, up;
-  std::string output;  ///< refused where it is a file that is read; empty = nothing is written
+  std::string output;  ///< refused if it is one of the files that are read; empty = nothing is written
   double fps = 30.0;
-  Length budget = {1e-4};  ///< of positions; becomes budgets.positions_m when the model is known
+  Length budget = {1e-4};  ///< budget of positions; becomes budgets.positions_m once the model's size is known
   TakeBudgets budgets;
 };
 
@@ -36,7 +36,7 @@ struct SourceOptions {
 /// Adds --clip, --points and --up to a command. The source must live as long as the command.
 SourceOptions add_source_options(Command& command, TakeSource& source);
 
-/// Reads or samples every frame. Prints what was found out about it, and what is left out.
+/// Reads or samples every frame. Prints how the source was read, and what is left out.
 /// err   the exit code, after its message was printed
 tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source);
 

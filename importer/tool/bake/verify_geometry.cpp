@@ -21,7 +21,7 @@ namespace {
 /// differently by up to this much.
 constexpr double kRounding = 1e-3;
 
-/// Normals are baked where the cache has them, and so on: the shape of the take is then that of the cache.
+/// Asks for the streams that the cache has, so that the take gets the same shape.
 void ask_for_streams(const GeometryCache& cache, TakeSource& source) {
   for (const GeometryMesh& mesh : cache.meshes())
     for (const GeometryStream& stream : mesh.streams) {
@@ -31,7 +31,7 @@ void ask_for_streams(const GeometryCache& cache, TakeSource& source) {
   source.fps = 1.0 / cache.frame_s();
 }
 
-/// The first difference in shape of a take and a cache, a sentence; empty when there is none.
+/// The first difference in shape between a take and a cache, as a sentence; empty if there is none.
 std::string other_shape(const GeometryTake& take, const GeometryCache& cache) {
   if (take.meshes.size() != cache.meshes().size())
     return fmt::format("it has {}, and the cache {}", counted(take.meshes.size(), "mesh"), cache.meshes().size());
@@ -51,13 +51,13 @@ std::string other_shape(const GeometryTake& take, const GeometryCache& cache) {
 /// The largest error of each stream, in the order of the cache.
 using Errors = std::vector<double>;
 
-/// Decodes the frames in turn; with a take, measures them.
+/// Decodes the frames one after another; with a take, measures their errors.
 class GeometryCheck {
  public:
   GeometryCheck(const CacheFile& file, const GeometryTake* take)
       : file_(file), take_(take), decoder_(file.cache), errors_(file.cache.stream_count(), 0.0) {}
 
-  /// The first frame that is damaged; nothing when all are as they were written.
+  /// Returns the first damaged frame; empty if none is damaged.
   std::optional<std::uint32_t> run() {
     MappedFrames source{file_.cache, file_.bytes};
     ProgressLine progress;
@@ -90,7 +90,7 @@ class GeometryCheck {
   Errors errors_;
 };
 
-/// Prints each stream's error unless it is to be brief; how many are above what was asked.
+/// Prints each stream's error (unless `brief`). Returns how many streams exceed the budget.
 std::size_t print_errors(const GeometryCache& cache, const Errors& errors, bool brief) {
   std::size_t above = 0, stream = 0;
   for (const GeometryMesh& mesh : cache.meshes())
@@ -106,7 +106,7 @@ std::size_t print_errors(const GeometryCache& cache, const Errors& errors, bool 
   return above;
 }
 
-/// A file at fault before anything was compared is told from a frame that has changed.
+/// The exit code for a source that cannot be read: cannot_read, to tell it from a damaged frame.
 ExitCode unread(ExitCode code) { return code == ExitCode::input_at_fault ? ExitCode::cannot_read : code; }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace sinew::tool {
 
-/// While an object of this class lives, results and messages of its thread are kept instead of printed, and progress
-/// is silent. So commands print as if they were alone, and files that are worked on side by side are shown in order.
-/// One thread has at most one; it does not reach other threads.
+/// While an object of this class lives, results and messages of its thread are kept instead of printed, and progress is
+/// silent. Commands can then print as usual, while files that are processed side by side are shown in order. A thread
+/// has at most one such object, which does not affect other threads.
 class CapturedOutput {
  public:
   CapturedOutput();
@@ -14,7 +14,7 @@ class CapturedOutput {
   CapturedOutput(const CapturedOutput&) = delete;
   CapturedOutput& operator=(const CapturedOutput&) = delete;
 
-  /// The one of this thread; null where output is printed.
+  /// The object of this thread; null if output is printed directly.
   static CapturedOutput* current() noexcept;
 
   std::string results, messages;

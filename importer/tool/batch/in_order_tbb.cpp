@@ -20,17 +20,17 @@ struct Item {
   std::size_t index = 0;
   JobOutcome outcome;
 };
-using ItemPointer = std::shared_ptr<Item>;  // a filter copies what it passes on
+using ItemPointer = std::shared_ptr<Item>;  // shared, since a filter copies what it passes on
 
-/// The text of outcomes that wait for the one before them. A thread that would begin further work waits while it is too
-/// much, as long as other threads work. The outcome that all wait for comes from one of them.
+/// The size of the texts of waiting outcomes. A thread that would begin new work waits while it is too large, as long
+/// as other threads work. One of these threads makes the outcome that all others wait for.
 class WaitingText {
  public:
   explicit WaitingText(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   void wait_for_room() {
     constexpr std::chrono::milliseconds kLongWait{
-        100};  // nobody shows either: this thread has to do it, after its work
+        100};  // no other thread shows outcomes: this one does it after its work
     std::unique_lock lock(mutex_);
     while (bytes_ > most_bytes_)
       if (room_.wait_for(lock, kLongWait) == std::cv_status::timeout && working_ == 0) break;

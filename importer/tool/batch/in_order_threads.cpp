@@ -13,7 +13,7 @@
 namespace sinew::tool {
 namespace {
 
-/// One call of run_in_order(). The mutex guards the numbers and the outcomes that wait.
+/// One call of run_in_order(). The mutex guards the numbers and the waiting outcomes.
 class OrderedRun {
  public:
   OrderedRun(std::size_t count, std::size_t most_outcomes, std::size_t most_bytes,
@@ -21,7 +21,7 @@ class OrderedRun {
              const std::function<void(std::size_t, JobOutcome&&)>& show)
       : count_(count), most_outcomes_(most_outcomes), most_bytes_(most_bytes), work_(work), show_(show) {}
 
-  /// Works until nothing is left to begin. Every thread calls it.
+  /// Works until no work is left. Every thread calls it.
   void help() noexcept {
     std::unique_lock lock(mutex_);
     while (begin_next(lock)) {
@@ -49,7 +49,7 @@ class OrderedRun {
  private:
   static std::size_t text_of(const JobOutcome& outcome) { return outcome.results.size() + outcome.messages.size(); }
 
-  /// Waits for room, which the thread that shows makes.   out   false: no work is left
+  /// Waits until outcomes have room; the thread that shows them makes room.   out   false: no work is left
   bool begin_next(std::unique_lock<std::mutex>& lock) {
     const auto ended = [&] { return next_ == count_ || fault_; };
     room_.wait(lock, [&] { return ended() || (next_ - shown_ < most_outcomes_ && bytes_ <= most_bytes_); });

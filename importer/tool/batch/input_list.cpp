@@ -19,7 +19,7 @@ const char* file_of(FileKind kind) {
   return kind == FileKind::models ? ".glb, .gltf or .vrm file" : ".glb, .gltf, .vrm or .sinew file";
 }
 
-/// Walks one folder that was given.
+/// Walks a folder that the user named.
 class FolderWalk {
  public:
   FolderWalk(bool recursive, FileKind kind, std::vector<Input>& out) : recursive_(recursive), kind_(kind), out_(out) {}
@@ -46,7 +46,7 @@ class FolderWalk {
     if (!error && !entered_.insert(real).second)
       return remark(folder, "leads to a folder that was looked into already; it is left out", false);
     std::set<fs::path> names;
-    fs::directory_iterator entries(folder, error);  // clears the error, or meets it again
+    fs::directory_iterator entries(folder, error);  // sets `error` anew
     for (; !error && entries != fs::directory_iterator(); entries.increment(error))
       names.insert(entries->path().filename());
     if (error) remark(folder, "cannot be read: " + error.message(), true);

@@ -8,13 +8,14 @@ namespace sinew::tool {
 /// The argument that stands for the standard input.
 inline constexpr const char* kStandardInput = "-";
 
-/// One entry of the list of inputs: a file, or a remark about a folder in its place.
+/// One entry of the list of inputs: a file, or instead of a file a remark about a folder.
 struct Input {
-  std::string path;    ///< as it is opened and shown
-  std::string below;   ///< path below the folder that was given; of a file that was given, its name. Names outputs
+  std::string path;   ///< the path that is opened, and shown in messages
+  std::string below;  ///< path relative to the folder that was given, or the name of a file that was given; outputs are
+                      ///< named by it
   std::string remark;  ///< not empty = no file; a sentence about the folder `path`
-  bool fault = false;  ///< of a remark: files may be missing, so that the command fails
-  std::string output;  ///< of many files: where the result of this one goes (output_folder.h)
+  bool fault = false;  ///< for a remark: files may be missing, so the command fails
+  std::string output;  ///< with several files: where the result of this file is written (output_folder.h)
 };
 
 struct InputList {
@@ -28,9 +29,9 @@ enum class FileKind { models, models_and_assets, geometry_caches };
 /// True if the name of a file has an extension of this kind, in upper or lower case.
 bool is_named_as(FileKind kind, const std::string& file);
 
-/// Finds the files that arguments name. A folder stands for the files of a kind in it, by name; with `recursive` also
-/// for those in its folders. A folder is entered once, so that loops of symbolic links end. Folders
-/// that cannot be read, that hold no such file, or that links lead to again are remarks.
+/// Finds the files that arguments name. A folder stands for its files of a kind, sorted by name; with `recursive` also
+/// for those in its folders. A folder is entered once, so that loops of symbolic links end. Folders that cannot be
+/// read, that hold no such file, or that links lead to again are remarks.
 /// in    arguments   files, folders and "-"; files need not exist
 InputList list_inputs(const std::vector<std::string>& arguments, bool recursive, FileKind kind = FileKind::models);
 

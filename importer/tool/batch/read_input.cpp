@@ -15,7 +15,7 @@
 namespace sinew::tool {
 namespace {
 
-/// All bytes of the standard input, but no more than one above `most`; nothing where it cannot be read.
+/// The bytes of the standard input, at most `most` + 1 of them; empty if it cannot be read.
 std::optional<std::vector<std::byte>> read_standard_input(std::uint64_t most) {
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   std::vector<std::byte> bytes;

@@ -6,7 +6,7 @@
 
 namespace sinew::tool {
 
-/// Imports a file, or the standard input where its name is "-": a .glb, or a .gltf whose buffers are data URIs.
+/// Imports a file, or the standard input if the name is "-": a .glb, or a .gltf whose buffers are data URIs.
 /// err   as import_gltf()
 ImportResult<ImportedFile> read_input(const std::string& file, const ImportOptions& options);
 

@@ -31,7 +31,7 @@ ExitCode worse(ExitCode a, ExitCode b) {
   return std::find(kRising.begin(), kRising.end(), a) > std::find(kRising.begin(), kRising.end(), b) ? a : b;
 }
 
-/// The line of a file for which the command had no result.
+/// The line of a file for which the command gave no result.
 std::string failure_line(const std::string& path, const std::string& messages, bool json) {
   if (!json) return visible_text(path) + ": failed\n";
   Json lines = Json::array();
@@ -41,7 +41,7 @@ std::string failure_line(const std::string& path, const std::string& messages, b
   return json_line({{"file", path}, {"failed", true}, {"messages", lines}});
 }
 
-/// Runs the command on one file so that its end, whatever it is, does not end the others.
+/// Runs the command on one file. An exception of one file does not end the work on the others.
 JobOutcome outcome_of(const Input& input, const BatchOptions& options, const BatchWork& work) {
   CapturedOutput output;
   JobOutcome out;
@@ -64,7 +64,7 @@ JobOutcome outcome_of(const Input& input, const BatchOptions& options, const Bat
   return out;
 }
 
-/// Shows outcomes as they come, and counts them.
+/// Shows outcomes as they arrive, and counts them.
 class Report {
  public:
   explicit Report(const InputList& list) : list_(list), progress_(list.inputs.size()) {}
@@ -96,7 +96,7 @@ class Report {
   std::size_t done_ = 0, failed_ = 0;
 };
 
-/// Where the outputs of several files go.
+/// Sets the output path of each file, or says why there is none.
 /// err   what is wrong, as a sentence for the user
 tl::expected<void, std::string> prepare_outputs(const BatchOutput& output, InputList& list) {
   if (output.folder.empty()) return tl::unexpected(std::string("several files need a folder to write to: -o FOLDER"));

@@ -25,7 +25,7 @@ struct CheckOptions {
   std::vector<std::string> severities;
 };
 
-/// Reports of one rule that --all lists; so many fit into memory whatever the file is.
+/// Most reports of one rule that --all lists. So many fit into memory for any file.
 constexpr std::size_t kListedWithAll = 100'000;
 
 std::vector<ImportIssue> broken_rules(const std::string& file, bool all) {

@@ -33,7 +33,7 @@ class CheckReport {
 
   std::string file_;
   std::vector<ImportIssue> issues_;
-  std::array<std::size_t, 3> counts_{};  ///< by severity
+  std::array<std::size_t, 3> counts_{};  ///< number of issues of each severity
 };
 
 /// Counts over many files. Any thread may add.
@@ -47,7 +47,7 @@ class CheckTotals {
  private:
   mutable std::mutex mutex_;
   std::array<std::size_t, 3> counts_{};
-  std::map<std::string, std::size_t> cases_;  ///< by rule
+  std::map<std::string, std::size_t> cases_;  ///< number of issues of each rule
 };
 
 }  // namespace sinew::tool

@@ -14,7 +14,8 @@ namespace sinew::tool {
 /// Severities of rules that the user changes with --severity.
 class SeverityChoice {
  public:
-  /// in    texts   "weights-sum=error", "unused-object=off"; of several for one rule the last counts
+  /// Reads the values of --severity.
+  /// in    texts   "weights-sum=error", "unused-object=off"; if several name one rule, the last counts
   /// err   a sentence for the user, if there is no such rule or no such severity
   static tl::expected<SeverityChoice, std::string> parse(const std::vector<std::string>& texts);
 
@@ -22,7 +23,7 @@ class SeverityChoice {
   void apply(std::vector<ImportIssue>& issues) const;
 
  private:
-  std::map<std::string, std::optional<Severity>, std::less<>> of_rule_;  ///< nothing = off
+  std::map<std::string, std::optional<Severity>, std::less<>> of_rule_;  ///< empty = off
 };
 
 }  // namespace sinew::tool

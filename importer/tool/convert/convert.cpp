@@ -30,7 +30,7 @@ namespace {
 struct ConvertOptions {
   BatchOptions files;
   std::string in, out;
-  std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
+  std::optional<std::string> format;  // "glb" or "gltf"; empty = as the name of OUT says
   std::optional<std::string> budget, reference;
   std::optional<double> fps;
   bool mirror = false, quantize = false, merge_vertices = false, meshopt = false;
@@ -57,7 +57,7 @@ tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) 
   return output;
 }
 
-/// The clips that the written ones are measured against: the file's own, or mirrored.
+/// The clips that written clips are measured against: those of the file, or their mirror images.
 struct Truths {
   std::vector<Animation> mirrored;         // empty without --mirror
   std::vector<std::uint32_t> channels_to;  // RewriteOptions::channels_to
@@ -75,7 +75,7 @@ tl::expected<Truths, std::string> truths_of(const ConvertOptions& options, const
   return Truths{std::move(found->animations), std::move(found->channels_to)};
 }
 
-/// Writes clips with other keys, and prints what was measured of them.
+/// Writes clips with other keys, and prints their measured errors.
 ExitCode convert_clips(const ConvertOptions& options, const ImportedFile& model, std::span<const Animation> truths,
                        RewriteOptions changes, std::optional<double> budget_m, const ModelOutput& output, bool many) {
   auto written = budget_m ? write_within(model, truths, std::move(changes), *budget_m)

@@ -18,6 +18,7 @@ struct MirroredClips {
   std::string summary;  ///< plane, how many joints have partners, the names of those that lack one, reference pose
 };
 
+/// Mirrors all clips of a scene.
 /// in   reference  rest, bind or CLIP@SECONDS (reference_choice.h); nullopt = chosen
 /// err  a sentence for the user about `reference`
 tl::expected<MirroredClips, std::string> mirror_clips(const Scene& scene, const std::optional<std::string>& reference);

@@ -54,7 +54,8 @@ void resample(WeightTrack& track, double fps) {
   track = std::move(out);
 }
 
-/// Drops the keys of a constant track but the first one, and but the last one where the clip needs it to last.
+/// Drops all keys of a constant track but the first. Keeps the last one too, if the clip would otherwise become
+/// shorter.
 template <class T>
 void drop_equal_keys(T& track, std::size_t values_per_key, bool keep_last) {
   if (keeps_keys(track.interpolation, track.key_count()) || track.interpolation != Interpolation::linear) return;
@@ -69,7 +70,7 @@ void drop_equal_keys(T& track, std::size_t values_per_key, bool keep_last) {
 bool varies(const Vec3Track& track) { return !track.empty() && !all_equal(track.values); }
 bool varies(const QuatTrack& track) { return !track.empty() && !all_equal(track.values); }
 
-/// True where some track that keeps its keys lasts as long as the clip.
+/// True if a track that keeps its keys lasts as long as the clip.
 bool lasts(const Animation& animation) {
   const auto reaches = [&](const auto& track, bool kept) {
     return kept && !track.empty() && static_cast<double>(track.times_s.back()) >= animation.duration_s;

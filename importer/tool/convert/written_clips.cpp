@@ -20,7 +20,7 @@ namespace {
 /// The largest part of the budget that rounding of keys may take. The rest is for leaving keys out.
 constexpr double kOfRounding = 0.3;
 
-/// A file that was written, and its clips as a reader sees them.
+/// A written file, and its clips as a reader gets them.
 struct Reread {
   RewrittenFile file;
   std::vector<Animation> clips;
@@ -55,8 +55,8 @@ double worst_m(const std::vector<CertifiedClip>& clips) {
 
 /// The model with all keys, quantized as far as the budget allows.
 struct Whole {
-  WrittenClips written;          ///< without `clips`
-  std::vector<Animation> clips;  ///< as a reader sees them
+  WrittenClips written;          ///< all members but `clips`
+  std::vector<Animation> clips;  ///< the clips as a reader of the file gets them
 };
 
 ImportResult<Whole> write_whole(const ImportedFile& model, std::span<const Animation> truths, RewriteOptions changes,

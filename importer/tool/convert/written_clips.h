@@ -12,18 +12,18 @@ namespace sinew::tool {
 
 /// A model file whose clips were written with new keys, and how far its clips are off when the file is read again.
 struct WrittenClips {
-  RewrittenFile file;                ///< a .glb
-  RewriteOptions changes;            ///< that made it; its spans are into `keys` and what the caller gave
-  std::vector<Animation> keys;       ///< may be empty: the keys of `truths`
+  RewrittenFile file;           ///< the file, a .glb
+  RewriteOptions changes;       ///< the options that made `file`; their spans refer to `keys` and to data of the caller
+  std::vector<Animation> keys;  ///< empty = the keys of `truths`
   std::vector<CertifiedClip> clips;  ///< measured on `file`
 };
 
-/// Rewrites a model with the fewest bytes of keys for which no clip moves anything farther than the budget from where
-/// `truths` have it. The result is read again and measured. A clip that is not within the budget then gets all of its
-/// keys back. If a file with all keys is not larger, all keys are kept. Keys are quantized less, or not at all, where
-/// the budget needs it.
+/// Rewrites a model with keys that take as few bytes as possible. In no clip may anything be farther than the budget
+/// from its place in `truths`. The result is read again and measured. A clip that is not within the budget then gets
+/// all of its keys back. If a file with all keys is not larger, all keys are kept. Keys are quantized less, or not at
+/// all, if the budget needs it.
 /// in    truths    one for each clip of the model: its own clips, or mirrored ones
-///       changes   besides keys; `animations` are `truths`, or empty if these are the model's own
+///       changes   all changes besides keys; `animations` are `truths`, or empty if these are the model's own
 ///       budget_m  in the file's units, >= 0
 /// err   as rewrite_gltf()
 ImportResult<WrittenClips> write_within(const ImportedFile& model, std::span<const Animation> truths,

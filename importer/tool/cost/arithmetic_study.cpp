@@ -17,12 +17,12 @@ namespace {
 
 /// The data of all variants, and memory for their results.
 struct Bench {
-  Limb limb;  // used where the file has nothing to skin
+  Limb limb;  // used if the file has no skinned vertices
   SkinnedPart part;
   DeformedVertices found;
   PlainVertices<float> plain;
   PlainVertices<double> exact;
-  std::vector<std::vector<Affine>> float_palettes;  // of the poses
+  std::vector<std::vector<Affine>> float_palettes;  // palettes for each pose
 
   explicit Bench(const Subject& subject) {
     const auto own = skinned_part(subject);

@@ -20,7 +20,7 @@ namespace {
 
 HWY_EXPORT(float_lanes);
 
-/// SSE and the plain fallbacks round products and sums apart.
+/// True if the instruction set has fused multiply-add. SSE and the plain fallbacks round products and sums separately.
 bool fuses(std::int64_t target) {
   constexpr std::int64_t kRoundTwice = HWY_SSSE3 | HWY_SSE4 | HWY_EMU128 | HWY_SCALAR
 #ifdef HWY_SSE2

@@ -15,7 +15,8 @@ constexpr float kBlendBegins = 1.2f, kBlendEnds = 2.8f;
 constexpr std::uint32_t kColumns = 48, kRows = 64;
 constexpr double kQuarterTurn = 1.5707963267948966, kTwist = 2.6179938779914944;  // 150 degrees
 
-/// Rows run from one end to the other, so that vertices with one influence come before and after those with two.
+/// The influences of the limb. Its rows run from one end to the other, so that vertices with one influence come before
+/// and after vertices with two.
 VertexInfluences influences_of(const Primitive& limb) {
   VertexInfluences out;
   for (std::uint32_t v = 0; v < limb.vertex_count(); ++v) {

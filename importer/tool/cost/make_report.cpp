@@ -17,7 +17,7 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kShareOfErrors = 0.3;  // of the whole time; the errors are computed before the times are measured
+constexpr double kShareOfErrors = 0.3;  // part of the whole time: the errors are computed before the times are measured
 
 std::string date_now() {
   const std::chrono::year_month_day day(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));

@@ -31,7 +31,7 @@ double seconds_of_run(const Work& work, double count) {
   return (end - begin) / count;
 }
 
-/// The number of runs that take about `seconds`.
+/// The number of runs that take about `seconds` in total.
 double runs_within(double seconds, const Work& work) {
   constexpr double kMostRuns = 1e9;
   for (double count = 1.0;; count *= 10.0) {

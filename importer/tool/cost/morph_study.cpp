@@ -33,7 +33,7 @@ std::size_t displacement_count(const Primitive& primitive) {
   return count;
 }
 
-/// Weights of an instance at times spread over the clip; empty where the clip does not animate them.
+/// Weights of an instance at times spread over the clip; empty if the clip does not animate them.
 std::vector<Weights> animated_weights(const Subject& subject, std::uint32_t instance) {
   constexpr int kMoments = 16;
   std::vector<Weights> moments;
@@ -49,7 +49,7 @@ std::vector<Weights> animated_weights(const Subject& subject, std::uint32_t inst
   return moments;
 }
 
-/// For files whose clip animates no weights: one target in four at 0.5, one in four barely active.
+/// Weights for files whose clip animates none: one target in four at 0.5, one in four barely active.
 Weights made_up_weights(std::size_t count) {
   Weights weights(count, 0.0f);
   for (std::size_t t = 0; t < count; ++t) weights[t] = t % 4 == 0 ? 0.5f : t % 4 == 1 ? 0.004f : 0.0f;
@@ -119,8 +119,8 @@ std::vector<MorphVariant> morph_variants() {
   };
 }
 
-/// The largest distance of a vertex, and the largest difference of a normal as the angle of that chord, so that a wrong
-/// length counts, too.
+/// The largest distance of a vertex, and the largest difference of a normal. The latter is the angle of a chord of that
+/// length, so that a wrong length counts too.
 struct MorphError {
   double distance_mm = 0.0, normal_deg = 0.0;
 };

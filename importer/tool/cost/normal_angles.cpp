@@ -12,21 +12,21 @@ using Vec = glm::dvec3;
 
 double angle(const Vec& a, const Vec& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
-/// On the chord from a to b.
+/// The point at fraction t of the chord from a to b.
 Vec between(const Vec& a, const Vec& b, double t) { return (1.0 - t) * a + t * b; }
 
-/// On the great arc from a to b, which are `whole` apart.
+/// The point at fraction t of the great arc from a to b, whose angle is `whole`.
 Vec slerp(const Vec& a, const Vec& b, double whole, double t) {
   return (a * std::sin((1.0 - t) * whole) + b * std::sin(t * whole)) / std::sin(whole);
 }
 
-/// The vector half way between n, which is of unit length, and the axis +z, which n does not oppose.
+/// The unit vector halfway between the unit vector n and the axis +z. n must not be -z.
 Vec half_way(const Vec& n) { return glm::normalize(Vec(n.x, n.y, 1.0 + n.z)); }
 
-/// The axis +z mirrored about h.
+/// The mirror image of the axis +z about h.
 Vec normal_of(const Vec& h) { return h * (2.0 * h.z / glm::dot(h, h)) - Vec(0.0, 0.0, 1.0); }
 
-/// The same vector with axis `view` / 2 as z, turned around for odd views.
+/// The vector in a view whose z axis is axis `view` / 2, in the opposite direction for odd views.
 Vec seen(const Vec& n, int view) {
   const int z = view / 2;
   const double side = view % 2 == 0 ? 1.0 : -1.0;

@@ -38,7 +38,7 @@ Point occlusion_point(const Json& trial, double pixels) {
   return point;
 }
 
-/// The variants of the default's method at half size with its blur, sorted by their number of samples.
+/// The variants that have the default's method, half size and its blur, sorted by their number of samples.
 std::vector<std::pair<int, const Point*>> by_samples(const Group& group, const Json& trials) {
   const auto standard =
       std::find_if(trials.begin(), trials.end(), [](const Json& t) { return t.at("default").get<bool>(); });

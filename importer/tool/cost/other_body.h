@@ -14,7 +14,7 @@ struct OtherBody {
   std::array<std::uint32_t, 2> hands{}, feet{};  ///< joints of both bodies
 };
 
-/// Nothing where the names of joints do not tell hips, arms and legs.
+/// Makes the other body. Empty if the names of joints do not tell hips, arms and legs.
 std::optional<OtherBody> other_body(const Skeleton& skeleton);
 
 }  // namespace sinew::cost

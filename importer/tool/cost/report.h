@@ -18,15 +18,15 @@ struct Value {
 /// One way to do the work of its group: its cost and its error.
 struct Point {
   std::string name;
-  double error = 0.0;          ///< in Group::error_unit, the largest that was found
+  double error = 0.0;          ///< the largest error that was found, in Group::error_unit
   double time_ns = 0.0;        ///< per Group::item, median
   double spread = 0.0;         ///< interquartile range of the repetitions divided by their median
   bool noisy = false;          ///< spread above kNoisySpread: the time is only a hint
-  bool is_default = false;     ///< what sinew does by default
+  bool is_default = false;     ///< the way that sinew uses by default
   bool other_aim = false;      ///< intends another result, so its error is no fault; never on the front
   bool pareto = false;         ///< on the Pareto front (mark_pareto_front in measure.h)
-  std::optional<double> size;  ///< in Group::size_unit, where the group has one
-  std::vector<Value> values;   ///< the same names in all points of a group
+  std::optional<double> size;  ///< in Group::size_unit, if the group has one
+  std::vector<Value> values;   ///< further values, with the same names in all points of a group
   std::string note;
 };
 

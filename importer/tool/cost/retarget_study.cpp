@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kCopied = "plain copy";
 
-/// The bodies, and the poses that are retargeted while it is timed.
+/// Both bodies, and the poses that are retargeted for timing.
 struct Bodies {
   Bodies(const Subject& subject, OtherBody made)
       : source(subject.scene.skeleton), other(std::move(made)), animation(*subject.animation()) {
@@ -39,7 +39,7 @@ struct Bodies {
   PoseMemory scratch{source.joint_count()}, out{source.joint_count()};
 };
 
-/// Joints that are the same bone, and the root joint: the two bodies do not count as one that shares names.
+/// Maps joints that are the same bone, and the root joints. Names are not used, although both bodies share them.
 SkeletonMap map_by(const Bodies& bodies, TranslationRule rule) {
   SkeletonMapOptions options{.pairs = {}, .limbs = LimbDirections::of_source, .translations = rule, .chains = {}};
   const std::vector<std::uint32_t> bones = find_humanoid_bones(bodies.source);
@@ -50,7 +50,8 @@ SkeletonMap map_by(const Bodies& bodies, TranslationRule rule) {
   return make_skeleton_map(bodies.source, bodies.other.skeleton, options);
 }
 
-/// How far joints stray from the paths of those of the source, scaled by heights: both counted from the rest pose.
+/// How far joints are from the paths of the source's joints, scaled by the height ratio. Both paths count from the rest
+/// pose.
 double path_error_mm(const Bodies& bodies, double ratio, const Animation& retargeted,
                      std::span<const std::uint32_t> joints, std::span<const double> moments) {
   const Skeleton &source = bodies.source, &target = bodies.other.skeleton;
@@ -116,7 +117,8 @@ void add_rule(Study& study, const std::shared_ptr<Bodies>& bodies, const Rule& r
   study.add(std::move(point), {bodies->poses.size() * source.joint_count(), work});
 }
 
-/// No retargeting: the local transforms of one body are used on the other, which takes over its bone lengths.
+/// Adds the variant without retargeting: the local transforms of one body are used on the other, which gets its bone
+/// lengths.
 void add_copy(Study& study, const std::shared_ptr<Bodies>& bodies, std::span<const double> moments) {
   const SkeletonMap map = map_by(*bodies, TranslationRule::hips_by_height);
   const FeetMap feet = make_feet_map(map, bodies->source, bodies->other.skeleton);

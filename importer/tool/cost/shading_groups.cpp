@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kUsual = "anisotropic=8";  // what the viewer does where a file asks for mip levels
+constexpr const char* kUsual = "anisotropic=8";  // the viewer's choice if a file asks for mip levels
 
 Group group_of_filters() {
   return {.name = "filters",
@@ -73,7 +73,7 @@ Group left_out(Group group, std::string why) {
 
 double pixels_of(const Json& read) { return read.at("width").get<double>() * read.at("height").get<double>(); }
 
-/// Why there are no times; empty: there are.
+/// The reason why there are no times; empty if there are times.
 std::string find_document_error(const Json& read, const char* trials) {
   if (read.is_discarded()) return "the measuring program did not finish its answer";
   if (read.contains("left_out")) return read.at("left_out");

@@ -15,7 +15,7 @@ std::string measure_shading(bool quick);
 
 Group filter_group(const std::string& measured);
 
-/// For a file without textures, which calls for none.
+/// The group for a file without textures: it has no points and says why.
 Group no_filters();
 
 /// Interpolations of normals: degrees off the great arcs of a scene, and the time that was measured.

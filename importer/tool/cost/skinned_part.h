@@ -35,7 +35,7 @@ struct SkinnedPart {
   VertexInput in() const { return {primitive->positions, primitive->normals, {}}; }
 };
 
-/// The part of a scene; nothing where it has no skinned vertices.
+/// The part of a scene; empty if the scene has no skinned vertices.
 std::optional<SkinnedPart> skinned_part(const Subject& subject);
 
 /// Memory for deformed vertices.

@@ -18,7 +18,7 @@
 namespace sinew::cost {
 namespace {
 
-/// Skins one primitive with any of the three methods, and keeps what each of them needs.
+/// Skins one primitive with any of the three methods, and keeps the data that each method needs.
 class Skinner {
  public:
   Skinner(const SkinnedPart& part, std::span<const glm::vec3> centers)
@@ -29,7 +29,7 @@ class Skinner {
         pairs_(joint_pairs_of_vertices(part.primitive->influences, split_.size())),
         out_(part.vertex_count()) {}
 
-  /// Splitting the joint matrices belongs to the rigid methods; it is done once a frame.
+  /// Skins one pose. Splitting joint matrices is part of the rigid methods, and is done once per frame.
   void run(Skinning kind, const PosedSkin& pose) {
     const VertexInfluences* influences = &part_.primitive->influences;
     if (kind != Skinning::linear) sinew::run_unchecked(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
@@ -50,7 +50,7 @@ class Skinner {
 
   std::span<const glm::vec3> positions() const { return out_.positions; }
   const SkinnedPart& part() const { return part_; }
-  /// Of the pose that a rigid method ran last: true when its stretch phase was needed, and took its time.
+  /// True if the pose that a rigid method ran last needed the stretch phase, which takes time.
   bool any_stretch() const { return any_stretch_; }
 
  private:

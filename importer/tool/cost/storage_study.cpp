@@ -19,13 +19,13 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kRoundingOfKeys = 1.5;  // times the error of unchanged keys, which is rounding
+constexpr double kRoundingOfKeys = 1.5;  // times the rounding error that unchanged keys have
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr std::uint32_t kBits[] = {16, 12, 8};
 constexpr double kMostKeys =
-    200'000.0;  // of one resampled track; long clips are resampled only at rates that stay below
+    200'000.0;  // most keys of one resampled track; long clips are resampled only at rates that stay below
 
-/// Powers of ten in metres, rising: 0.1 mm and 1 mm, and those around a ten-thousandth of the model's size.
+/// Powers of ten in metres, rising: 0.1 mm and 1 mm, and the powers around a ten-thousandth of the model's size.
 std::vector<double> budgets_m(double size_m) {
   const int hardly_seen = size_m > 0.0 ? static_cast<int>(std::lround(std::log10(1e-4 * size_m))) : -4;
   std::vector<double> budgets;
@@ -34,7 +34,7 @@ std::vector<double> budgets_m(double size_m) {
   return budgets;
 }
 
-/// From one tolerance to the next: fine enough that no bit is given away, since half a bit is a factor of 1.4.
+/// Factor from one tolerance to the next. It is small enough to lose no bit, since half a bit is a factor of 1.4.
 constexpr double kStep = 1.1;
 
 /// The largest difference of one component between two keys.
@@ -49,7 +49,7 @@ double range_of(const Track<V>& track) {
   return range;
 }
 
-/// The smallest tolerance, up to kStep, whose numbers fit.
+/// The smallest tolerance, within a factor of kStep, for which the numbers fit into the bits.
 template <class V>
 double tolerance_for(const Track<V>& track, std::uint32_t bits) {
   if (track.key_count() < 2) return 0.0;
@@ -62,8 +62,8 @@ double tolerance_for(const Track<V>& track, std::uint32_t bits) {
   return 0.0;
 }
 
-/// The rounding steps of each joint with which no component takes more than `bits` over the range of its track. 0 keeps
-/// floats, for tracks that cannot be packed (curves) or do not move.
+/// The rounding steps of each joint for which no component takes more than `bits` over the range of its track. 0 keeps
+/// floats: for curves, which cannot be packed, and for tracks that do not move.
 /// in   bits   1 to PackedTrack::kMostBits
 KeyTolerances keys_in_bits(const Animation& animation, std::uint32_t bits) {
   KeyTolerances out;

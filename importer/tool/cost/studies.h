@@ -18,8 +18,8 @@ Study study_arithmetic(const Subject& subject);
 Study study_retargeting(const Subject& subject);
 Study study_geometry(const Subject& subject);
 
-/// The positions of a take, as many frames as `effort` has key intervals.
-/// in   budget_m  of the cache that the others are compared with
+/// Studies the storage of the positions of a take, over as many frames as `effort` has key intervals.
+/// in   budget_m  of the cache that other formats are compared with
 Study study_geometry(GeometryTake take, double budget_m, const Effort& effort);
 
 }  // namespace sinew::cost

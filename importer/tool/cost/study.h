@@ -29,7 +29,7 @@ struct Study {
   }
 };
 
-/// The study of a subject to which it does not apply; the report says why.
+/// Marks a study that does not apply to the subject; the report says why.
 inline Study left_out(Study study, std::string why) {
   study.group.left_out = std::move(why);
   return study;
@@ -39,8 +39,8 @@ inline Study left_out(Study study, std::string why) {
 struct Effort {
   int repetitions = 15;
   double seconds_per_repetition = 0.02;
-  std::size_t key_intervals = 64;   ///< how many of a clip's key intervals are looked at
-  std::size_t probe_points = 4000;  ///< how many points of the surface are looked at
+  std::size_t key_intervals = 64;   ///< number of a clip's key intervals that are measured
+  std::size_t probe_points = 4000;  ///< number of points of the surface that are measured
 
   static Effort quick() { return {7, 0.004, 16, 1000}; }
 };

@@ -21,8 +21,8 @@ struct Subject {
   const Animation* animation() const { return clip == kNone ? nullptr : &scene.animations[clip]; }
   /// "the clip "Walk""
   std::string clip_name() const;
-  /// Model matrices of all joints in the poses for which vertices are compared: up to eight of the clip, else one made
-  /// up.
+  /// Model matrices of all joints in the poses for which vertices are compared: up to eight poses of the clip. Without
+  /// a clip it is one invented pose.
   std::vector<ModelPose> compared_poses() const;
   /// An error that a viewer hardly sees: a ten-thousandth of the model's size, in mm.
   double hardly_seen_mm() const { return 0.1 * size_m; }

@@ -6,8 +6,8 @@
 
 namespace sinew::cost {
 
-/// The name and the time of a trial that a measuring program (tests/study) answers.
-/// in   key     of its list of milliseconds, one a repetition;   pixels  that each took
+/// Reads the name and the time of a trial from the output of a measuring program (tests/study).
+/// in   key     member of `trial` with its milliseconds, one number per repetition;   pixels  drawn in each repetition
 Point timed_point(const nlohmann::json& trial, const char* key, double pixels);
 
 }  // namespace sinew::cost

@@ -12,7 +12,7 @@
 namespace sinew::cost {
 namespace {
 
-/// Share by which a time may be off.
+/// The fraction by which a time may be wrong.
 double noise_of(const Point& point) { return std::max(kNoDifference, point.spread); }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string time_of(const Group& group, const Point& point);
 /// long". Differences below the noise of both, or below kNoDifference, count as none.
 std::string time_beside(const Group& group, const Point& point, const Point& other);
 
-/// The default point of the group; the first point where none is marked.
+/// The default point of the group; the first point if none is marked.
 const Point& default_of(const Group& group);
 
 /// The point with that name, or null.

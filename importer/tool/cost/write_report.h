@@ -9,8 +9,8 @@
 
 namespace sinew::cost {
 
-/// Why `folder` cannot become the folder of a report; empty when it can. It may be new, empty, or hold nothing but an
-/// older report.
+/// The reason why `folder` cannot become the folder of a report; empty if it can. It may be new, empty, or hold nothing
+/// but an older report.
 /// in    inputs   files that are read; none of them is replaced
 std::string find_folder_error(const std::filesystem::path& folder, std::span<const std::filesystem::path> inputs);
 

@@ -11,7 +11,7 @@ namespace sinew::tool {
 void add_cache_option(Command& command, std::string& folder);
 
 /// Asks an import for centers of rotation, which take seconds for a large mesh the first time.
-/// in   folder  what --cache said: "" = the default, "none" = nothing is kept
+/// in   folder  value of --cache: "" = the default, "none" = nothing is kept
 void request_centers(ImportOptions& import, const std::string& folder);
 
 }  // namespace sinew::tool

@@ -27,11 +27,11 @@ tl::expected<ModelOutput, std::string> model_output(const std::string& out);
 /// As find_output_error(), for both files.
 std::optional<std::string> find_output_error(const ModelOutput& output, std::span<const std::filesystem::path> inputs);
 
-/// Adds --drop, the things that need not be carried.
+/// Adds --drop, which names the losses that the user permits.
 void add_drop_option(Command& command, std::vector<std::string>& drop, const char* about = "What may be lost");
 
-/// Rewrites a model with some changes and writes all its files, or none of them. Prints everything that cannot be
-/// carried, and errors.
+/// Rewrites a model with some changes and writes all its files, or none of them. Prints everything that the new files
+/// cannot represent, and errors.
 /// in    in       name of the model in messages
 ///       changes  `drop` and `buffer_uri` are set here
 /// out   bytes written

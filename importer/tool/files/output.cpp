@@ -15,8 +15,8 @@ namespace sinew::tool {
 namespace fs = std::filesystem;
 namespace {
 
-/// Writes from begin to end.
-/// out   nothing, or the error
+/// Writes a stream from begin to end.
+/// out   empty, or the error
 std::optional<std::string> write_stream(const fs::path& output, std::span<const std::byte> bytes) {
   errno = 0;
   if (is_standard_output(output)) {

@@ -63,7 +63,7 @@ void StreamedFile::write_at(std::uint64_t place, std::string_view bytes) {
   note(!platform::seek(placed_, place) || !platform::write_all(placed_, std::as_bytes(std::span(bytes))));
 }
 
-/// Writes what waits.
+/// Writes the waiting bytes of the temporary file.
 void StreamedFile::copy_placed() {
   std::array<char, std::size_t{1} << 16> block;
   note(!platform::seek(waiting_, 0));

@@ -17,17 +17,17 @@ class StreamedFile {
   StreamedFile(const StreamedFile&) = delete;
   StreamedFile& operator=(const StreamedFile&) = delete;
 
-  /// False: errno says why.
+  /// False if the output could not be opened; errno says why.
   bool opened() const noexcept { return file_ != nullptr; }
 
-  /// After a failure nothing more is written, and finish() tells.
+  /// Writes the next bytes. After a failure nothing more is written, and finish() returns false.
   void write(std::string_view bytes);
 
-  /// Writes at a place of the file, in any order; what is left out in between is zero. For a stream or a
-  /// .gz file the bytes wait in a temporary file for finish().
+  /// Writes at a place of the file, in any order; gaps are filled with zeros. For a stream or a .gz file the bytes wait
+  /// in a temporary file for finish().
   void write_at(std::uint64_t place, std::string_view bytes);
 
-  /// False: something could not be written; errno has the first reason.
+  /// False if something could not be written; errno has the first reason.
   bool finish();
 
  private:
@@ -36,8 +36,8 @@ class StreamedFile {
 
   std::filesystem::path target_, unfinished_;  // Empty for a stream.
   void* file_ = nullptr;                       // gzFile
-  int placed_ = -1;                            // where write_at() writes: the file itself, or the one of waiting_
-  int waiting_ = -1;                           // a temporary file
+  int placed_ = -1;                            // descriptor that write_at() writes to: the file itself, or waiting_
+  int waiting_ = -1;                           // descriptor of a temporary file
   bool failed_ = false;
   int reason_ = 0;  ///< errno of the first failure
 };

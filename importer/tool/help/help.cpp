@@ -11,7 +11,7 @@ namespace {
 
 using Row = std::pair<std::string, std::string>;
 
-/// Two columns. A name that is too wide for the first one has a line of its own.
+/// A table with two columns. A name that is too wide for the first column gets a line of its own.
 std::string table(const std::string& title, const std::vector<Row>& rows) {
   constexpr std::size_t kWidestName = 26;
   std::size_t width = 0;

@@ -8,7 +8,7 @@
 namespace sinew::tool {
 namespace {
 
-/// Text that roff takes as it is: its own characters escaped, no line a request.
+/// Escapes text for roff: its special characters, and lines that would be requests.
 std::string escaped(std::string_view text) {
   std::string out = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
   for (const char c : text) out += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);

@@ -29,7 +29,7 @@ struct InfoOptions {
   bool tree = false, all = false;
 };
 
-/// Prints what an asset file or a file of compiled clips holds; nothing when the file is none.
+/// Prints what an asset file or a file of compiled clips contains; no value if the file is neither.
 std::optional<ExitCode> print_asset_info(const std::string& file, bool json, bool many) {
   const auto info = asset_info(file);
   if (!info) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<ExitCode> print_asset_info(const std::string& file, bool json, boo
   return ExitCode::done;
 }
 
-/// Prints what a geometry cache holds; nothing when the file is none. Reads its head only.
+/// Prints what a geometry cache contains; no value if the file is none. Reads only its head.
 std::optional<ExitCode> print_geometry_info(const std::string& file, bool json, bool many) {
   const auto read = read_cache(file, false);
   if (!read) return std::nullopt;

@@ -259,7 +259,7 @@ Json issue_json(const ImportIssue& issue) {
   return {{"rule", issue.rule}, {"pointer", issue.json_pointer}, {"message", issue.detail}, {"cases", issue.cases}};
 }
 
-/// The things that `sinew convert` loses only with --drop, or the error with which it fails.
+/// The losses for which `sinew convert` needs --drop, or the error with which it fails.
 std::vector<ImportIssue> lost_by_convert(const ImportedFile& file) {
   RewriteOptions options;
   options.drop = {"all"};

@@ -24,7 +24,7 @@ namespace {
 
 std::string text_of(const Json& value) { return value.get<std::string>(); }
 
-/// The same from the file, outside of quotes.
+/// A text of the file without quotes, safe for a terminal.
 std::string shown(const Json& value) { return visible_text(text_of(value)); }
 
 /// "a: 1, b: 2" for an object with numbers.
@@ -63,7 +63,7 @@ std::string point(const Json& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
 }
 
-/// How many places the reports of a list stand for.
+/// The number of places that the reports of a list stand for.
 std::size_t case_count(const Json& issues) {
   std::size_t count = 0;
   for (const Json& issue : issues) count += issue["cases"].get<std::size_t>();
@@ -122,7 +122,7 @@ class InfoText {
          side(1), side(2));
   }
 
-  /// A heading with the number of entries, then one row per entry. `cells` gives what follows its number and name.
+  /// A heading with the number of entries, then one row per entry. `cells` returns the cells after its number and name.
   template <class Cells>
   void table(const char* title, const Json& list, std::vector<std::string> columns, const Cells& cells) {
     line("{}: {}", title, list.size());
@@ -241,7 +241,7 @@ class InfoText {
     });
   }
 
-  /// Reports of one rule share a line, with the first of them.
+  /// Prints one line for all reports of one rule, with the first of them.
   void issues(const char* title, const Json& list) {
     line("{}: {}", title, case_count(list));
     std::map<std::string, std::size_t> cases;

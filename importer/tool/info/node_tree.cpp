@@ -12,7 +12,7 @@
 namespace sinew::tool {
 namespace {
 
-/// " WORD N, N" for a list of numbers; nothing for none.
+/// " WORD N, N" for a list of numbers; empty for an empty list.
 std::string numbers(const char* word, const Json& list) {
   std::string out;
   for (const Json& number : list) out += (out.empty() ? "" : ", ") + number.dump();
@@ -88,9 +88,9 @@ Json node_list_json(const Scene& scene) {
 }
 
 std::string node_tree_text(const Json& list) {
-  constexpr std::size_t kDeepest = 30;  // of indentation; deeper nodes tell their depth
+  constexpr std::size_t kDeepest = 30;  // levels of indentation; deeper nodes print their depth instead
   std::string out;
-  std::vector<std::pair<std::size_t, std::size_t>> open;  // node, depth; the next one last
+  std::vector<std::pair<std::size_t, std::size_t>> open;  // pairs of node and depth; the last one is next
   for (std::size_t n = list.size(); n-- > 0;)
     if (list[n]["parent"].is_null()) open.emplace_back(n, 0);
   while (!open.empty()) {

@@ -47,7 +47,7 @@ double in_degrees(double chord) {
   return chord > 2.0 ? (std::isinf(chord) ? chord : 180.0) : 2.0 * std::asin(chord / 2.0) * 180.0 / std::numbers::pi;
 }
 
-/// Number of golden vertices that are looked for among all vertices of the file.
+/// Most golden vertices that are searched for among all vertices of the file.
 constexpr std::size_t kLookedFor = 256;
 
 }  // namespace
@@ -112,7 +112,7 @@ void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose
   add({"translation", golden.node}, pose ? length_of_difference(translation, p.subspan(12, 3)) : kMissing,
       allowed_m(largest_entry(translation)), "m",
       [&] { return fmt::format("{}, {}, translation", where, node_text(golden.node)); });
-  constexpr double kNoSize = 1e-6;  // a scene without vertices: a point at 1 m stands for the model
+  constexpr double kNoSize = 1e-6;  // a scene without vertices: a point at 1 m takes the place of the model
   const double lever_m = tolerance_.model_size_m > kNoSize ? tolerance_.model_size_m : 1.0;
   const double largest = largest_entry(linear);
   const double turned = largest_difference(linear, p.first(12)) / (largest > 0.0 ? largest : 1.0);
@@ -179,8 +179,8 @@ void PoseComparison::compare_primitive(const PrimitivePose& golden, const Primit
   }
 }
 
-/// Reports once that the vertices of a primitive have other numbers than in the golden pose. Some are then not at their
-/// place, but every golden position is the place of some vertex.
+/// Reports once that the vertices of a primitive have other numbers than in the golden pose. Then some vertices differ,
+/// although each golden position is the place of some vertex.
 bool PoseComparison::report_renumbered(const PrimitivePose& golden, const PrimitivePose& pose,
                                        const std::string& where) {
   if (renumbered_.contains({golden.node, golden.primitive})) return true;

@@ -13,8 +13,7 @@
 
 namespace sinew::tool {
 
-/// The largest difference of the values of one kind of one node or primitive that differ: by how much, and how much is
-/// allowed.
+/// The largest difference among values of one kind in one node or primitive, and the allowed difference.
 struct Deviation {
   std::string where;    ///< "clip 0 "Walk", 1.5 s, node 3 "hand", primitive 0, vertex 17, positions"
   double amount = 0.0;  ///< infinite when the value is missing
@@ -28,7 +27,7 @@ struct Deviation {
   bool is_worse_than(const Deviation& other) const noexcept;
 };
 
-/// Names that deviations show behind numbers, in quotes; a list may be shorter, and a name empty.
+/// Names that deviations show in quotes after numbers; lists may be shorter, and names empty.
 struct PoseNames {
   std::vector<std::string> clips, nodes;
 };
@@ -37,7 +36,7 @@ struct PoseNames {
 /// - Positions, dqs and translations of nodes: the distance. Rotation and scale of nodes: the distance by which they
 ///   move a point that is one model size away, relative to the node's largest matrix entry.
 /// - With `matrix` rotation and scale of nodes instead: the largest difference of a matrix entry, relative to the
-/// largest.
+///   largest.
 /// - Directions: the angle. Weights: the absolute difference; beyond 1 it is relative to the largest.
 /// All tolerances grow by 1.5 times Pose::non_unit of the golden sample, because rotations that are not unit
 /// quaternions may be normalised or not.
@@ -62,7 +61,7 @@ class PoseComparison {
 
   std::uint64_t compared() const noexcept { return compared_; }
   std::uint64_t failed() const noexcept { return failed_; }
-  double largest_m() const noexcept { return largest_m_; }  ///< of the values with a unit
+  double largest_m() const noexcept { return largest_m_; }  ///< the largest difference of a value with a unit
   std::vector<Deviation> worst() const;  ///< the worst first, one for each kind of values of a node or primitive
 
  private:
@@ -74,7 +73,7 @@ class PoseComparison {
   std::string node_text(std::uint32_t node) const;
   /// The kind of values that a deviation belongs to, and its node and primitive.
   struct Kind {
-    const char* name = "";  ///< of a literal
+    const char* name = "";  ///< points to a literal
     std::uint32_t node = kNone, primitive = kNone;
     friend auto operator<=>(const Kind&, const Kind&) = default;
   };

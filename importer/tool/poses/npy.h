@@ -11,11 +11,11 @@ namespace sinew::tool {
 
 /// The header of a NumPy array. Numbers follow it in little-endian order; the last index varies fastest.
 struct NpyArray {
-  std::string name;  ///< in an .npz
+  std::string name;  ///< name of the array in an .npz file
   std::string type;  ///< NumPy's "descr", such as "<f4" for float32
   std::vector<std::size_t> shape;
 
-  std::uint64_t byte_size() const;  ///< of the numbers
+  std::uint64_t byte_size() const;  ///< bytes of the numbers, without the header
 };
 
 /// The bytes before the numbers of a .npy file, format 1.0 (numpy.lib.format); a multiple of 64 bytes.

@@ -35,8 +35,8 @@ class NpzFile {
  private:
   struct Entry {
     std::string name;
-    std::uint64_t at = 0, size = 0;       // of the header in the zip; of the .npy file
-    std::uint64_t data_at = 0, done = 0;  // of the .npy file; how much of it is written
+    std::uint64_t at = 0, size = 0;       // place of the header in the zip; bytes of the .npy file
+    std::uint64_t data_at = 0, done = 0;  // place of the .npy file in the zip; bytes of it that are written
     std::uint32_t checksum = 0;
     std::string held;
   };
@@ -45,7 +45,7 @@ class NpzFile {
 
   StreamedFile& out_;
   std::vector<Entry> entries_;
-  std::uint64_t end_ = 0;  // of the last entry
+  std::uint64_t end_ = 0;  // end of the last entry
   std::size_t held_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace sinew::tool {
 /// The vertex arrays of a pose file, in the order in which they are written.
 enum class VertexKind : std::size_t { positions, normals, tangents, dqs, dqs_normals, cors, cor_normals };
 struct VertexKindTraits {
-  const char* key;    ///< in the file
+  const char* key;    ///< key in a JSON pose file
   std::size_t width;  ///< numbers per vertex
   bool direction;     ///< unit vector: compared without a unit
 };
@@ -32,7 +32,7 @@ inline constexpr std::array<VertexKindTraits, 7> kVertexKinds{{{"positions", 3, 
 /// file's. NaN means "no value" (null in the file).
 struct PrimitivePose {
   std::uint32_t node = 0, mesh = 0, primitive = 0;
-  std::vector<std::uint32_t> vertices;                          ///< increasing
+  std::vector<std::uint32_t> vertices;                          ///< numbers of the vertices in the file, increasing
   std::array<std::vector<double>, kVertexKinds.size()> values;  ///< [width * vertices] or empty
 
   std::vector<double>& of(VertexKind kind) { return values[static_cast<std::size_t>(kind)]; }

@@ -40,7 +40,7 @@ void WorldArray::begin_sample(const Pose& pose) {
   out_.write(floats(world_matrices(pose)));
 }
 
-/// The array of a name, made when it is first asked for: an entry of that shape for each sample.
+/// The array of a name. On first use it is created, with an entry of the given shape for each sample.
 std::size_t PoseArrays::array(const std::string& name, const char* type, std::vector<std::size_t> shape_of_sample) {
   const auto [found, is_new] = by_name_.try_emplace(name, 0);
   if (is_new) {
@@ -70,7 +70,7 @@ void PoseArrays::begin_sample(const Pose& pose) {
   for (const PrimitivePose& primitive : pose.primitives) add(primitive);
 }
 
-/// Numbers of vertices are the same in every sample, and so are there once.
+/// Appends vertex numbers. They are the same in every sample, so the file has them once.
 void PoseArrays::append_vertices(const std::string& name, const std::vector<std::uint32_t>& vertices) {
   const auto [found, is_new] = by_name_.try_emplace(name, 0);
   if (!is_new) return;

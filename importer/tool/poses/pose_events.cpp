@@ -18,9 +18,9 @@ namespace {
 
 using Place = PoseEvents::Place;
 
-constexpr std::size_t kMostSkipped = 1000;  // levels inside each other
+constexpr std::size_t kMostSkipped = 1000;  // nested levels
 
-/// Keys that an object must have. An object that is none is reported as one without its first key.
+/// Keys that an object must have. A value that is no object is reported as an object without its first key.
 struct Required {
   Place place;
   std::string_view key;
@@ -49,7 +49,7 @@ std::size_t kind_of(std::string_view key) {
 
 }  // namespace
 
-/// An object or array that a key, or each element of an array, must be.
+/// The object or array that must follow a key, or that each element of an array must be.
 struct PoseEvents::Step {
   Place from;
   std::string_view key;
@@ -195,7 +195,7 @@ void PoseEvents::read_of_pose(const Level& level, const Scalar& value) {
   }
 }
 
-/// Of two values of one key the last one counts, so a list starts empty.
+/// Begins a list. If a key occurs twice, the last value counts, so the list is emptied.
 void PoseEvents::begin(Place place) {
   switch (place) {
     case Place::clip: summary.clips.push_back(kNone); return;
@@ -253,7 +253,7 @@ void PoseEvents::finish_primitive() {
 }
 
 void PoseEvents::finish_sample() {
-  // Two entries for one thing would leave open which of them counts.
+  // With two entries of one name it would be unclear which of them counts.
   const auto named_once = [this](const auto& list, const char* key, const auto& name) {
     std::set<decltype(name(list.front()))> names;
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -296,7 +296,7 @@ std::size_t PoseEvents::width() const { return kVertexKinds[kind_].width; }
 
 void PoseEvents::end_of_value() { ++levels_.back().index; }
 
-/// The JSON pointer of the value that is read, or of what it is in.
+/// The JSON pointer of the value that is read, or of the object or array around it.
 std::string PoseEvents::pointer(std::size_t without_last) const {
   std::string text;
   for (std::size_t i = 1; i + without_last < levels_.size(); ++i)

@@ -14,7 +14,7 @@ namespace sinew::tool {
 
 /// Follows the events of a JSON reader (a handler in RapidJSON's sense) through a pose file, and hands out each pose
 /// when it is complete. Holds one pose and the path to the place in the document, and nothing else of the file. After a
-/// wrong value it hands out nothing more, but the reader goes on: a document that is no JSON is the worse fault.
+/// wrong value it hands out no more poses, but the reader goes on: text that is no JSON is the worse fault.
 class PoseEvents {
  public:
   explicit PoseEvents(const PoseSink& sink) : sink_(sink) {}
@@ -67,8 +67,8 @@ class PoseEvents {
     Place place = Place::file;
     bool is_array = false;
     std::uint32_t seen = 0;  ///< bits of kRequired: keys that are there
-    std::size_t index = 0;   ///< of the next element, in an array
-    std::string key;         ///< of the next value, in an object
+    std::size_t index = 0;   ///< in an array: index of the next element
+    std::string key;         ///< in an object: key of the next value
   };
   struct Scalar {
     bool is_null = false;
@@ -104,9 +104,9 @@ class PoseEvents {
   const PoseSink& sink_;
   std::vector<Level> levels_{Level{}};
   std::size_t skipped_ = 0;      // levels of a part that the format does not know
-  std::size_t kind_ = 0;         // of the vertex array that is read
+  std::size_t kind_ = 0;         // index of the vertex array that is being read
   std::uint32_t kinds_ = 0;      // bits: the vertex arrays of the primitive
-  std::vector<double> numbers_;  // of the matrix or vector that is read
+  std::vector<double> numbers_;  // numbers of the matrix or vector that is being read
   Pose pose_;
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 ImportIssue file_issue(std::string detail) { return {Severity::error, "pose-file", "", std::move(detail)}; }
 
-/// The characters of a file, unpacked where it is compressed: a stream in RapidJSON's sense, which ends with '\0'.
+/// The characters of a file, unpacked if it is compressed. It is a stream in RapidJSON's sense, which ends with '\0'.
 class UnpackedText {
  public:
   using Ch = char;
@@ -45,7 +45,7 @@ class UnpackedText {
   }
   std::size_t Tell() const { return before_ + at_; }
 
-  // For streams that are written, which this one is not.
+  // For streams that are written to, which this one is not.
   Ch* PutBegin() { return nullptr; }
   void Put(Ch) {}
   void Flush() {}
@@ -53,8 +53,8 @@ class UnpackedText {
 
   bool ended() const { return at_ >= count_; }
 
-  /// Unpacks what is left, since only the end of a compressed file has its checksum.
-  /// out   nothing, or why the file cannot be read
+  /// Unpacks the rest of the file, since only the end of a compressed file has its checksum.
+  /// out   empty, or why the file cannot be read
   std::string finish() {
     while (count_ > 0) fill();
     if (file_ != nullptr && gzclose(std::exchange(file_, nullptr)) == Z_BUF_ERROR && fault_.empty()) fault_ = kDamaged;
@@ -88,7 +88,7 @@ class UnpackedText {
 constexpr unsigned kFlags =
     rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
 
-/// in   at_end  whether a '\0' that the stream showed was its end
+/// in   at_end  returns true if a '\0' that the stream gave was its end
 template <class Stream, class AtEnd>
 tl::expected<PoseSummary, ImportIssue> parse(Stream& stream, const PoseSink& sink, const AtEnd& at_end) {
   PoseEvents events(sink);

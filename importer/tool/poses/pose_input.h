@@ -19,7 +19,7 @@ namespace sinew::tool {
 struct PoseSummary {
   std::optional<double> extent;      ///< the model's size: the longest side of the box around its rest pose
   std::vector<std::uint32_t> clips;  ///< the clip of each entry, in the order of the file; kNone = rest pose
-  std::size_t poses = 0;             ///< of all clips
+  std::size_t poses = 0;             ///< number of poses of all clips
   std::array<bool, kVertexKinds.size()> kinds{};  ///< vertex arrays that some pose has
   std::set<std::string> bits;                     ///< names of hashes that some pose has
 
@@ -33,9 +33,9 @@ using PoseSink = std::function<bool(std::size_t clip_entry, const Pose& pose)>;
 
 /// Reads a pose file, .json or .json.gz, told apart by content. Unknown keys are skipped.
 /// in    sink  may be empty: then the file is only checked and summarized
-/// out   of what was read: of the whole file, unless the sink ended it
-/// err   rules "pose-file" (missing, unreadable, not JSON) and "pose-format" (with the JSON pointer of the wrong value);
-///       the sink has then got the poses before it
+/// out   facts about what was read: the whole file, unless the sink stopped before its end
+/// err   rules "pose-file" (missing, unreadable, not JSON) and "pose-format" (with the JSON pointer of the wrong
+///       value); the sink has then got the poses before it
 /// cost  O(file), memory of one pose; a compressed file may unpack to at most 256 times its size
 tl::expected<PoseSummary, ImportIssue> read_poses(const std::string& file, const PoseSink& sink = {});
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 using Vec3d = Vec3<double>;
 
-/// A pose file holds floats.
+/// Appends a vector as the floats of a pose file.
 template <int N, class T>
 void append(std::vector<double>& out, const glm::vec<N, T, glm::defaultp>& v) {
   for (int i = 0; i < N; ++i) out.push_back(static_cast<double>(static_cast<float>(v[i])));
@@ -27,14 +27,14 @@ void append_chosen(std::vector<double>& out, const VertexChoice& choice, std::sp
   for (const std::uint32_t v : choice.in_primitive) append(out, values[v]);
 }
 
-/// The deformed values of an attribute, or the primitive's own where the plan does not deform it.
+/// The deformed values of an attribute, or the primitive's own values if the plan does not deform it.
 template <class V>
 std::span<const V> deformed_or_own(std::span<const V> deformed, const std::vector<V>& own) {
   return deformed.empty() ? std::span<const V>(own) : deformed;
 }
 
 /// Matrix that transforms normals: the cofactor matrix times the sign of the determinant. It turns normals like the
-/// inverse transpose but needs no division (N22).
+/// inverse transpose but needs no division.
 /// eq   cof(M) has the cross products of M's columns;  cof(M) = det(M) * transpose(inverse(M))
 Mat3<double> normal_matrix(const Affined& m) {
   const Mat3<double> a = linear_part(m);
@@ -42,7 +42,7 @@ Mat3<double> normal_matrix(const Affined& m) {
   return {sign * glm::cross(a[1], a[2]), sign * glm::cross(a[2], a[0]), sign * glm::cross(a[0], a[1])};
 }
 
-/// Unit vector along v; `fallback` where v vanishes.
+/// Unit vector along v; `fallback` if v is zero.
 Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
   const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
   if (!(largest > 0.0)) return fallback;
@@ -50,11 +50,11 @@ Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
   return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
-/// True where a palette matrix mirrors or flattens space, so that no rotation represents it.
+/// True if a palette matrix mirrors or flattens space, so that no rotation represents it.
 bool has_no_rotation(const Affined& j) {
   const Mat3<double> a = linear_part(j);
   const double volume = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
-  constexpr double kFlat = 1e-12;  // of the box that the columns span
+  constexpr double kFlat = 1e-12;  // as a fraction of the volume of the box that the columns span
   return !(determinant(j) > kFlat * volume);
 }
 
@@ -205,7 +205,7 @@ void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
   if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), choice_of(drawn), deformed.tangents);
 }
 
-/// Skinning methods that blend rotations give no value where a joint's matrix has no rotation.
+/// Adds the values of a method that blends rotations. It gives no value if a joint's matrix has no rotation.
 void PoseSampler::add_turned(const Method& method, const Drawn& drawn, VertexKind positions, VertexKind normals,
                              PrimitivePose& out) const {
   const MeshInstance& instance = scene_.instances[drawn.instance];

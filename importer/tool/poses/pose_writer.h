@@ -28,12 +28,13 @@ class PoseWriter {
 /// The formats of `sinew sample`.
 enum class PoseFormat : std::uint8_t { json, csv, npy, npz };
 
-/// "json", or what the name of a file says: poses.csv, poses.npy, poses.npz.
+/// The format that the name of a file tells: poses.csv, poses.npy, poses.npz; json for other names.
 PoseFormat format_of_name(std::string_view file) noexcept;
 
 /// True if a format holds deformed vertices, and not only nodes.
 bool holds_vertices(PoseFormat format) noexcept;
 
+/// Makes the writer of a format.
 /// in   scene, out  must outlive the writer
 ///      samples     how many there will be, of all clips together
 std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, std::size_t samples,

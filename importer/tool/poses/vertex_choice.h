@@ -17,11 +17,12 @@ struct VertexChoice {
     std::uint32_t first = 0, count = 0;
   };  ///< into VertexInfluences::joints
 
-  std::vector<std::uint32_t> in_file;       ///< increasing
+  std::vector<std::uint32_t> in_file;       ///< vertex numbers of the file, increasing
   std::vector<std::uint32_t> in_primitive;  ///< parallel: the vertex with its deformed values
   std::vector<Influences> influences;       ///< parallel, empty without a skin
 };
 
+/// Chooses the vertices of a primitive.
 /// cost O(V log V)
 VertexChoice choose_vertices(const Primitive& primitive, std::size_t limit);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers are those of PKWARE's APPNOTE.TXT, sections 4.3.7 to 4.3.16 and 4.5.3.
+// The numbers below are those of PKWARE's APPNOTE.TXT, sections 4.3.7 to 4.3.16 and 4.5.3, which describe zip files.
 #include "importer/tool/poses/zip_records.h"
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace sinew::tool {
 namespace {
 
-constexpr std::uint64_t kInZip64 = 0xffffffff;  ///< a field of four bytes: the number is in the longer one
+constexpr std::uint64_t kInZip64 = 0xffffffff;  ///< value of a four-byte field whose number is in the longer field
 constexpr std::uint64_t kManyInZip64 = 0xffff;
 
 /// The lowest `Bytes` bytes of a number, lowest first.
@@ -19,7 +19,7 @@ void put(std::string& out, std::uint64_t number) {
 
 std::uint64_t short_field(std::uint64_t number) { return number < kInZip64 ? number : kInZip64; }
 
-/// The extra field of ZIP64, which has those of the numbers that do not fit into four bytes; empty where all do.
+/// The extra field of ZIP64: the numbers that do not fit into four bytes. Empty if all fit.
 std::string zip64_field(std::initializer_list<std::uint64_t> numbers) {
   std::string content, out;
   for (const std::uint64_t number : numbers)
@@ -32,7 +32,7 @@ std::string zip64_field(std::initializer_list<std::uint64_t> numbers) {
 
 std::uint64_t version_needed(const std::string& extra) { return extra.empty() ? 20 : 45; }
 
-/// The fields that both headers of a file share: version, flags, method (stored), time, checksum, sizes.
+/// The fields that both headers of a file have: version, flags, method (stored), time, checksum, sizes.
 void put_facts(std::string& out, std::uint32_t checksum, std::uint64_t size, std::size_t name_length,
                const std::string& extra) {
   constexpr std::uint64_t kFirstOfJanuary1980 = 0x21;

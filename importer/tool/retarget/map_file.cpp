@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 using Applied = tl::expected<void, std::string>;
 
-/// Calls read(joint of the target, text) for each entry of a member of the file; none where it is absent.
+/// Calls read(joint of the target, text) for each entry of a member of the file; never if the member is absent.
 template <class Read>
 Applied for_each_joint(const json& map, const char* member, const Skeleton& target, const Read& read) {
   const json entries = map.value(member, json::object());

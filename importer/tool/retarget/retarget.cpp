@@ -74,7 +74,7 @@ void print_map(const SkeletonMap& map, const TwistMap& twists, const Skeleton& s
   print_joints("joints of the clips that nothing follows", source, map.unmapped_source);
 }
 
-/// Holds the feet of a clip, and says how far they slide without and with it.
+/// Holds the feet of a clip. Returns a sentence that says how far they slide without and with holding.
 std::string held_feet(const FeetMap& feet, const Animation& animation, const Scene& clips, const Scene& character,
                       Animation& retargeted) {
   const auto slide = [&] {
@@ -87,7 +87,7 @@ std::string held_feet(const FeetMap& feet, const Animation& animation, const Sce
                      length_text(after.largest), counted(after.contacts, "contact"));
 }
 
-/// Properties of a clip on the character; says which ones it does not have.
+/// Copies the properties of a clip to the character, and prints which ones the character does not have.
 void carry_properties(const SkeletonMap& map, const Animation& animation, const Scene& clips,
                       const ImportedFile& character, Animation& retargeted) {
   std::vector<std::string> left_out = retarget_properties(animation, map, clips, character.scene, retargeted);
@@ -99,7 +99,7 @@ void carry_properties(const SkeletonMap& map, const Animation& animation, const 
   for (const std::string& name : left_out) print_result("  the character has no {}\n", in_quotes(name));
 }
 
-/// The clips on the character; says how far each is from the poses that it was made of.
+/// Retargets all clips, and prints how far each is from the retargeted poses.
 std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const TwistMap& twists,
                                       const FeetMap& feet, const ImportedFile& file) {
   const Scene& character = file.scene;
@@ -121,7 +121,7 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
   return all;
 }
 
-/// The map by names, bones, or the person's own.
+/// The map by names or bones, or the one of the user's map file.
 /// err   what is wrong, as a sentence for the user
 tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const ImportedFile& clips,
                                               const ImportedFile& character) {

@@ -12,7 +12,7 @@ namespace sinew::tool {
 /// of the file.
 Json vrm_json(const VrmCharacter& vrm, const Scene& scene);
 
-/// The same as lines of text.   in   what vrm_json() made
+/// The same as lines of text.   in   result of vrm_json()
 std::string vrm_text(const Json& vrm);
 
 }  // namespace sinew::tool

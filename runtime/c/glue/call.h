@@ -7,15 +7,15 @@
 #include "runtime/base/result.h"
 #include "runtime/c/types.h"
 
-// Shared by all C functions: checks pointers on entry, and turns exceptions and C++ codes into C codes on exit.
+// Used by all C functions: checks pointers on entry, and turns exceptions and C++ error codes into C codes on exit.
 
 namespace sinew::c {
 
-/// The codes of both sides are the same numbers (enums.h).
+/// C and C++ use the same numbers for error codes (enums.h).
 constexpr sinew_error error_from(ErrorCode code) noexcept { return static_cast<sinew_error>(code); }
 constexpr sinew_error error_from(sinew_error code) noexcept { return code; }
 
-/// An array, which may be null where it has no elements.
+/// An array argument. It may be null if it has no elements.
 template <class T>
 struct Array {
   const T* data;
@@ -33,14 +33,14 @@ constexpr bool is_given(const Array<T>& array) noexcept {
   return array.data != nullptr || array.count == 0;
 }
 
-/// True if no pointer is null that must not be.
+/// True if none of the arguments is null that must not be null.
 template <class... T>
 constexpr bool given(const T&... pointers) noexcept {
   return (is_given(pointers) && ...);
 }
 
-/// A function of C: runs its body if its arguments are there.
-/// in   body  returns a code of either side, or nothing. No exception leaves it
+/// Runs the body of a C function if its arguments are given.
+/// in   body  returns an error code of C or C++, or nothing; its exceptions become error codes
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY, those of the body
 template <class Body>
 sinew_error call(bool has_arguments, Body&& body) noexcept {

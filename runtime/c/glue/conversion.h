@@ -6,18 +6,18 @@
 
 #include "runtime/c/types.h"
 
-// How a type of C becomes a type of C++ and back. The rules are in convert.h, and beside the functions that alone use
-// them.
+// Conversion between types of C and types of C++. The general rules are in convert.h. A rule that only some functions
+// need is beside these functions.
 
 namespace sinew::c {
 
-/// The rule of a pair of types:
+/// The rule for a type of C and a type of C++. Specialisations have:
 ///     static sinew_error read(const OfC& given, Own& own) noexcept;    // from C
 ///     static void write(const Own& own, OfC& out) noexcept;            // to C; strings and spans are views
 template <class OfC, class Own>
 struct Convert;
 
-/// True for pairs whose objects are the same bytes. Files that know both types add theirs.
+/// True for pairs whose objects are the same bytes. Files that know both types specialise it.
 template <class OfC, class Own>
 inline constexpr bool kSameBytes = std::is_same_v<OfC, Own>;
 
@@ -53,7 +53,7 @@ struct ConvertInside {
   }
 };
 
-/// An object of C++ that becomes any type of C which has a rule for it.
+/// Wraps a C++ object, so that it converts to any C type that has a rule for it.
 template <class Own>
 struct ToC {
   const Own& own;
@@ -72,7 +72,7 @@ ToC<Own> to_c(const Own& own) noexcept {
   return {own};
 }
 
-/// err  that of the rule
+/// Converts a C value to C++.     err  that of the rule
 template <class OfC, class Own>
 sinew_error from_c(const OfC& given, Own& own) {
   return Convert<OfC, Own>::read(given, own);

@@ -46,7 +46,7 @@ struct Convert<std::uint32_t, bool> {
   static void write(bool own, std::uint32_t& out) noexcept { out = own ? 1 : 0; }
 };
 
-/// Converts between integers of different widths. A number that does not fit into the C++ type is unsupported.
+/// Converts between integers of different widths. A number that does not fit into the C++ type is SINEW_UNSUPPORTED.
 template <std::unsigned_integral OfC, std::unsigned_integral Own>
 requires(!std::same_as<OfC, Own> && !std::same_as<Own, bool>) struct Convert<OfC, Own> {
   static sinew_error read(OfC given, Own& own) noexcept {
@@ -67,7 +67,7 @@ requires(std::is_enum_v<Own> && !kSameBytes<OfC, Own>) struct Convert<OfC, Own> 
   static void write(Own own, OfC& out) noexcept { out = static_cast<OfC>(own); }
 };
 
-/// Spans of C.
+/// True for the span structs of C, which have `data` and `count`.
 template <class OfC>
 concept SpanOfC = requires(OfC span) {
   *span.data;

@@ -5,7 +5,7 @@
 
 namespace sinew::c {
 
-/// A value of an enumeration on both sides.
+/// One value of an enumeration, in C++ and in C.
 template <class Own, class OfC>
 struct EnumPair {
   Own own;
@@ -19,7 +19,8 @@ struct EnumValues {
   constexpr bool has(std::uint32_t number) const noexcept { return number < N; }
 };
 
-/// The one list of an enumeration, all values in their order. Does not compile where the numbers of a pair differ.
+/// Lists all values of an enumeration in order. It compiles only if both numbers of each pair are its position in the
+/// list.
 template <class Own, class OfC, std::size_t N>
 consteval EnumValues<N> enum_values(const EnumPair<Own, OfC> (&pairs)[N]) {
   for (std::size_t i = 0; i < N; ++i)
@@ -28,7 +29,7 @@ consteval EnumValues<N> enum_values(const EnumPair<Own, OfC> (&pairs)[N]) {
   return {};
 }
 
-/// The list of an enumeration of C++ (enums.h). Without one it has no values to ask for.
+/// The list of values of a C++ enumeration; enums.h defines it. An enumeration without a list has no function has().
 struct NoEnumValues {};
 template <class Own>
 inline constexpr NoEnumValues kEnum{};

@@ -17,7 +17,7 @@
 #include "runtime/playback/root_motion.h"
 #include "runtime/retarget/skeleton_map.h"
 
-// Enumerations that C and C++ share: each value stands beside its twin.
+// Enumerations that C and C++ share. Each C++ value is paired with the C value of the same number.
 
 namespace sinew::c {
 

@@ -6,7 +6,7 @@
 
 #include "runtime/c/glue/convert.h"
 
-// A field of a struct of C, and the member of a struct of C++ that it stands for.
+// Descriptions of the fields of a C struct, each with the member of a C++ struct that it corresponds to.
 
 namespace sinew::c {
 
@@ -19,10 +19,10 @@ constexpr auto& member_of(auto& object) noexcept {
     return member_of<Rest...>(object.*First);
 }
 
-/// A field of C and its member of C++, which have a rule of conversion.
+/// A field of C and the member of C++ that it converts to and from (conversion.h).
 template <auto OfC, auto... Own>
 struct Field {
-  const char* name = nullptr;  ///< in refusals
+  const char* name = nullptr;  ///< the name that refusals show
 
   sinew_error read(const auto& given, auto& own) const { return from_c(given.*OfC, member_of<Own...>(own)); }
   void write(const auto& own, auto& out) const noexcept { out.*OfC = to_c(member_of<Own...>(own)); }
@@ -32,7 +32,7 @@ constexpr Field<OfC, Own...> field(const char* name = nullptr) noexcept {
   return {name};
 }
 
-/// Two fields of C, pointer and count, and their span or vector of C++.
+/// Two fields of C, pointer and count, and the span or vector of C++ that they correspond to.
 template <auto Data, auto Count, auto... Own>
 struct SpanField {
   const char* name = nullptr;
@@ -61,7 +61,7 @@ constexpr SpanField<Data, Count, Own...> span_field(const char* name = nullptr) 
   return {name};
 }
 
-/// A bit of a field of C, and its bool of C++.
+/// A bit of a field of C, and the bool of C++ that it corresponds to.
 template <auto OfC, std::uint32_t Bit, auto... Own>
 struct BitField {
   static constexpr std::uint32_t bit = Bit;
@@ -76,7 +76,8 @@ struct BitField {
   }
 };
 
-/// Two fields of C, pointer and count, whose structs become those of a vector of C++ one by one. It is read alone.
+/// Two fields of C, pointer and count. Their elements are converted one by one into a vector of C++. They are read,
+/// never written.
 template <auto Data, auto Count, auto Own, class Entry>
 struct CopiedField {
   Entry entry;

@@ -7,8 +7,8 @@
 #include "runtime/c/glue/not_read.h"
 #include "runtime/c/glue/struct_versions.h"
 
-// A struct of C and the struct of C++ that it stands for, described field by field once. Reading, writing and defaults
-// go through that list.
+// Describes a C struct and the C++ struct that it corresponds to, field by field. Reading, writing and defaults all use
+// this one list.
 
 namespace sinew::c {
 
@@ -43,7 +43,7 @@ struct Fields {
       return nullptr;
   }
 
-  /// All bits that fields stand for.
+  /// The bits of all BitFields in the list.
   constexpr std::uint32_t bits() const noexcept {
     return std::apply([](const auto&... one) { return (bit_of(one) | ...); }, all);
   }
@@ -66,14 +66,15 @@ OfC written(const Fields<F...>& fields, const Own& own) noexcept {
   return out;
 }
 
-/// Writes a struct of any version of C.
+/// Writes a C struct of the caller's version.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 template <class OfC, class Own, class... F>
 sinew_error write_fields(const Fields<F...>& fields, const Own& own, OfC* out) noexcept {
   return write_struct(written<OfC>(fields, own), out);
 }
 
-/// Reads a struct of any version of C. Null, and fields that the caller's version lacks, leave `own` as it is.
+/// Reads a C struct of the caller's version. Fields that this version lacks keep their value in `own`; so do all if
+/// `given` is null.
 /// err  SINEW_WRONG_STRUCT_SIZE, those of the fields
 template <class OfC, class Own, class... F>
 sinew_error read_fields(const OfC* given, const Fields<F...>& fields, Own& own) {

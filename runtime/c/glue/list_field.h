@@ -9,11 +9,11 @@
 
 namespace sinew::c {
 
-/// How refusals speak of a list of C: its name, and the code and rule for a list that is too long.
+/// How refusals describe a list of C: its name, and the code and rule for a list that is too long.
 struct ListName {
   const char* name;
   sinew_error too_long;
-  const char* rule = nullptr;  ///< of a list that is too long
+  const char* rule = nullptr;  ///< the rule that a list breaks which is too long
 };
 
 /// Reads a list into `room`. `entries` becomes the part of `room` that was filled.
@@ -34,8 +34,8 @@ NotRead read_list(const ListName& list, const Fields<F...>& fields, const OfC* g
   return {};
 }
 
-/// A list of an input: pointer and count in a struct of C, a span in one of C++. Its entries lie in a member of
-/// InputRoom or InputRoomOfC.
+/// A list of an input: pointer and count in a C struct, a span in a C++ struct. Its converted entries are stored in a
+/// member of InputRoom or InputRoomOfC.
 template <auto Data, auto Count, auto Own, auto Room, auto RoomOfC, class Entry>
 struct ListField {
   ListName list;

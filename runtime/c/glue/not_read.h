@@ -5,8 +5,8 @@
 
 namespace sinew::c {
 
-/// Why a C value was refused. `where` says at which place and by which rule. `where.error` is not used: some C codes
-/// have no C++ counterpart.
+/// Why a C value was refused. `where` names the place and the rule. `where.error` is not used, since some C codes have
+/// no C++ counterpart.
 struct [[nodiscard]] NotRead {
   sinew_error error = SINEW_OK;
   Refusal where;

@@ -8,7 +8,7 @@
 
 namespace sinew::c {
 
-/// The caller's pose as jobs see it, which check its number of joints.
+/// Converts the caller's pose to the view that jobs take. Jobs check its number of joints.
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (not aligned)
 template <>
 struct Convert<sinew_pose, PoseSpan> {
@@ -28,7 +28,7 @@ struct PoseArgument {
 };
 
 /// Reads poses that are arguments of a function, until one is refused.
-/// err  as above, and SINEW_NULL_ARGUMENT
+/// err  those of the conversion, and SINEW_NULL_ARGUMENT if a pose is null
 inline sinew_error read_poses(std::initializer_list<PoseArgument> arguments) noexcept {
   for (const auto& [given, pose] : arguments) {
     if (given == nullptr) return SINEW_NULL_ARGUMENT;

@@ -14,12 +14,12 @@
 #include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
 
-// Structs that grow (types.h): how structs of a caller's version are read and written.
+// Reads and writes structs that grow (types.h). The caller's version may be older or newer than that of the library.
 
 namespace sinew::c {
 
-/// Bytes of a struct's first version; no caller has a smaller one. A struct that grows keeps its old size
-/// here: what was added begins there, not in the padding of the old struct.
+/// Bytes of a struct's first version; no caller has a smaller one. For a struct that has grown, its old size is listed
+/// here. New fields begin at that size, not in the padding of the old struct.
 template <class T>
 inline constexpr std::size_t kFirstVersionBytes = sizeof(T);
 template <>
@@ -47,9 +47,10 @@ template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_map_info> = offsetof(sinew_skeleton_map_info,
                                                                                     source_reference);
 
-/// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in
-/// `out`. Null leaves all defaults.
-/// err  SINEW_WRONG_STRUCT_SIZE (smaller than the first version, or newer than this library and not zero there)
+/// Copies a struct of the caller's version into one of ours. Fields that the caller's version lacks keep their default
+/// in `out`. Null leaves all defaults.
+/// err  SINEW_WRONG_STRUCT_SIZE (smaller than the first version, or newer than this library and not zero in the new
+///      part)
 template <class T>
 sinew_error read_struct(const T* given, T& out) noexcept {
   if (given == nullptr) return SINEW_OK;
@@ -62,7 +63,7 @@ sinew_error read_struct(const T* given, T& out) noexcept {
   return SINEW_OK;
 }
 
-/// Element `i` of a caller's array, whose elements are as far apart as the caller's version of the struct is large.
+/// Element `i` of a caller's array. Its elements are struct_size bytes apart, the size of the caller's version.
 /// err  SINEW_WRONG_STRUCT_SIZE (an element of another size than the first one)
 template <class T>
 sinew_error element_of(const T* given, std::size_t i, const T*& element) noexcept {
@@ -72,7 +73,7 @@ sinew_error element_of(const T* given, std::size_t i, const T*& element) noexcep
   return element->struct_size == stride ? SINEW_OK : SINEW_WRONG_STRUCT_SIZE;
 }
 
-/// Copies a struct of ours into one of the caller's version; what ours lacks becomes zero.
+/// Copies a struct of ours into one of the caller's version. Fields that ours lacks become zero.
 template <class T>
 sinew_error write_struct(T value, T* out) noexcept {
   if (out == nullptr) return SINEW_NULL_ARGUMENT;

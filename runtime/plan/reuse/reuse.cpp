@@ -132,11 +132,11 @@ void Reuse::add_weights(std::span<const float> weights) const noexcept {
 }
 
 void Reuse::keep_all() const noexcept {
-  if (&before_ == &tables_) return;  // all have their numbers
+  if (&before_ == &tables_) return;  // the same memory: all parts have their numbers
   for (std::size_t s = 0; s < tables_.palettes.size(); ++s)
     if (tables_.palettes[s].since_frame != 0) keep_palette(s);
   for (std::size_t i = 0; i < tables_.instances.size(); ++i)
-    if (tables_.weights_since[i] != 0)  // else the character sleeps
+    if (tables_.weights_since[i] != 0)  // 0 means that the character sleeps
       add_instance(i, weights_of(plan_, tables_.last_weights, i), tables_.instances[i].mirrored);
   for (std::size_t slot = 0; slot < tables_.geometry_since.size(); ++slot)
     if (tables_.geometry_since[slot] != 0) add_geometry(slot, PlayedGeometry(tables_.played[slot]));

@@ -8,24 +8,26 @@
 
 namespace sinew {
 
-/// Knows which parts of earlier frames stand in this one. The constructor compares the inputs. Then evaluate/ reports
-/// each part that it made, and asks which of the parts that follow from it stand. A new part gets the number of this
-/// frame, a part that stands keeps the number of the frame that made it. Internal to plan/.
+/// Decides which parts of earlier frames are still valid in this one: these parts *stand*. The constructor compares the
+/// inputs. Then evaluate/ reports each part that it made, and asks which of the parts that depend on it stand. A new
+/// part gets the number of this frame. A part that stands keeps the number of the frame that made it. Internal to
+/// plan/.
 class Reuse {
  public:
-  /// The last run into some memory.
+  /// The last run that used some frame memory.
   struct Run {
     FrameMemory memory;
     const LastInput& input;
   };
 
+  /// For a frame that runs as a whole: compares its input with those of earlier frames.
   /// in   tables  of the frame's memory, which are kept by reference
   ///      last    run into the frame's memory;   before  the character's last run, perhaps the same
   ///      had_it  had_same_input of the last run
   ///      number  FrameResult::frame of this frame
   Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTables& tables, const Run& last,
         const Run& before, bool had_it, std::uint64_t number) noexcept;
-  /// Of a frame whose input does not say what its pose is: nothing stands by comparing inputs.
+  /// For the halves of a cut frame. The caller changes the pose between them, so comparing inputs shows nothing.
   Reuse(const CompiledPlan& plan, const FrameTables& tables, const Run& last, const Run& before,
         std::uint64_t number) noexcept;
   Reuse(const Reuse&) = delete;
@@ -33,22 +35,23 @@ class Reuse {
 
   const WhatStands& stands() const noexcept { return stands_; }
   std::uint64_t number() const noexcept { return number_; }
-  /// Of the frame's memory.
+  /// The tables in the frame's memory.
   const FrameTables& tables() const noexcept { return tables_; }
 
-  /// Copies the pose of these layers into place `update` of FrameLayout::updates, from wherever earlier frames have it.
+  /// Copies the pose of these layers to place `update` of FrameLayout::updates, if an earlier frame has it in its
+  /// memory.
   /// out  false: no frame has it
   bool find_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept;
-  /// The place `update` has the pose of these layers.
+  /// Records that place `update` has the pose of these layers.
   void keep_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept;
 
-  /// The palette in the memory is that of this frame.
+  /// True if the palette in the memory is valid for this frame.
   bool palette_stands(std::size_t skin) const noexcept;
   void keep_palette(std::size_t skin) const noexcept;
-  /// The character's palette in the frame before; empty where it had none.
+  /// The character's palette in the frame before; empty if it had none.
   std::span<const JointMatrix> palette_before(std::size_t skin) const noexcept;
   /// Records a palette that was just computed.
-  /// in   as_before  it has the bits of palette_before
+  /// in   as_before  the palette has the bits of palette_before
   /// out  true if the frame's memory held the same palette already: its split and combined matrices are still valid
   bool add_palette(std::size_t skin, std::span<const JointMatrix> palette, bool as_before) const noexcept;
 
@@ -57,33 +60,33 @@ class Reuse {
   /// Reports what an instance of Needs::in.cached_instances plays.
   void add_geometry(std::size_t slot, const PlayedGeometry& played) const noexcept;
 
-  /// Nobody sees what the instance plays.
+  /// The instance is out of view, so what it plays is unknown afterwards.
   void forget_geometry(std::size_t slot) const noexcept { tables_.geometry_since[slot] = 0; }
 
-  /// The frame since which all that the vertices of a primitive follow is as it is now.
+  /// Number of the frame since which nothing has changed that the vertices of a primitive depend on.
   std::uint64_t vertices_since(const PrimitivePlan& planned) const noexcept;
-  /// The vertices in the memory are those of this frame.
+  /// True if the vertices in the memory are valid for this frame.
   /// in   since  vertices_since
   bool vertices_stand(std::size_t primitive, std::uint64_t since) const noexcept {
     return since != number_ && since == tables_.primitives[primitive].since_frame;
   }
-  /// The box in the memory is that of this frame.
+  /// True if the box in the memory is valid for this frame.
   bool box_stands(std::size_t instance, const Affine& world_from_mesh) const noexcept;
 
-  /// Keeps the morph weights of the frame, which the next one is compared with.
+  /// Keeps the morph weights of the frame, for comparison with those of the next frame.
   void add_weights(std::span<const float> weights) const noexcept;
 
-  /// Where all stands: gives all parts the numbers that they have in this frame.
-  /// cost compares palettes with those of the frame before, where that had another input
+  /// Call it if everything stands: gives all parts the numbers that they have in this frame.
+  /// cost O(instances); compares palettes with those of the frame before, if that frame had another input
   void keep_all() const noexcept;
-  /// The character falls asleep: nothing will stand for its next frame.
+  /// The character falls asleep: no part will stand in its next frame.
   void forget_all() const noexcept;
 
  private:
   const CompiledPlan& plan_;
   FrameMemory memory_, memory_before_;
   const FrameTables& tables_;
-  std::optional<FrameTables> other_tables_;  // of the run before, where that was into other memory
+  std::optional<FrameTables> other_tables_;  // tables of the character's last run, if that used other memory
   const FrameTables& before_;
   std::uint64_t number_;
   WhatStands stands_;

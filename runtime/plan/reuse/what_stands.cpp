@@ -13,7 +13,7 @@ namespace {
 
 using Layers = std::span<const ClipLayer>;
 
-/// As FrameTables::input_out_of_view.
+/// The value for FrameTables::input_out_of_view.
 std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
@@ -25,7 +25,7 @@ bool leave_joints_at_rest(const CompiledPlan& plan, Layers layers) noexcept {
   });
 }
 
-/// in   both_alone  plays_alone in this frame and in the last
+/// in   both_alone  true if plays_alone() holds in this frame and in the last
 StandingMatrices find_standing_matrices(const CompiledPlan& plan, const FrameInput& input, Layers last_layers,
                                         const LastInput& last, bool both_alone) noexcept {
   if (!same_bits(input.root, last.root)) return StandingMatrices::none;
@@ -35,13 +35,13 @@ StandingMatrices find_standing_matrices(const CompiledPlan& plan, const FrameInp
   return at_rest || plan.moved_joints.empty() ? StandingMatrices::all : StandingMatrices::of_unmoved_joints;
 }
 
-/// Lists that are not empty have an entry for each instance that they are about.
+/// True if each list is empty or has an entry for each of its instances.
 bool has_lengths(const FrameTables& tables, const FrameInput& input) noexcept {
   return (input.out_of_view.empty() || input.out_of_view.size() == tables.input_out_of_view.size()) &&
          (input.geometry.empty() || input.geometry.size() == tables.input_geometry.size());
 }
 
-/// As FrameTables::input_geometry.
+/// The value for FrameTables::input_geometry.
 GeometryInput playing(const FrameTables& tables, const FrameInput& input, std::size_t slot) noexcept {
   const bool plays =
       !input.geometry.empty() && input.geometry[slot].plays() && out_of_view(input, tables.cached_instances[slot]) == 0;

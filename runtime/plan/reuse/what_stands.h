@@ -11,26 +11,26 @@ namespace sinew {
 /// World matrices of the last run into the memory that are still valid for this frame.
 enum class StandingMatrices : std::uint8_t {
   none,
-  of_unmoved_joints,  ///< of joints that no clip moves
+  of_unmoved_joints,  ///< only those of joints that no clip moves
   all
 };
 
-/// Parts of the memory that need not be evaluated again, as far as the inputs say. The default: nothing stands.
+/// The parts of the memory that stand: comparing inputs shows that they are still valid. By default nothing stands.
 struct WhatStands {
   bool all = false;               ///< the memory holds the result of this very input
   bool all_since_before = false;  ///< the character's frame before had this input too, perhaps in other memory
   StandingMatrices matrices = StandingMatrices::none;
-  bool base_pose = false;  ///< the pose is of the one clip that plays now too: only its tracks need be sampled
+  bool base_pose = false;  ///< one clip plays in both frames: only its tracks need be sampled
 };
 
-/// The last run into some memory.
+/// The last run that used some frame memory.
 struct LastFrame {
   const LastInput& input;
-  const FrameTables& tables;  ///< of that memory
+  const FrameTables& tables;  ///< tables in that memory
 };
 
 /// True if the last run had this input, bit for bit.     cost O(layers + weights + instances)
-/// in   input  lists of any content, whose lengths may be wrong
+/// in   input  not checked: its lists may have wrong lengths
 bool had_same_input(const LastFrame& last, const FrameInput& input) noexcept;
 
 /// Compares the input with those of earlier frames.
@@ -40,8 +40,8 @@ bool had_same_input(const LastFrame& last, const FrameInput& input) noexcept;
 WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
                             const LastFrame& before, bool had_it) noexcept;
 
-/// Keeps the input of a frame that was evaluated. More layers than there is room for are not kept: then nothing stands
-/// for the next frame.
+/// Keeps the input of a frame that was evaluated. If it has more layers than there is room for, nothing stands in the
+/// next frame.
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept;
 
 }  // namespace sinew

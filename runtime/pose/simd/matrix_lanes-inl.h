@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 3x3 matrices and their quaternions in double precision, one matrix per lane. Included once per SIMD target, so
-// without
-// `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
+// without `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
 #if defined(SINEW_MATRIX_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_MATRIX_LANES_INL_H
 #undef SINEW_MATRIX_LANES_INL_H

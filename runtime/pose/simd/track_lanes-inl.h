@@ -23,6 +23,7 @@ HWY_NOINLINE void copy_key(const TrackBlock& block, std::size_t key, const Track
   });
 }
 
+/// Linear interpolation of all tracks of a block.
 /// eq   (1 - s) v0 + s v1
 HWY_NOINLINE void lerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;

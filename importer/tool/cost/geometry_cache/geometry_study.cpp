@@ -20,7 +20,7 @@ namespace sinew::cost {
 namespace {
 
 constexpr double kFps = 30.0, kDefaultBudget_m = 1e-4;
-constexpr double kFarBudget = 100.0;  // a model so many times larger or smaller than usual has another default
+constexpr double kFarBudget = 100.0;  // a model so many times larger or smaller than usual needs another default
 
 /// A cache in memory.
 struct Baked {
@@ -39,7 +39,7 @@ struct Baked {
     for (const GeometryMesh& mesh : cache.meshes()) count += mesh.streams[0].point_count;
     return count;
   }
-  /// The points of all meshes, one after another.
+  /// Decodes a frame into the points of all meshes, one mesh after another.
   void show(std::uint32_t frame) {
     decoder.decode(frame, source);
     std::span<glm::vec3> left = shown;
@@ -57,7 +57,7 @@ std::shared_ptr<Baked> bake(GeometryTake& take, double budget_m) {
   return file ? std::make_shared<Baked>(std::move(*file)) : nullptr;
 }
 
-/// The frames of a take in the order of points of a cache of it.
+/// The frames of a take, with their points in the order of a cache of this take.
 PointFrames in_order_of(const Baked& baked, const GeometryTake& take) {
   PointFrames out(baked.cache.frame_count());
   for (std::size_t m = 0; m < take.meshes.size(); ++m) {
@@ -78,7 +78,7 @@ double farthest_mm(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
   return 1e3 * most;
 }
 
-/// Adds a way to keep the frames: `show(frame)` gives its points, frames in turn.
+/// Adds a way to store the frames. `show(frame)` returns its points and is called for one frame after another.
 void add_way(Study& study, Point point, double bytes, const PointFrames& truth,
              const std::function<std::span<const glm::vec3>(std::size_t)>& show) {
   const std::size_t frames = truth.size(), items = frames * truth[0].size();

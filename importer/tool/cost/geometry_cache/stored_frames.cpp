@@ -33,7 +33,7 @@ class Floats : public StoredFrames {
   PointFrames frames_;
 };
 
-/// A half as a float: exact, for all that are finite.
+/// A half-precision number as a float: exact for all finite numbers.
 float float_of(std::uint16_t half) {
   const std::uint32_t sign = std::uint32_t{half} << 16 & 0x80000000u, rest = (half & 0x7fffu) << 13;
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(std::bit_cast<float>(rest) * 0x1p112f) | sign);
@@ -136,7 +136,7 @@ class Quantised : public StoredFrames {
   Numbers x1_, x2_;
 };
 
-/// The largest size of a number, also of a residual.
+/// The largest absolute value of all numbers.
 std::int64_t largest(const std::vector<Numbers>& frames) {
   std::int64_t most = 0;
   for (const Numbers& frame : frames)
@@ -144,7 +144,7 @@ std::int64_t largest(const std::vector<Numbers>& frames) {
   return most;
 }
 
-/// In 16 bits where all fit, else in 32. A vertex of meshoptimizer takes a multiple of four bytes.
+/// Stores numbers in 16 bits if all fit, else in 32. A vertex of meshoptimizer takes a multiple of four bytes.
 template <class Codec, bool kResiduals>
 std::unique_ptr<StoredFrames> quantised(const std::vector<Numbers>& frames, double step) {
   constexpr bool kPadded = std::is_same_v<Codec, ByMeshopt>;

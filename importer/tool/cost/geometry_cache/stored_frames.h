@@ -12,13 +12,14 @@ namespace sinew::cost {
 
 using PointFrames = std::vector<std::vector<glm::vec3>>;  ///< [frames][points]
 
-/// Frames of points, kept in one of the ways that a geometry cache is compared with.
+/// Frames of points in one of the storage formats that geometry caches are compared with.
 class StoredFrames {
  public:
   virtual ~StoredFrames() = default;
   virtual std::size_t bytes() const = 0;
 
-  /// Writes the points of a frame. Ways that follow from the frames before are called in the order of frames.
+  /// Writes the points of a frame. A format that stores differences to earlier frames is decoded in the order of
+  /// frames.
   virtual void decode(std::size_t frame, std::span<glm::vec3> out) = 0;
 };
 

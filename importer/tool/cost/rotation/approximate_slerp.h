@@ -10,7 +10,7 @@ namespace sinew::cost {
 /// slerp.
 ///
 /// Warps the parameter of nlerp, so that the speed along the arc is nearly even. Largest error in degrees by distance
-/// of the keys: 0.0004 at 20, 0.003 at 90, 0.021 at 150, 0.036 at 180 (N05).
+/// of the keys: 0.0004 at 20, 0.003 at 90, 0.021 at 150, 0.036 at 180.
 /// eq   t' = t + t (t - 1/2)(t - 1) (A(d) (t - 1/2)^2 + B(d)), d = |q . r|: the form of Blow (2002) and Kapoulkine
 ///      (2015). The exact warp is sin(t a) / (sin(t a) + sin((1 - t) a)). A and B are our own minimax fit to it,
 ///      weighted by 1 / (0.01 + (2 a / pi)^3) so that it is best for near keys
@@ -44,8 +44,7 @@ T sine_ratio(T t, T y) noexcept {
   return t * sum;
 }
 
-/// Slerp by a polynomial, after halving the arc: no arc tangent, no sine. In exact arithmetic within 1e-8 rad of slerp
-/// (N06).
+/// Slerp by a polynomial, after halving the arc: no arc tangent, no sine. In exact arithmetic within 1e-8 rad of slerp.
 /// eq   h = (q + r) / |q + r| halves the arc; the half that holds t spans at most pi/4 in 4D, cos(a/2) = |q + r| / 2
 /// in, out  as slerp_short_arc, unit within 4e-8 + rounding;   cost 2 square roots
 template <class T>

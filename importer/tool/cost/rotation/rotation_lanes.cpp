@@ -17,7 +17,7 @@ using sinew::HWY_NAMESPACE::for_each_place;
 using sinew::HWY_NAMESPACE::KeyRow;
 using sinew::HWY_NAMESPACE::Lanes;
 
-constexpr std::size_t kArcPlane = 4;  // its sign flips the next key to the near hemisphere
+constexpr std::size_t kArcPlane = 4;  // its sign says if the next key must be negated to be in the same hemisphere
 
 struct Rotations {
   Lanes x, y, z, w;

@@ -19,14 +19,14 @@ namespace {
 constexpr double kRoundingOfSlerp =
     1.5;  // times the error of exact slerp, which is rounding: errors up to it count as equal
 constexpr double kFramesPerSecond = 60.0;
-constexpr std::size_t kCrowdJoints = 64;  // timed at least
-constexpr std::size_t kMostFrames = 600;  // of incremental play
+constexpr std::size_t kCrowdJoints = 64;  // fewest joints that are timed
+constexpr std::size_t kMostFrames = 600;  // most frames of incremental play
 
 using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSpan& pose)>;
 
 struct TurnVariant {
   const char* name;
-  Interpolation interpolation;  // for which the clip is compiled
+  Interpolation interpolation;  // interpolation that the clip is compiled for
   Sampler sample;
   bool is_exact;  // how the runtime plays tracks of that interpolation
   const char* note;
@@ -66,7 +66,7 @@ struct Difference {
   }
 };
 
-/// The true pose at every time that is looked at.
+/// The true pose at every time at which variants are compared.
 struct Truth {
   std::vector<double> times_s;
   std::vector<LocalPose> local;
