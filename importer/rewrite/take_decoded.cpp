@@ -19,7 +19,9 @@ void take_primitive(const gltf::Document& document, const gltf::Primitive& primi
   const Json* extension = extension_of(json, kDraco);
   if (extension == nullptr) return;
   draft.spare_views.insert(index_of(extension->at("bufferView")));
-  /// `named` is the accessor in the file; if several streams fill it, the import has made copies.
+  /// Writes accessor `index` of the import to the JSON, and points `named` to it. `named` is the accessor's index in
+  /// the file. They differ where several Draco streams share an accessor: all but the first got a copy of it
+  /// (decode_draco.cpp).
   const auto take = [&](Json& named, std::uint32_t index, int target) {
     const gltf::Accessor& accessor = document.accessors[index];
     Json& accessors = draft.json["accessors"];

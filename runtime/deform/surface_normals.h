@@ -18,8 +18,9 @@ struct SurfaceFaces {
   /// and sharp at sharp edges.
   std::vector<std::uint32_t> point_of_vertex;
   std::uint32_t point_count = 0;  ///< points are numbered in the order of their first vertices
-  /// [3T] or empty. Each corner's rest tangent in coordinates along the edges b - a and c - a of its triangle, times
-  /// the length of their cross product.
+  /// [3T] or empty. For SurfaceTangentsJob: the rest tangent of each corner, as coordinates along the rest edges b - a
+  /// and c - a of its triangle. They are multiplied by the length of the edges' cross product, so that sums at a vertex
+  /// weight triangles by area at rest.
   std::vector<glm::vec2> tangents;
 
   std::size_t count() const noexcept { return corners.size() / 3; }

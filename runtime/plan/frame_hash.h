@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Hash of a pose: the bits of the world matrices of all joints and of all morph weights. It does not depend on the
-/// number of threads or the instruction set.
+/// Hash of a pose: the bits of all world matrices and morph weights of the result. It does not depend on the number of
+/// threads or the instruction set.
 /// cost O(J + W), no allocation
 inline std::uint64_t hash_pose(const FrameResult& frame) noexcept {
   return BitHash().add(frame.model).add(frame.weights).value();

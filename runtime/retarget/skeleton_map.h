@@ -47,8 +47,9 @@ enum class LimbDirections : std::uint8_t {
 
 /// How the translations of mapped joints are retargeted.
 enum class TranslationRule : std::uint8_t {
-  /// The path of top joints and hips is scaled by the height ratio. Other joints keep their rest translation. If the
-  /// skeletons share names, their translations are scaled by the ratio of bone lengths instead.
+  /// Translations of top joints, of the hips and of their ancestors are scaled by the height ratio. Other joints keep
+  /// their rest translation. With SkeletonMap::by_names, the translations of these other joints follow the source, each
+  /// scaled by the ratio of its bone lengths.
   hips_by_height,
   by_length,  ///< each translation is scaled by the length ratio of its bones, so bones may stretch
   keep        ///< all joints keep their rest translation

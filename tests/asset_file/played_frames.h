@@ -8,7 +8,7 @@
 
 namespace sinew::test {
 
-/// Hashes of poses, vertices and bounds of every clip at some times; of the rest pose if there is no clip.
+/// Hashes of poses, vertices, bounds and properties of every clip at four times; of the rest pose if there is no clip.
 inline std::vector<std::uint64_t> hashes_of_frames(const Scene& scene, Skinning skinning = Skinning::linear) {
   const Plan plan = compile_plan(lend(scene), {.out = {.bounds = true}, .skin = {.kind = skinning}});
   FrameBuffer frame(plan);

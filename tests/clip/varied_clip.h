@@ -7,7 +7,8 @@
 
 namespace sinew::test {
 
-/// A clip with tracks of every kind, packed and in full float.
+/// A clip with morph weights, rotation tracks of mixed interpolations, and linear and cubic translation tracks. Some
+/// tracks are packed, others are in full float. Scale and properties have no tracks.
 inline Clip varied_clip(std::uint64_t seed) {
   constexpr std::uint32_t kJoints = 21;
   FixedRandom random(seed);

@@ -106,7 +106,7 @@ std::size_t print_errors(const GeometryCache& cache, const Errors& errors, bool 
   return above;
 }
 
-/// The exit code for a source that cannot be read: cannot_read, to tell it from a damaged frame.
+/// The exit code for a cache or source that cannot be read: cannot_read, to tell it from a damaged frame.
 ExitCode unread(ExitCode code) { return code == ExitCode::input_at_fault ? ExitCode::cannot_read : code; }
 
 }  // namespace

@@ -47,7 +47,8 @@ double in_degrees(double chord) {
   return chord > 2.0 ? (std::isinf(chord) ? chord : 180.0) : 2.0 * std::asin(chord / 2.0) * 180.0 / std::numbers::pi;
 }
 
-/// Most golden vertices that are searched for among all vertices of the file.
+/// Limit for report_renumbered: at most this many golden vertices are searched for among the vertices of a primitive.
+/// If it has more, they are sampled evenly, because each search visits all vertices.
 constexpr std::size_t kLookedFor = 256;
 
 }  // namespace

@@ -18,7 +18,7 @@ enum class VertexKind : std::size_t { positions, normals, tangents, dqs, dqs_nor
 struct VertexKindTraits {
   const char* key;    ///< key in a JSON pose file
   std::size_t width;  ///< numbers per vertex
-  bool direction;     ///< unit vector: compared without a unit
+  bool direction;     ///< unit vectors: compared by their angle in degrees; false = by distance in metres
 };
 inline constexpr std::array<VertexKindTraits, 7> kVertexKinds{{{"positions", 3, false},
                                                                {"normals", 3, true},

@@ -73,7 +73,8 @@ HWY_INLINE bool are_in_one_hemisphere(std::span<const JointPair> pairs, std::spa
 #endif
 }
 
-/// Weights of one vertex, each in all lanes. Four weights are loaded at once.
+/// Weights of one vertex: of(i) has weight i in all lanes. With kCount = 4, one load reads all four weights; with other
+/// counts each weight is loaded on its own.
 template <int kCount>
 class Float8Weights {
  public:
