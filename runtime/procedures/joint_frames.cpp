@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/procedures/joint_frames.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "runtime/math/decompose.h"
+#include "runtime/math/interpolate.h"
 
 namespace sinew {
 
@@ -37,6 +42,14 @@ Affined matrix_below(const Skeleton& skeleton, const PoseSpan& local, std::uint3
   for (std::uint32_t j = joint; j != ancestor; j = skeleton.parents[j])
     below = j == joint ? local_matrix(skeleton, local, j) : local_matrix(skeleton, local, j) * below;
   return below;
+}
+
+Quat<double> part_of_turn(const Quat<double>& from, const Quat<double>& to, double share) noexcept {
+  constexpr double kFrom_rad = 2.6;
+  if (share == 0.0 || share == 1.0) return slerp_short_arc(from, to, share);
+  const double turn = rotation_angle_between(from, to);
+  const double close = std::clamp((turn - kFrom_rad) / (std::numbers::pi - kFrom_rad), 0.0, 1.0);
+  return slerp_short_arc(from, to, share + ((share < 0.5 ? 0.0 : 1.0) - share) * close);
 }
 
 }  // namespace sinew

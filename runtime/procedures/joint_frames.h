@@ -40,6 +40,10 @@ inline bool can_turn(const Skeleton& skeleton, std::uint32_t joint) noexcept {
   return skeleton.fixed_matrix_of[joint] == kNone;
 }
 
+/// A share of the turn from one rotation to another, by slerp. Slerp changes sides where the turn passes half a turn.
+/// Close to that the share goes to 0 or 1, whichever is nearer, and the result does not snap.
+Quat<double> part_of_turn(const Quat<double>& from, const Quat<double>& to, double share) noexcept;
+
 /// Writes a rotation on the hemisphere of the current one, so that later blends take the short arc.
 inline void write_rotation(const PoseSpan& local, std::uint32_t joint, const Quat<double>& rotation) noexcept {
   const Quat<double> now = quat_cast<double>(local.get(joint).rotation);

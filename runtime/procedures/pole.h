@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "runtime/math/axis_angle.h"
 #include "runtime/math/two_bones.h"
 
 namespace sinew {
@@ -36,6 +37,33 @@ inline Vec3<double> pole_side(const Vec3<double>& along, const Vec3<double>& pol
 inline Vec3<double> unit_beside(const Vec3<double>& v, const Vec3<double>& along,
                                 const Vec3<double>& fallback) noexcept {
   return normalised_or(v - along * glm::dot(v, along), fallback);
+}
+
+/// Axes of something that aims: x to its target, y beside it.
+struct Frame {
+  Vec3<double> along, side;  ///< unit and perpendicular
+  Mat3<double> matrix() const noexcept { return {along, side, glm::cross(along, side)}; }
+};
+
+/// How a frame rolls about the line to its target.
+struct Roll {
+  Vec3<double> pole{0.0};  ///< to which y turns; zero: y is carried along
+  double fade = 0.0;
+  double share = 1.0;  ///< of pole and twist
+  double twist_rad = 0.0;
+};
+
+/// The frame after the shortest turn to a target and a roll. A target without direction keeps x.
+inline Frame aimed_frame(const Frame& now, const Vec3<double>& target, const Roll& roll) noexcept {
+  Frame aimed{normalised_or(target, now.along), now.side};
+  const Vec3<double> carried = rotate_vector(rotation_between(now.along, aimed.along), now.side);
+  const Vec3<double> kept = unit_beside(carried, aimed.along, now.side);
+  const Vec3<double> asked = pole_side(aimed.along, roll.pole, kept, roll.fade);
+  aimed.side = roll.share == 1.0 ? asked : kept + (asked - kept) * roll.share;
+  if (roll.twist_rad != 0.0)
+    aimed.side = rotate_vector(quat_from_axis_angle(aimed.along, roll.share * roll.twist_rad), aimed.side);
+  aimed.side = unit_beside(aimed.side, aimed.along, kept);
+  return aimed;
 }
 
 /// Unit quaternion of a turn by an angle about a unit axis.

@@ -88,14 +88,8 @@ V pole_of(const Limb& limb, const TwoBoneGoal& goal) noexcept {
   return V(0.0);
 }
 
-/// The frame of a limb: x towards the tip, y to the side on which the middle joint is.
-struct Frame {
-  V along, side;
-  M matrix() const noexcept { return {along, side, glm::cross(along, side)}; }
-};
-
 /// in   lower  from the middle joint to the tip, in the space of the middle joint's parent
-Frame frame_of(const ik::Bones& bones, const ik::Hinge& hinge, const V& lower) noexcept {
+ik::Frame frame_of(const ik::Bones& bones, const ik::Hinge& hinge, const V& lower) noexcept {
   // A folded limb has its tip at the root. It opens towards axis x upper, with the middle joint straight at the side.
   constexpr double kFolded = 1e-4;
   const V tip = bones.upper_here + lower, open = normalised_or(glm::cross(hinge.axis, bones.upper_here), V(1, 0, 0));
@@ -129,18 +123,11 @@ Solved solve(const Limb& limb, const TwoBoneIkJob& job, const V& target, double 
   const Q bend = ik::bend_to(bones, hinge, reach, near);
   solved.middle = normalised(bend * limb.middle);
 
-  const Frame before = frame_of(bones, hinge, bones.lower),
-              after = frame_of(bones, hinge, rotate_vector(bend, bones.lower));
-  const Frame now{rotate_vector(limb.root, before.along), rotate_vector(limb.root, before.side)};
-  Frame wish;
-  wish.along = normalised_or(target, now.along);
-  const V kept =
-      ik::unit_beside(rotate_vector(rotation_between(now.along, wish.along), now.side), wish.along, now.side);
-  const V asked = ik::pole_side(wish.along, pole, kept, static_cast<double>(goal.pole_fade));
-  wish.side = ik::unit_beside(lerp(kept, asked, pole_share), wish.along, kept);
-  if (goal.twist_rad != 0.0f)
-    wish.side =
-        rotate_vector(quat_from_axis_angle(wish.along, pole_share * static_cast<double>(goal.twist_rad)), wish.side);
+  const ik::Frame before = frame_of(bones, hinge, bones.lower),
+                  after = frame_of(bones, hinge, rotate_vector(bend, bones.lower));
+  const ik::Frame now{rotate_vector(limb.root, before.along), rotate_vector(limb.root, before.side)};
+  const ik::Frame wish = ik::aimed_frame(
+      now, target, {pole, static_cast<double>(goal.pole_fade), pole_share, static_cast<double>(goal.twist_rad)});
   solved.root = quat_from_matrix(wish.matrix() * glm::transpose(after.matrix()));
   return solved;
 }
@@ -166,7 +153,7 @@ void stretch_bones(const TwoBoneIkJob& job, double factor) noexcept {
 void turn_tip(const TwoBoneIkJob& job, const Q& before, double weight) noexcept {
   const TwoBoneGoal& goal = job.goal;
   Q wanted = before;
-  if (goal.end == EndRotation::given) wanted = slerp_short_arc(before, quat_cast<double>(goal.end_rotation), weight);
+  if (goal.end == EndRotation::given) wanted = part_of_turn(before, quat_cast<double>(goal.end_rotation), weight);
   const Q above = model_rotation(*job.skeleton, job.local, job.skeleton->parents[goal.tip]);
   write_rotation(job.local, goal.tip, quat_conjugate(above) * wanted);
 }
@@ -227,8 +214,8 @@ void run_unchecked(const TwoBoneIkJob& job) noexcept {
     const Solved solved =
         solve(limb, job, by_effector ? lerp(limb.tip, target, weight) : target, by_effector ? weight : 1.0);
     const double share = by_effector ? 1.0 : weight;
-    const Q root = slerp_short_arc(limb.root, solved.root, share),
-            middle = slerp_short_arc(limb.middle, solved.middle, share);
+    const Q root = part_of_turn(limb.root, solved.root, share),
+            middle = part_of_turn(limb.middle, solved.middle, share);
     const double stretch = lerp(1.0, solved.stretch, share);
     write_rotation(job.local, goal.root, root);
     write_rotation(job.local, goal.middle, middle);

@@ -20,7 +20,7 @@ enum class EndRotation : std::uint8_t {
 
 /// Quantity that a weight below 1 mixes.
 enum class IkBlend : std::uint8_t {
-  pose,      ///< the rotations before and after
+  pose,      ///< the rotations before and after; turns beyond 150 degrees go to the nearer of both
   effector,  ///< the places of the tip: it moves along a straight line towards the target
 };
 
