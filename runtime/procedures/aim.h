@@ -48,9 +48,9 @@ struct AimGoal {
 /// out  local   rotations of the joints
 ///      result  may be null. radians_left is the angle between line and target, metres_left their distance. A target
 ///              that no turn of the last joint reaches is nearer to the joint than the line.
-/// err  size_mismatch, index_out_of_range (joints, limits), unsupported (no joint, not in one line, a fixed matrix, forward
-///      and up without direction), not_finite, not_a_fraction (weight, fade), negative_weight (a share, the tolerance),
-///      and those of the limits
+/// err  size_mismatch, index_out_of_range (joints, limits), unsupported (no joint, not in one line, a fixed matrix,
+///      forward and up without direction), not_finite, not_a_fraction (weight, fade), negative_weight (a share, the
+///      tolerance), and those of the limits
 /// cost O(joints * depth), no allocation
 struct AimJob {
   const Skeleton* skeleton = nullptr;

@@ -56,10 +56,12 @@ struct TwoBoneGoal {
 ///      folded limb opens to the side of its hinge, a bone without length only follows.
 /// in   goal    finite; joints in one line
 ///      above   model matrix of the parent of goal.root, if the caller has it; null: composed from `local`
-/// out  local   rotations of root and middle joint, and of the tip unless it follows; translations if the limb stretches
+/// out  local   rotations of root and middle joint, and of the tip unless it follows; translations if the limb
+///              stretches
 ///      result  may be null
-/// err  size_mismatch, index_out_of_range, unsupported (joints not in one line, a joint with a fixed matrix), not_finite,
-///      not_a_fraction (weight, soft reach, fade), negative_weight (tolerance), too_large (bend limits, stretch)
+/// err  size_mismatch, index_out_of_range, unsupported (joints not in one line, a joint with a fixed matrix),
+///      not_finite, not_a_fraction (weight, soft reach, fade), negative_weight (tolerance), too_large (bend limits,
+///      stretch)
 /// cost O(depth of the root joint), or O(1) with `above`; no allocation
 struct TwoBoneIkJob {
   const Skeleton* skeleton = nullptr;
