@@ -104,7 +104,7 @@ void tell(ik::ChainTree& tree, std::uint32_t iterations, bool can_reach) noexcep
 ErrorCode check_joints(const Skeleton& skeleton, const ChainGoal& goal) noexcept {
   if (goal.joints.empty() || goal.effectors.size() > kMostEffectors) return ErrorCode::unsupported;
   for (std::size_t i = 0; i < goal.joints.size(); ++i) {
-    const ChainJoint& joint = goal.joints[i];
+    const ChainIkJoint& joint = goal.joints[i];
     if (joint.joint >= skeleton.joint_count()) return ErrorCode::index_out_of_range;
     if (joint.limit != kNone && joint.limit >= goal.limits.size()) return ErrorCode::index_out_of_range;
     if (i > 0 && joint.joint <= goal.joints[i - 1].joint) return ErrorCode::parents_not_first;
@@ -116,7 +116,7 @@ ErrorCode check_joints(const Skeleton& skeleton, const ChainGoal& goal) noexcept
   }
   for (const ChainEffector& effector : goal.effectors)
     if (std::none_of(goal.joints.begin(), goal.joints.end(),
-                     [&](const ChainJoint& joint) { return is_below(skeleton, effector.joint, joint.joint); }))
+                     [&](const ChainIkJoint& joint) { return is_below(skeleton, effector.joint, joint.joint); }))
       return ErrorCode::unsupported;
   return ErrorCode::ok;
 }

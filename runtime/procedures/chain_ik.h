@@ -20,7 +20,7 @@ enum class ChainSolver : std::uint8_t {
 };
 
 /// A joint that may turn.
-struct ChainJoint {
+struct ChainIkJoint {
   std::uint32_t joint = 0;
   std::uint32_t limit = kNone;  ///< index into ChainGoal::limits
   bool moves = false;           ///< it may also move, as the hips of a body whose feet stand
@@ -37,7 +37,7 @@ struct ChainEffector {
 
 /// Joints, targets, and how long to try. Bones have the lengths of the pose, so they may be animated.
 struct ChainGoal {
-  std::span<const ChainJoint> joints;  ///< increasing
+  std::span<const ChainIkJoint> joints;  ///< increasing
   std::span<const JointLimit> limits = {};
   std::span<const ChainEffector> effectors;  ///< at most 64
   ChainSolver solver = ChainSolver::fabrik;

@@ -49,8 +49,11 @@ double extremum(const Bones& bones, const Hinge& hinge, double low, double high,
 
 /// Distance of the tip for a bend, where the bones scale evenly.
 double even_distance(const Bones& bones, const Hinge& hinge, double bend) noexcept {
-  if (bend == 0.0) return bones.scale * std::hypot(hinge.a + hinge.b, hinge.along);
-  if (bend >= std::numbers::pi - 1e-6) return bones.scale * std::hypot(hinge.a - hinge.b, hinge.along);
+  const auto whole = [&](double across) {
+    return bones.scale * std::sqrt(across * across + hinge.along * hinge.along);
+  };
+  if (bend == 0.0) return whole(hinge.a + hinge.b);
+  if (bend >= std::numbers::pi - 1e-6) return whole(hinge.a - hinge.b);
   const double square = hinge.a * hinge.a + hinge.b * hinge.b + 2.0 * hinge.a * hinge.b * std::cos(bend);
   return bones.scale * std::sqrt(std::max(0.0, square) + hinge.along * hinge.along);
 }
@@ -63,7 +66,7 @@ void measure(const Bones& bones, Hinge& hinge) noexcept {
   const double upper_along = glm::dot(bones.upper_here, hinge.axis);
   const V across = bones.upper_here - hinge.axis * upper_along;
   hinge.a = safe_length(across);
-  hinge.upper = normalised_or(across, perpendicular_to(hinge.axis));
+  hinge.upper = hinge.a > 0.0 ? across / hinge.a : perpendicular_to(hinge.axis);
   hinge.along = upper_along + hinge.lower_along;
 }
 
@@ -71,10 +74,12 @@ void measure(const Bones& bones, Hinge& hinge) noexcept {
 
 Bones bones_of(const Mat3<double>& to_root, const V& upper, const V& lower) noexcept {
   Bones bones{to_root, upper, upper, lower};
-  const auto back = inverse_of(affine_from(to_root, V(0.0)));
-  bones.is_flat = !back.has_value();
-  if (back) bones.upper_here = transform_vector(*back, upper);
-  bones.is_even = keeps_angles(to_root, bones.scale);
+  if (to_root != Mat3<double>(1.0)) {
+    const auto back = inverse_of(affine_from(to_root, V(0.0)));
+    bones.is_flat = !back.has_value();
+    if (back) bones.upper_here = transform_vector(*back, upper);
+    bones.is_even = keeps_angles(to_root, bones.scale);
+  }
   bones.length_here = safe_length(bones.upper_here) + safe_length(lower);
   return bones;
 }
@@ -103,12 +108,19 @@ Hinge fixed_hinge(const Bones& bones, const V& axis) noexcept {
 Hinge pose_hinge(const Bones& bones, const V& bend, const V& wish) noexcept {
   Hinge hinge;
   const V upper = normalised_or(bones.upper_here, normalised_or(bones.lower, V(1, 0, 0)));
-  const V wanted = unit_beside(normalised_or(wish, V(0.0)), upper, perpendicular_to(upper));
-  hinge.axis = unit_beside(two_bones::blended_side(bend, wanted, two_bones::kStraight), upper, wanted);
+  const double sine = safe_length(bend);
+  if (sine >= two_bones::kStraight) {
+    hinge.axis = bend / sine;
+  } else {
+    const V wanted = unit_beside(normalised_or(wish, V(0.0)), upper, perpendicular_to(upper));
+    hinge.axis = unit_beside(two_bones::blended_side(bend, wanted, two_bones::kStraight), upper, wanted);
+  }
   measure(bones, hinge);
   hinge.b = safe_length(bones.lower);
-  const V across = bones.lower - hinge.axis * glm::dot(bones.lower, hinge.axis);
-  hinge.flatten = rotation_between(bones.lower, normalised_or(across, bones.lower));
+  const double aside = glm::dot(bones.lower, hinge.axis);
+  const V across = bones.lower - hinge.axis * aside;
+  if (std::abs(aside) > 1e-14 * hinge.b)
+    hinge.flatten = rotation_between(bones.lower, normalised_or(across, bones.lower));
   hinge.cosine = glm::dot(hinge.upper, across);
   hinge.sine = glm::dot(hinge.axis, glm::cross(hinge.upper, across));
   return hinge;

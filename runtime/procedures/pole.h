@@ -29,6 +29,7 @@ namespace ik {
 ///      point near the pole, and at one near its opposite: there p and kept are opposite and cancel.
 inline Vec3<double> pole_side(const Vec3<double>& along, const Vec3<double>& pole, const Vec3<double>& kept,
                               double fade) noexcept {
+  if (pole == Vec3<double>(0.0)) return kept;
   const Vec3<double> unit = normalised_or(pole, Vec3<double>(0.0));
   return two_bones::blended_side(unit - along * glm::dot(unit, along), kept, fade);
 }

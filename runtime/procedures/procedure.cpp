@@ -34,7 +34,7 @@ class GoalHash {
             limit.limits_swing, limit.limits_twist);
   }
   void add(const AimJoint& joint) noexcept { add_all(joint.joint, joint.share, joint.limit); }
-  void add(const ChainJoint& joint) noexcept { add_all(joint.joint, joint.limit, joint.moves); }
+  void add(const ChainIkJoint& joint) noexcept { add_all(joint.joint, joint.limit, joint.moves); }
   void add(const ChainEffector& effector) noexcept {
     add_all(effector.joint, effector.target, effector.rotation, effector.weight, effector.rotation_weight);
   }

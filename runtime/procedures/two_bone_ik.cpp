@@ -27,8 +27,7 @@ struct Limb {
   V place;                      ///< of the root joint, in the space of the parent
   Q root, middle;               ///< rotations in the pose
   ik::Bones bones;
-  M tip_axes;  ///< axes of the tip in the space of the root joint
-  V tip;       ///< from the root joint to the tip, in the space of the parent
+  V tip;  ///< from the root joint to the tip, in the space of the parent
 };
 
 M scale_matrix(const V& scale) noexcept { return {scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z}; }
@@ -64,26 +63,30 @@ Limb read_limb(const TwoBoneIkJob& job) noexcept {
   limb.root = normalised(root.rotation);
   limb.middle = normalised(middle.rotation);
   const Affined between = matrix_below(skeleton, job.local, goal.root, parent(goal.middle));
-  const Affined below = matrix_below(skeleton, job.local, goal.middle, goal.tip);
-  const M to_root = scale_matrix(root.scale) * linear_part(between);
+  const V below = parent(goal.tip) == goal.middle
+                      ? local_of(job.local, goal.tip).translation
+                      : translation_of(matrix_below(skeleton, job.local, goal.middle, goal.tip));
+  const bool is_next = parent(goal.middle) == goal.root;
+  const M to_root = is_next ? scale_matrix(root.scale) : scale_matrix(root.scale) * linear_part(between);
   limb.bones = ik::bones_of(to_root, root.scale * transform_point(between, middle.translation),
-                            rotate_vector(limb.middle, middle.scale * translation_of(below)));
-  limb.tip_axes = to_root * matrix_from_unit_quat(limb.middle) * scale_matrix(middle.scale) * linear_part(below);
+                            rotate_vector(limb.middle, middle.scale * below));
   limb.tip = rotate_vector(limb.root, limb.bones.upper + limb.bones.to_root * limb.bones.lower);
   return limb;
 }
 
 /// Direction of the pole in the space of the parent; zero without one. Planes through the line to the target are the
 /// same planes there, whatever the scale.
-V pole_of(const Limb& limb, const TwoBoneGoal& goal) noexcept {
+V pole_of(const Limb& limb, const TwoBoneIkJob& job) noexcept {
+  const TwoBoneGoal& goal = job.goal;
   switch (goal.pole_kind) {
     case PoleKind::none: return V(0.0);
     case PoleKind::direction: return transform_vector(*limb.back, goal.pole);
     case PoleKind::point: return transform_point(*limb.back, goal.pole) - limb.place;
     case PoleKind::tip_axis:
-      return goal.end == EndRotation::given
-                 ? transform_vector(*limb.back, rotate_vector(quat_cast<double>(goal.end_rotation), goal.pole))
-                 : rotate_vector(limb.root, limb.tip_axes * goal.pole);
+      if (goal.end == EndRotation::given)
+        return transform_vector(*limb.back, rotate_vector(quat_cast<double>(goal.end_rotation), goal.pole));
+      return transform_vector(matrix_below(*job.skeleton, job.local, job.skeleton->parents[goal.root], goal.tip),
+                              goal.pole);
   }
   return V(0.0);
 }
@@ -92,11 +95,17 @@ V pole_of(const Limb& limb, const TwoBoneGoal& goal) noexcept {
 ik::Frame frame_of(const ik::Bones& bones, const ik::Hinge& hinge, const V& lower) noexcept {
   // A folded limb has its tip at the root. It opens towards axis x upper, with the middle joint straight at the side.
   constexpr double kFolded = 1e-4;
-  const V tip = bones.upper_here + lower, open = normalised_or(glm::cross(hinge.axis, bones.upper_here), V(1, 0, 0));
-  const V here = two_bones::blended_side(tip / bones.length_here, open, kFolded);
-  const V along = normalised_or(bones.to_root * here, open);
-  const V side = bones.to_root * glm::cross(here, hinge.axis);
-  return {along, ik::unit_beside(side, along, perpendicular_to(along))};
+  const V tip = bones.upper_here + lower;
+  const double reach = safe_length(tip);
+  V here = tip / reach;
+  if (!(reach > kFolded * bones.length_here)) {
+    const V open = normalised_or(glm::cross(hinge.axis, bones.upper_here), V(1, 0, 0));
+    here = two_bones::blended_side(tip / bones.length_here, open, kFolded);
+  }
+  const V along = normalised_or(bones.to_root * here, V(1, 0, 0));
+  const V side = bones.to_root * glm::cross(here, hinge.axis), across = side - along * glm::dot(side, along);
+  const double length = safe_length(across);
+  return {along, length > 0.0 ? across / length : perpendicular_to(along)};
 }
 
 /// Rotations of a solved limb, and the factor of its bones.
@@ -109,7 +118,7 @@ struct Solved {
 Solved solve(const Limb& limb, const TwoBoneIkJob& job, const V& target, double pole_share) noexcept {
   const TwoBoneGoal& goal = job.goal;
   const ik::Bones& bones = limb.bones;
-  const V pole = pole_of(limb, goal);
+  const V pole = pole_of(limb, job);
   const auto rest_axis = [&] { return ik::bend_axis(rest_bones(*job.skeleton, goal)); };
   const V pole_at_root = rotate_vector(quat_conjugate(limb.root), pole);
   const ik::Hinge hinge = ik::hinge_of(bones, rotate_vector(limb.middle, V(goal.middle_axis)), pole_at_root, rest_axis);

@@ -74,7 +74,7 @@ struct Limbs {
 void add_chain(ChainSolver solver, const char* name, std::uint32_t bones, std::uint32_t iterations) {
   struct Room : Chain {
     using Chain::Chain;
-    std::vector<ChainJoint> joints;
+    std::vector<ChainIkJoint> joints;
     struct alignas(64) Block {
       std::byte bytes[64];
     };

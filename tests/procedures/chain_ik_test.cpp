@@ -49,7 +49,7 @@ TEST(chain_ik, parents_may_have_any_scale) {
         root.scale = scale;
         root.translation = random.vec3(-100, 100);
         posed.set(0, root);
-        std::vector<ChainJoint> joints = all_joints(6);
+        std::vector<ChainIkJoint> joints = all_joints(6);
         joints.erase(joints.begin());  // joint 0 is the parent
         const V local = V(posed.get(1).translation) + random.direction<double>() * random.in(0.3, 0.7);
         const std::array effectors{ChainEffector{.joint = 6, .target = transform_point(posed.model(0), local)}};
@@ -113,7 +113,7 @@ struct Body : Posed {
 TEST(chain_ik, a_body_keeps_its_feet_while_its_hands_reach_down) {
   for (const ChainSolver solver : kSolvers) {
     Body body;
-    std::vector<ChainJoint> joints;
+    std::vector<ChainIkJoint> joints;
     for (const std::uint32_t j : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 8u, 9u, 12u, 13u})
       joints.push_back({.joint = j, .moves = j == 0});
     const std::array effectors{ChainEffector{.joint = Body::foot_l, .target = body.place(Body::foot_l), .weight = 10},
@@ -256,7 +256,7 @@ TEST(chain_ik, refuses_what_it_cannot_solve_and_allocates_nothing) {
     EXPECT_EQ(counter.count(), 0u) << static_cast<int>(solver);
   }
   const auto code = [&](auto change) {
-    std::vector<ChainJoint> own_joints = joints;
+    std::vector<ChainIkJoint> own_joints = joints;
     std::vector<ChainEffector> own(effectors.begin(), effectors.end());
     ChainIkJob job{&posed.skeleton, posed.pose.span(), {}, all};
     change(job, own_joints, own);

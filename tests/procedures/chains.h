@@ -30,8 +30,8 @@ struct ChainRun {
 inline constexpr ChainSolver kSolvers[] = {ChainSolver::ccd, ChainSolver::fabrik, ChainSolver::damped};
 
 /// Joints 0 to count - 1 of a chain.
-inline std::vector<ChainJoint> all_joints(std::uint32_t count, std::uint32_t limit = kNone) {
-  std::vector<ChainJoint> joints(count);
+inline std::vector<ChainIkJoint> all_joints(std::uint32_t count, std::uint32_t limit = kNone) {
+  std::vector<ChainIkJoint> joints(count);
   for (std::uint32_t i = 0; i < count; ++i) joints[i] = {.joint = i, .limit = limit};
   return joints;
 }

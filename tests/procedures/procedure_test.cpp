@@ -115,7 +115,7 @@ TEST(ik_procedure, aims_and_chains_are_operations_too) {
   arm.run(as_procedure(aim));
   EXPECT_EQ(aim.result.status, IkStatus::reached);
 
-  const std::array chain{ChainJoint{.joint = 1}, ChainJoint{.joint = 2}};
+  const std::array chain{ChainIkJoint{.joint = 1}, ChainIkJoint{.joint = 2}};
   const std::array effectors{ChainEffector{.joint = 3, .target = {0.2, 0.5, 0.3}}};
   alignas(64) static std::byte memory[1 << 14];
   ChainIk ik;
@@ -156,7 +156,7 @@ TEST(ik_procedure, every_field_of_a_goal_counts_in_its_version) {
   two_bones([](auto& goal) { goal.most_bend_rad = 1; });
   two_bones([](auto& goal) { goal.pole_fade = 0; });
   two_bones([](auto& goal) { goal.tolerance = 0; });
-  std::array joints{ChainJoint{.joint = 1}};
+  std::array joints{ChainIkJoint{.joint = 1}};
   std::array effectors{ChainEffector{.joint = 3}};
   std::array limits{JointLimit{}};
   ChainIk chain;

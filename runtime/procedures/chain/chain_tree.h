@@ -46,7 +46,7 @@ struct ChainTree {
   double length = 0.0;                 ///< of the longest way from a moving joint to an effector
 
   const ChainGoal& goal() const noexcept { return job.goal; }
-  const ChainJoint& part(const ChainNode& node) const noexcept { return goal().joints[node.part]; }
+  const ChainIkJoint& part(const ChainNode& node) const noexcept { return goal().joints[node.part]; }
   Vec3<double> place(std::uint32_t node) const noexcept { return translation_of(nodes[node].model); }
   Affined model_above(const ChainNode& node) const noexcept {
     return node.parent == kNone ? Affined{} : nodes[node.parent].model;
