@@ -122,9 +122,11 @@ TEST(joint_limit, sweeps_through_the_places_opposite_to_the_center_are_continuou
     const JointLimit limit = random_limit(random);
     const JointLimiter limiter(limit);
     const Q axes = normalised(quat_cast<double>(limit.axes));
-    const Q opposite = normalised(quat_cast<double>(limit.center)) * axes *
-                       quat_from_axis_angle(V(0, random.in(-1, 1), random.in(-1, 1)), std::numbers::pi) *
-                       quat_conjugate(axes);
+    // Half a turn of swing, or the twist in the middle of those that are forbidden.
+    const double twist = static_cast<double>(limit.least_twist_rad + limit.most_twist_rad) / 2 + std::numbers::pi;
+    const Q away = i % 2 == 0 ? quat_from_axis_angle(V(0, random.in(-1, 1), random.in(-1, 1)), std::numbers::pi)
+                              : quat_from_axis_angle(V(1, 0, 0), twist);
+    const Q opposite = normalised(quat_cast<double>(limit.center)) * axes * away * quat_conjugate(axes);
     const V axis = random.direction<double>();
     Q last = quat_identity<double>();
     for (int k = -20000; k <= 20000; ++k) {  // the step is 1e-5
