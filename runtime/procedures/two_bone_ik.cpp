@@ -141,6 +141,13 @@ Solved solve(const Limb& limb, const TwoBoneIkJob& job, const V& target, double 
   return solved;
 }
 
+/// From the root joint to the tip as the pose has it now, rounded to float, but for a stretch.
+V written_tip(const Limb& limb, const TwoBoneIkJob& job) noexcept {
+  const auto rotation = [&](std::uint32_t j) { return normalised(quat_cast<double>(job.local.get(j).rotation)); };
+  const V lower = rotate_vector(rotation(job.goal.middle) * quat_conjugate(limb.middle), limb.bones.lower);
+  return rotate_vector(rotation(job.goal.root), limb.bones.upper + limb.bones.to_root * lower);
+}
+
 /// Length of the straight limb in model space.
 double length_of(const Limb& limb) noexcept {
   const auto length = [&](const V& bone) {
@@ -223,15 +230,11 @@ void run_unchecked(const TwoBoneIkJob& job) noexcept {
     const Solved solved =
         solve(limb, job, by_effector ? lerp(limb.tip, target, weight) : target, by_effector ? weight : 1.0);
     const double share = by_effector ? 1.0 : weight;
-    const Q root = part_of_turn(limb.root, solved.root, share),
-            middle = part_of_turn(limb.middle, solved.middle, share);
     const double stretch = lerp(1.0, solved.stretch, share);
-    write_rotation(job.local, goal.root, root);
-    write_rotation(job.local, goal.middle, middle);
+    write_rotation(job.local, goal.root, part_of_turn(limb.root, solved.root, share));
+    write_rotation(job.local, goal.middle, part_of_turn(limb.middle, solved.middle, share));
     if (stretch != 1.0) stretch_bones(job, stretch);
-    const V lower = rotate_vector(middle * quat_conjugate(limb.middle), limb.bones.lower);
-    const V tip = rotate_vector(root, limb.bones.upper + limb.bones.to_root * lower) * stretch;
-    left = transform_vector(limb.above, tip - target);
+    if (job.result != nullptr) left = transform_vector(limb.above, written_tip(limb, job) * stretch - target);
     can_reach = solved.can_reach || solved.stretch > 1.0;
   }
   if (pins_tip) turn_tip(job, tip_before, weight);
