@@ -29,6 +29,7 @@ set(sinew_public_headers
   playback.h        runtime/public/playback.h
   pose_jobs.h       runtime/public/pose_jobs.h
   pose_program.h    runtime/pose_program/run_pose_program.h
+  procedures.h      runtime/public/procedures.h
   result.h          runtime/public/result.h
   retarget.h        runtime/public/retarget.h
   scene.h           runtime/public/scene.h

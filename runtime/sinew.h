@@ -5,6 +5,7 @@
 #include "runtime/c/clips.h"
 #include "runtime/c/cut_frame.h"
 #include "runtime/c/frame.h"
+#include "runtime/c/ik.h"
 #include "runtime/c/jobs.h"
 #include "runtime/c/library.h"
 #include "runtime/c/messages.h"

@@ -40,7 +40,7 @@ std::optional<AffineT<T>> inverse_of(const TransformT<T>& local) noexcept {
 template <class T>
 std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
   Mat3<T> scaled = linear_part(m);
-  Vec3<T> scale;
+  Vec3<T> scale(T(1));
   for (int c = 0; c < 3; ++c) {
     scale[c] = largest_component(scaled[c]);
     if (!(scale[c] > T(0)) || !std::isfinite(scale[c])) return std::nullopt;

@@ -56,8 +56,10 @@ struct VertexInfluences;
 
 // Jobs.
 struct AddPoseJob;
+struct AimJob;
 struct BlendLayer;
 struct BlendPosesJob;
+struct ChainIkJob;
 struct CorrectPoseJob;
 struct FlatNormalsJob;
 struct HoldFeetJob;
@@ -74,6 +76,7 @@ struct SkinDualQuaternionJob;
 struct SkinLinearJob;
 struct SplitPaletteJob;
 struct SurfaceNormalsJob;
+struct TwoBoneIkJob;
 struct VertexInput;
 struct VertexOutput;
 

@@ -84,7 +84,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
     {"tbb/", {"runtime/threads", "importer/tool", "tests"}},
     {"oneapi/", {}},
-    {"Eigen/", {"runtime/model", "tests"}},
+    {"Eigen/", {"runtime/model", "runtime/procedures", "tests"}},
     {"OpenEXR/", {"viewer/light", "tests"}},
 };
 

@@ -78,6 +78,7 @@ void add_all(bool for_counting) {
     add_asset_files();
     add_geometry_cache();
     add_job_thread();
+    add_ik();
   }
   add_sample();
   add_blend();

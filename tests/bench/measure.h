@@ -68,5 +68,6 @@ void add_model_skin();
 void add_frame(std::size_t most_vertices);
 void add_geometry_cache();
 void add_job_thread();
+void add_ik();
 
 }  // namespace sinew::bench

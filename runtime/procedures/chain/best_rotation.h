@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/math/matrix_rotation.h"
+
+namespace sinew::ik {
+
+/// Sum of pairs of vectors for which one rotation is sought. Internal to procedures/
+class BestRotation {
+ public:
+  /// Asks for `to` where `from` is.
+  void add(const Vec3<double>& from, const Vec3<double>& to, double weight) noexcept {
+    sum_ += glm::outerProduct(to, from) * weight;
+  }
+  /// Asks for a rotation.
+  void add(const Quat<double>& rotation, double weight) noexcept { sum_ += matrix_from_unit_quat(rotation) * weight; }
+
+  /// The rotation q with the least sum of weight |q from - to|^2. If many are equally good, the one with the smallest
+  /// angle; the identity if all are.
+  /// eq   the largest eigenvector of Davenport's matrix, as the limit of its powers on the identity
+  Quat<double> rotation() const noexcept;
+
+ private:
+  Mat3<double> sum_{0.0};
+};
+
+}  // namespace sinew::ik

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "runtime/math/inverse.h"
+#include "runtime/procedures/chain_ik.h"
+
+namespace sinew::ik {
+
+/// The joints between the root of the skeleton and the effectors, in double. Internal to procedures/
+
+/// A joint of the tree. Parents come first.
+struct ChainNode {
+  std::uint32_t joint = 0, parent = kNone;  ///< parent: index of a node
+  std::uint32_t part = kNone;               ///< index into ChainGoal::joints
+  bool is_fixed = false;                    ///< `matrix` is the joint's own and stays
+  std::uint64_t effectors = 0;              ///< those at and below this joint, one bit each
+  Transformd local;
+  Affined matrix, model;
+  Quat<double> model_rotation{1.0, 0.0, 0.0, 0.0};
+};
+
+/// Error of an effector.
+struct ChainError {
+  Vec3<double> way{0.0};                  ///< from its place to its target
+  Quat<double> turn{1.0, 0.0, 0.0, 0.0};  ///< in model space, to its rotation; the identity if none is asked for
+};
+
+/// The largest errors, and their weighted sum of squares.
+struct ChainErrors {
+  double metres = 0.0, radians = 0.0, cost = 0.0;
+};
+
+struct ChainTree {
+  const ChainIkJob& job;
+  std::span<ChainNode> nodes;
+  std::span<std::uint32_t> moving;     ///< [goal.joints] nodes
+  std::span<std::uint32_t> effectors;  ///< [goal.effectors] nodes
+  std::span<Transformd> saved;         ///< [goal.joints] for a solver that goes back
+  std::span<JointLimiter> limiters;    ///< [goal.limits]
+  std::span<Vec3<double>> points;      ///< [nodes] places that fabrik draws
+  std::span<double> numbers;           ///< of `damped`
+  double length = 0.0;                 ///< of the longest way from a moving joint to an effector
+
+  const ChainGoal& goal() const noexcept { return job.goal; }
+  const ChainIkJoint& part(const ChainNode& node) const noexcept { return goal().joints[node.part]; }
+  Vec3<double> place(std::uint32_t node) const noexcept { return translation_of(nodes[node].model); }
+  Affined model_above(const ChainNode& node) const noexcept {
+    return node.parent == kNone ? Affined{} : nodes[node.parent].model;
+  }
+  Quat<double> rotation_above(const ChainNode& node) const noexcept {
+    return node.parent == kNone ? quat_identity<double>() : nodes[node.parent].model_rotation;
+  }
+
+  /// Turns a joint in the space of its parent: by at most ChainGoal::most_turn_rad, and within its limit.
+  void turn(std::uint32_t node, const Quat<double>& by) noexcept;
+  /// Matrices of the nodes from `first` on.
+  void update(std::uint32_t first) noexcept;
+  ChainError error(std::size_t effector) const noexcept;
+  ChainErrors errors() const noexcept;
+};
+
+/// Bytes for all arrays of the tree.
+std::size_t chain_bytes(const Skeleton& skeleton, const ChainGoal& goal) noexcept;
+
+/// in   memory  chain_bytes
+ChainTree make_chain_tree(const ChainIkJob& job) noexcept;
+
+/// One iteration each.
+void step_ccd(ChainTree& tree) noexcept;
+void step_fabrik(ChainTree& tree) noexcept;
+/// in   damping  carried from one iteration to the next; begins at 0
+void step_damped(ChainTree& tree, double& damping) noexcept;
+
+/// Numbers that step_damped needs.
+std::size_t damped_numbers(std::size_t joints, std::size_t effectors) noexcept;
+
+}  // namespace sinew::ik
