@@ -9,6 +9,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/animations.h"
+#include "importer/read/annotations.h"
 #include "importer/read/rotations.h"
 #include "runtime/math/quaternion.h"
 
@@ -69,6 +70,8 @@ class ClipBuilder {
     for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
     for (auto& [first, track] : weights_) out_.weights.push_back({first.first, std::move(track), first.second});
     for (auto& [target, track] : properties_) out_.properties.push_back({target, std::move(track)});
+    out_.annotations = read_annotations(document_.animations[animation].extras,
+                                        pointer("animations", animation, "extras"), out_.duration_s, log_);
     return std::move(out_);
   }
 

@@ -14,7 +14,7 @@ namespace sinew {
 /// Builds the animations in authoring form, with the keys of the file. If the targets of two channels of an animation
 /// are equal or overlap, the first channel wins.
 /// err      as read_channel_target and read_sampler
-/// warning  also animation-duplicate, animation-no-morphs, animation-pointer, rotation-length, rotation-zero
+/// warning  also animation-extras, animation-duplicate, animation-no-morphs, animation-pointer, rotation-length, rotation-zero
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
                                    const Placements& placements, const ImportOptions& options, IssueLog& log);
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "runtime/base/index.h"
 
 /// The part of gltf::Document (document.h) that holds animations.
@@ -24,6 +26,7 @@ struct Animation {
   std::string name;
   std::vector<AnimationSampler> samplers;
   std::vector<AnimationChannel> channels;
+  nlohmann::json extras = {};  ///< null if it has no events and no curves
 };
 
 }  // namespace sinew::gltf

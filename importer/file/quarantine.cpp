@@ -247,7 +247,7 @@ class Emptying {
   /// Empties the broken samplers of an animation, and the channels that are broken or use such a sampler. An empty
   /// channel has no target and no sampler.
   void empty_channels(std::uint32_t a) {
-    auto& [name, samplers, channels] = d_.animations[a];
+    auto& [name, samplers, channels, extras] = d_.animations[a];
     for (std::uint32_t c = 0; c < channels.size(); ++c) {
       if (!parts_.channels.contains({a, c}) && !parts_.samplers.contains({a, channels[c].sampler})) continue;
       log_.mute(pointer("animations", a, "channels", c));

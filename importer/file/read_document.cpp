@@ -178,8 +178,13 @@ gltf::Animation read_animation(const JsonNode& json) {
     return gltf::AnimationSampler{in.index("input"), in.index("output"), in.text("interpolation", "LINEAR")};
   };
   const Fields in(json);
-  return {
-      .name = in.text("name"), .samplers = in.list("samplers", sampler), .channels = in.list("channels", read_channel)};
+  const JsonNode* extras = in.find("extras");
+  const bool has_annotations = extras != nullptr && extras->IsObject() &&
+                               (find_member(*extras, "events") != nullptr || find_member(*extras, "curves") != nullptr);
+  return {.name = in.text("name"),
+          .samplers = in.list("samplers", sampler),
+          .channels = in.list("channels", read_channel),
+          .extras = has_annotations ? to_json(*extras) : gltf::Json()};
 }
 
 gltf::Material read_material(tinygltf::Material&& read, const JsonNode& json) {

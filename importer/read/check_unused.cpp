@@ -117,7 +117,7 @@ class SamplerCheck {
 void check_unused_samplers(const gltf::Document& document, IssueLog& log) {
   std::uint64_t total = 0;
   for (std::size_t a = 0; a < document.animations.size(); ++a) {
-    const auto& [name, samplers, channels] = document.animations[a];
+    const auto& [name, samplers, channels, extras] = document.animations[a];
     std::vector<bool> used(samplers.size(), false);
     for (const auto& channel : channels)
       if (channel.sampler < used.size()) used[channel.sampler] = true;

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "importer/read/annotations.h"
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite/key_writer.h"
 
@@ -41,6 +42,7 @@ void take_apart(const Scene& scene, std::uint32_t joint, Draft& draft) {
 Json animation_of(const Scene& scene, const Animation& animation, Draft& draft) {
   Json out{{"channels", Json::array()}, {"samplers", Json::array()}};
   if (!animation.name.empty()) out["name"] = animation.name;
+  set_annotations(animation.annotations, out);
   KeyWriter writer(draft);
   const auto add = [&](const std::optional<Keys>& keys, Json target) {
     if (!keys) return;

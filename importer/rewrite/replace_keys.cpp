@@ -9,6 +9,7 @@
 
 #include "importer/read/accessor.h"
 #include "importer/read/animations.h"
+#include "importer/read/annotations.h"
 #include "importer/rewrite/key_writer.h"
 
 namespace sinew::rewrite {
@@ -191,6 +192,8 @@ void replace_keys(const gltf::Document& document, const Scene& scene, const NewK
     drop_samplers(animation, left);
     move_channels(document, scene, new_keys, a, animation);
     add_channels(document, scene, new_keys, a, writer, animation);
+    if (const Annotations& after = new_keys.animations[a].annotations; after != scene.animations[a].annotations)
+      set_annotations(after, animation);
   }
   writer.finish();
 }

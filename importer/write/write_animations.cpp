@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 #include <string>
+#include <utility>
 
+#include "importer/read/annotations.h"
 #include "importer/read/property_pointer.h"
 #include "importer/write/write_scene.h"
 
@@ -105,6 +107,26 @@ bool add_property(const PropertyTrack& track, const Scene& scene, AnimationWrite
   return writer.add(property_pointer(track.target, scene), values.interpolation, values.times_s, accessor);
 }
 
+tinygltf::Value value_of(const gltf::Json& json) {
+  if (json.is_boolean()) return tinygltf::Value(json.get<bool>());
+  if (json.is_number()) return tinygltf::Value(json.get<double>());
+  if (json.is_string()) return tinygltf::Value(json.get<std::string>());
+  if (json.is_array()) {
+    tinygltf::Value::Array list;
+    for (const gltf::Json& entry : json) list.push_back(value_of(entry));
+    return tinygltf::Value(std::move(list));
+  }
+  tinygltf::Value::Object object;
+  for (const auto& [name, entry] : json.items()) object[name] = value_of(entry);
+  return tinygltf::Value(std::move(object));
+}
+
+tinygltf::Value extras_of(const Annotations& annotations) {
+  gltf::Json animation = gltf::Json::object();
+  set_annotations(annotations, animation);
+  return animation.empty() ? tinygltf::Value() : value_of(animation["extras"]);
+}
+
 }  // namespace
 
 std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance,
@@ -113,6 +135,7 @@ std::optional<ImportIssue> write_animations(const Scene& scene, const std::vecto
     const auto& animation = scene.animations[a];
     AnimationWriter writer(buffer);
     writer.out.name = animation.name;
+    writer.out.extras = extras_of(animation.annotations);
     bool ok = true;
     for (const auto& bone : animation.bones)
       ok &= add_bone(bone, static_cast<int>(scene.skeleton.node_of_joint[bone.joint]), writer, buffer);

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/animation/annotations.h"
 #include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
 #include "runtime/base/api.h"
@@ -76,6 +77,7 @@ struct Animation {
   std::vector<BoneAnimation> bones;
   std::vector<WeightAnimation> weights;
   std::vector<PropertyTrack> properties = {};  ///< at most one per PropertyTarget
+  Annotations annotations = {};                ///< events and curves; they do not lengthen the clip
 };
 
 }  // namespace sinew

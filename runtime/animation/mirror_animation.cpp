@@ -2,9 +2,13 @@
 #include "runtime/animation/mirror_animation.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "runtime/animation/constant_tracks.h"
+#include "runtime/animation/side_names.h"
 
 namespace sinew {
 namespace {
@@ -66,6 +70,21 @@ void add_mirrored_weights(const WeightAnimation& from, std::span<const std::uint
     out.push_back(picked(from, partner_of[target], std::span(&target, 1)));
 }
 
+/// Exchanges the names of events and curves on both sides ("left foot", "right foot"), where both exist.
+void swap_sides(Annotations& annotations) {
+  std::vector<std::string> names = annotations.event_names;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::vector<std::uint32_t> partners = name_partners(names);
+  for (std::string& name : annotations.event_names)
+    name =
+        names[partners[static_cast<std::size_t>(std::lower_bound(names.begin(), names.end(), name) - names.begin())]];
+  names.clear();
+  for (const NamedCurve& curve : annotations.curves) names.push_back(curve.name);
+  partners = name_partners(names);
+  for (std::size_t c = 0; c < names.size(); ++c) annotations.curves[c].name = names[partners[c]];
+}
+
 }  // namespace
 
 Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept {
@@ -84,6 +103,7 @@ Animation mirror_animation(const Animation& animation, const MirrorMap& map, con
                            std::span<const std::uint32_t> first_weight) {
   Animation out = animation;
   out.bones.clear();
+  swap_sides(out.annotations);
   for (const BoneAnimation& bone : animation.bones) {
     const std::uint32_t to = map.joints[bone.joint].source;  // partners are mutual
     out.bones.push_back(mirrored_bone(bone, to, map.joints[to]));

@@ -13,9 +13,9 @@ namespace sinew {
 ///
 /// Morph weights move to the partners in `map.weight_source`. A track of several targets is split into one track per
 /// target if the partners are not all in that track. Properties do not change. If the reference pose is not the rest
-/// pose, mirroring may move joints at rest. Joints without a track then get a constant track. Events belong to the
-/// caller: they keep their times, and name_partners (side_names.h) tells which event each becomes. For root motion, use
-/// the mirrored tracks (playback/root_motion.h).
+/// pose, mirroring may move joints at rest. Joints without a track then get a constant track. Events and
+/// curves take the names of their partners where those exist (name_partners, side_names.h): a step of the left foot
+/// becomes one of the right foot. For root motion, use the mirrored tracks (playback/root_motion.h).
 /// in   animation     passed check();   map  of the same skeleton
 ///      first_weight  Scene::first_weight; empty = morph weights do not change
 /// cost O(keys + J), allocates

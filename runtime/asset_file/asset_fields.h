@@ -128,7 +128,8 @@ auto fields(Is<PropertyTrack> auto& t) {
 }
 
 auto fields(Is<Animation> auto& a) {
-  auto& [name, duration_s, bones, weights, properties] = a;
+  auto& [name, duration_s, bones, weights, properties, annotations] = a;
+  static_cast<void>(annotations);  // its compiled clip has them
   return std::tie(name, duration_s, bones, weights, properties);
 }
 

@@ -120,6 +120,7 @@ Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vec
   if (!read) return tl::unexpected(read.error());
   if (animations.size() != clips.size())
     return refuse("asset-value", AssetKind::animations, "there are more or fewer than clips");
+  for (std::size_t c = 0; c < clips.size(); ++c) animations[c].annotations = clips[c].annotations();
   return animations;
 }
 

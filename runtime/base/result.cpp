@@ -31,6 +31,7 @@ std::string_view describe(ErrorCode code) noexcept {
     case ErrorCode::no_cut: return "no first half of a frame was run, which the second half could follow";
     case ErrorCode::unknown_character: return "the job thread has no such character, or it was removed";
     case ErrorCode::follows_itself: return "a character would follow itself, directly or by way of others";
+    case ErrorCode::outside_of_clip: return "a time is before the start or after the end of the clip";
     case ErrorCode::too_large: return "a number is so large that results could overflow";
   }
   return "unknown error";

@@ -41,6 +41,7 @@ enum class ErrorCode {
   no_cut,                ///< the second half of a frame was called without its first half
   unknown_character,     ///< the job thread has no such character, or it was removed
   follows_itself,        ///< a character would follow itself, directly or through the characters that it follows
+  outside_of_clip,       ///< a time is before the start or after the end of the clip
 };
 
 /// One sentence per code, for logs.

@@ -2,9 +2,13 @@
 #include "runtime/c/scene.h"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <iterator>
+#include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 
 #include "runtime/c/glue/call.h"
 #include "runtime/c/glue/enums.h"
@@ -56,6 +60,12 @@ const std::vector<std::string>* joint_names(const sinew_scene* scene) noexcept {
 const Clip* clip_at(const sinew_scene* scene, std::uint32_t clip) noexcept {
   return at(array_of<&Scene::clips>(scene), clip);
 }
+const NamedCurve* curve_at(const sinew_scene* scene, std::uint32_t clip, std::uint32_t curve) noexcept {
+  const Clip* found = clip_at(scene, clip);
+  return found == nullptr || curve >= found->annotations().curves.size() ? nullptr
+                                                                         : &found->annotations().curves[curve];
+}
+sinew_string text_of(const std::string& text) noexcept { return {text.data(), text.size()}; }
 const Mesh* mesh_at(const sinew_scene* scene, std::uint32_t mesh) noexcept {
   return at(array_of<&Scene::meshes>(scene), mesh);
 }
@@ -92,6 +102,47 @@ sinew_string sinew_clip_name(const sinew_scene* scene, std::uint32_t clip) {
 
 double sinew_clip_duration_s(const sinew_scene* scene, std::uint32_t clip) {
   return ask(clip_at(scene, clip), &Clip::duration_s, 0.0);
+}
+
+sinew_doubles sinew_clip_event_times(const sinew_scene* scene, std::uint32_t clip) {
+  const Clip* found = clip_at(scene, clip);
+  if (found == nullptr) return {nullptr, 0};
+  const std::vector<double>& times = found->annotations().event_times_s;
+  return {times.data(), times.size()};
+}
+
+sinew_string sinew_clip_event_name(const sinew_scene* scene, std::uint32_t clip, std::uint32_t event) {
+  const Clip* found = clip_at(scene, clip);
+  if (found == nullptr || event >= found->annotations().event_names.size()) return kNoName;
+  return text_of(found->annotations().event_names[event]);
+}
+
+std::size_t sinew_clip_curve_count(const sinew_scene* scene, std::uint32_t clip) {
+  const Clip* found = clip_at(scene, clip);
+  return found == nullptr ? 0 : found->annotations().curves.size();
+}
+
+sinew_string sinew_clip_curve_name(const sinew_scene* scene, std::uint32_t clip, std::uint32_t curve) {
+  const NamedCurve* found = curve_at(scene, clip, curve);
+  return found == nullptr ? kNoName : text_of(found->name);
+}
+
+std::size_t sinew_clip_curve_value(const sinew_scene* scene, std::uint32_t clip, std::uint32_t curve, double time_s,
+                                   float* value) {
+  const NamedCurve* found = curve_at(scene, clip, curve);
+  if (found == nullptr || value == nullptr) return 0;
+  return std::visit(
+      [&]<class V>(const std::vector<CurveKey<V>>& keys) -> std::size_t {
+        const V sampled = sample(Curve<V>(keys), time_s);
+        if constexpr (std::is_arithmetic_v<V>) {
+          *value = static_cast<float>(sampled);
+          return 1;
+        } else {
+          std::memcpy(value, &sampled, sizeof sampled);
+          return sizeof sampled / sizeof(float);
+        }
+      },
+      found->keys);
 }
 
 std::uint32_t sinew_find_clip(const sinew_scene* scene, const char* name) {

@@ -28,6 +28,17 @@ SINEW_API sinew_string sinew_clip_name(const sinew_scene* scene, uint32_t clip);
 SINEW_API double sinew_clip_duration_s(const sinew_scene* scene, uint32_t clip);
 SINEW_API uint32_t sinew_find_clip(const sinew_scene* scene, const char* name);
 
+// Events and curves of a clip, which engines read beside the pose.
+SINEW_API sinew_doubles sinew_clip_event_times(const sinew_scene* scene, uint32_t clip);  ///< for sinew_crossed_events
+SINEW_API sinew_string sinew_clip_event_name(const sinew_scene* scene, uint32_t clip, uint32_t event);
+SINEW_API size_t sinew_clip_curve_count(const sinew_scene* scene, uint32_t clip);
+SINEW_API sinew_string sinew_clip_curve_name(const sinew_scene* scene, uint32_t clip, uint32_t curve);
+/// Samples a curve. Before the first and after the last key it has their value; NaN gives the first.
+/// out  value[4]  1 to 4 numbers; a rotation is x y z w, a flag 0 or 1; the others stay as they are
+/// Returns how many numbers the curve has; 0 for null pointers and indices out of range.     cost O(log keys)
+SINEW_API size_t sinew_clip_curve_value(const sinew_scene* scene, uint32_t clip, uint32_t curve, double time_s,
+                                        float* value);
+
 // Skins.
 SINEW_API size_t sinew_skin_count(const sinew_scene* scene);
 SINEW_API sinew_indices sinew_skin_joints(const sinew_scene* scene, uint32_t skin);

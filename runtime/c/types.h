@@ -62,8 +62,9 @@ typedef enum sinew_error {
   SINEW_TOO_LARGE = 22,          ///< a finite number is so large that results could overflow
   SINEW_NO_CUT = 23,             ///< the second half of a frame was called without its first half
   SINEW_UNKNOWN_CHARACTER = 24,  ///< the jobs have no such character, or it was removed
-  SINEW_FOLLOWS_ITSELF = 25,  ///< a character would follow itself, directly or through the characters that it follows
-  SINEW_NULL_ARGUMENT = 100,  ///< a required pointer is null
+  SINEW_FOLLOWS_ITSELF = 25,   ///< a character would follow itself, directly or through the characters that it follows
+  SINEW_OUTSIDE_OF_CLIP = 26,  ///< a time is before the start or after the end of the clip
+  SINEW_NULL_ARGUMENT = 100,   ///< a required pointer is null
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is below that of the first version; or above this library's, with
                                   ///< additional bytes that are not zero
   SINEW_OUT_OF_MEMORY = 102,
@@ -102,6 +103,10 @@ typedef struct sinew_floats {
   const float* data;
   size_t count;
 } sinew_floats;
+typedef struct sinew_doubles {
+  const double* data;
+  size_t count;
+} sinew_doubles;
 typedef struct sinew_indices {
   const uint32_t* data;
   size_t count;

@@ -19,6 +19,14 @@ Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
 
 const std::optional<ClipCertificate>& Clip::certificate() const noexcept { return layout_->certificate; }
 
+const Annotations& Clip::annotations() const noexcept { return layout_->annotations; }
+
+Clip with_annotations(const Clip& clip, Annotations annotations) {
+  ClipLayout layout = clip.layout();
+  layout.annotations = std::move(annotations);
+  return clip_of(std::move(layout));
+}
+
 Clip with_certificate(const Clip& clip, const ClipCertificate& certificate) {
   ClipLayout layout = clip.layout();
   layout.certificate = certificate;

@@ -83,6 +83,9 @@ class SINEW_API Clip {
   };
   Counts counts() const noexcept;
 
+  /// Events and curves of the animation from which the clip was compiled. All clips made from this one have them, too.
+  const Annotations& annotations() const noexcept;
+
   /// Present if the clip was compiled within an error budget (compress/compile_clip_within.h).
   const std::optional<ClipCertificate>& certificate() const noexcept;
 
@@ -104,6 +107,10 @@ class SINEW_API Clip {
 SINEW_API Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
                             std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
                             const KeyTolerances& rounding = {});
+
+/// A copy of the clip with other events and curves. It shares the keys.
+/// in   annotations  that check(Annotations) accepts      cost O(tracks), allocates their tables
+SINEW_API Clip with_annotations(const Clip& clip, Annotations annotations);
 
 /// A copy of the clip with a certificate. It shares the keys.     cost O(tracks), allocates their tables
 SINEW_API Clip with_certificate(const Clip& clip, const ClipCertificate& certificate);

@@ -10,6 +10,7 @@
 #include "runtime/base/all_finite.h"
 #include "runtime/base/checksum.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/annotation_bytes.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_layout.h"
 
@@ -106,6 +107,7 @@ void write_head(const ClipLayout& clip, ByteWriter& out) {
   out.add(static_cast<std::uint64_t>(clip.joint_count));
   out.add(clip.counts.folded);
   write_certificate(clip.certificate, out);
+  write_annotations(clip.annotations, out);
 }
 
 /// The tracks and base values of a clip, without its name and certificate.
@@ -146,6 +148,8 @@ class Loader {
     clip.counts.folded = in_.number<std::uint32_t>();
     clip.certificate = certificate();
     require(std::isfinite(clip.duration_s) && clip.duration_s >= 0.0, "the duration is not a time");
+    clip.annotations = read_annotations(in_);
+    require(check(clip.annotations, clip.duration_s) == ErrorCode::ok, "an event or a curve breaks its rules");
     std::vector<float> weights = in_.numbers<float>(), properties = in_.numbers<float>();
     require(all_finite(weights) && all_finite(properties), "a base value is not finite");
     clip.base_weights = base(std::move(weights), weights_);

@@ -45,7 +45,7 @@ SINEW_API std::size_t saved_bytes(const Clip& clip);
 /// True if the block begins with the magic number of save_clips.
 SINEW_API bool looks_like_clips(std::span<const std::byte> block) noexcept;
 
-inline constexpr std::uint32_t kClipFileVersion = 3;  ///< version 2 had another checksum
+inline constexpr std::uint32_t kClipFileVersion = 4;  ///< version 3 had no events and curves
 inline constexpr std::size_t kClipFileHead = 32;
 
 }  // namespace sinew

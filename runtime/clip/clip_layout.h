@@ -127,6 +127,7 @@ struct ClipLayout {
   std::vector<TimeGroup> groups;
   Clip::Counts counts;
   std::optional<ClipCertificate> certificate;
+  Annotations annotations;
 };
 
 /// Adds the tracks of a block to the counts of tracks that a sample evaluates.

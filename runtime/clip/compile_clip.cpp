@@ -337,6 +337,7 @@ Clip compile_clip(const Animation& animation, const ClipRest& rest, std::span<co
   ClipLayout layout;
   layout.name = animation.name;
   layout.duration_s = animation.duration_s;
+  layout.annotations = animation.annotations;
   Compiler(layout, rest, properties).add(animation, first_weight, rounding);
   return clip_of(std::move(layout));
 }

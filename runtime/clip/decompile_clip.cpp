@@ -113,6 +113,7 @@ class Decompiler {
   Result<Animation> run() {
     out_.name = clip_.name;
     out_.duration_s = clip_.duration_s;
+    out_.annotations = clip_.annotations;
     for (const TimeGroup& group : clip_.groups)
       for (const TrackBlock& block : group.blocks) add_block(block, group.times.times_s());
     add_constant_joints();

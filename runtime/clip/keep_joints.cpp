@@ -56,6 +56,7 @@ Clip keep_tracks(const ClipLayout& whole, std::span<const std::uint32_t> numbers
   kept.name = whole.name;
   kept.duration_s = whole.duration_s;
   kept.certificate = whole.certificate;
+  kept.annotations = whole.annotations;
   kept.joint_count = joint_count;
   kept.base_pose = poses.of(whole.base_pose);
   kept.base_weights = whole.base_weights;

@@ -125,6 +125,7 @@ Clip rebind_clip(const Clip& clip, const ClipRest& from, const ClipTargets& targ
   ClipLayout layout;
   layout.name = before.name;
   layout.duration_s = before.duration_s;
+  layout.annotations = before.annotations;
   layout.joint_count = to.joint_count;
   if (same_pose) layout.certificate = before.certificate;
   std::uint32_t& folded = layout.counts.folded;

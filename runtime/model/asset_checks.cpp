@@ -79,6 +79,7 @@ void check_property(const Scene& scene, const PropertyTrack& track, Findings& f)
 void check_animations(std::span<const Animation> animations, const Scene& scene, Findings& f) noexcept {
   for (const Animation& animation : animations) {
     f.require(std::isfinite(animation.duration_s) && animation.duration_s >= 0.0, ErrorCode::not_finite);
+    f.add(check(animation.annotations, animation.duration_s));
     for (const BoneAnimation& bone : animation.bones) {
       f.require_index(bone.joint, scene.skeleton.joint_count());
       if (!bone.translation.empty()) f.add(check(bone.translation));

@@ -13,6 +13,7 @@ Clip cut_page(const Clip& clip, double page_s, std::size_t page) {
   const PageTimes times = times_of_page(page, page_s, count);
   ClipLayout layout = cut_clip(clip, times.first_s, times.last_s).layout();
   layout.name = name_of_page(clip.name(), page);
+  layout.annotations = {};  // the first keys of the clip keep them
   layout.certificate.reset();
   return clip_of(std::move(layout));
 }

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "runtime/animation/curve.h"
 #include "runtime/base/api.h"
-#include "runtime/playback/curve.h"
 
 namespace sinew {
 

@@ -46,4 +46,14 @@ class SINEW_API RootTrack {
   double measured_error_ = 0.0;
 };
 
+/// The root joint without the motion of its track: the pose of a clip that plays on the spot. An engine that moves the
+/// character by the track then has nothing to remove from the pose.
+/// eq   L'(t) = E(t)^-1 L(t), L the joint's local transform without its scale, E the track's place
+/// in   rest       as for RootTrack::make;   tolerance  metres and radians, above 0, as there
+/// out  linear keys within `tolerance` of the equation, measured at eight times in each key interval; the scale track
+///      is copied
+/// cost as RootTrack::make
+SINEW_API BoneAnimation bake_out_root(const BoneAnimation& root, const Transform& rest, const RootTrack& track,
+                                      double tolerance);
+
 }  // namespace sinew

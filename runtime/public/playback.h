@@ -8,7 +8,8 @@
 ///     const sinew::PlaybackStep step = clock.advance(frame_s);
 ///     sinew::EventCursor events(step, step_sounds_s);
 ///     while (const auto event = events.next()) play_sound(*event);
-#include "runtime/playback/curve.h"
+#include "runtime/animation/curve.h"
+#include "runtime/playback/blend_curves.h"
 #include "runtime/playback/curve_edges.h"
 #include "runtime/playback/event_cursor.h"
 #include "runtime/playback/playback_clock.h"

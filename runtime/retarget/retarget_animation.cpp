@@ -206,7 +206,7 @@ Animation retarget_animation(const Animation& animation, const SkeletonMap& map,
   std::vector<JointTracks> tracks = tracks_by_joint(animation, source.joint_count());
   for (std::size_t j = 0; j < tracks.size(); ++j)
     if (source.fixed_matrix_of[j] != kNone) tracks[j] = {};  // a fixed matrix replaces the tracks
-  Animation out{animation.name, animation.duration_s, {}, {}};
+  Animation out{animation.name, animation.duration_s, {}, {}, {}, animation.annotations};
   for (const MappedJoint& joint : map.joints) {
     BoneAnimation bone = JointBake(joint, map, source, target, tracks).bake();
     if (!bone.empty()) out.bones.push_back(std::move(bone));

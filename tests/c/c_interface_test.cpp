@@ -426,7 +426,7 @@ TEST(c_interface, a_newer_caller_works_while_it_uses_nothing_new) {
 
 TEST(c_interface, every_error_has_a_sentence_and_the_version_is_the_headers) {
   EXPECT_EQ(sinew_version(), static_cast<std::uint32_t>(SINEW_VERSION));
-  for (int error = SINEW_OK; error <= SINEW_FOLLOWS_ITSELF; ++error)
+  for (int error = SINEW_OK; error <= SINEW_OUTSIDE_OF_CLIP; ++error)
     EXPECT_EQ(sinew_describe(static_cast<sinew_error>(error)), describe(static_cast<ErrorCode>(error)));
   for (const sinew_error error : {SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_OUT_OF_MEMORY, SINEW_BAD_FILE})
     EXPECT_GT(std::strlen(sinew_describe(error)), 10u);

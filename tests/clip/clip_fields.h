@@ -47,6 +47,11 @@ struct ClipFields {
   double lengths[4] = {1e-3, 5e-4, 1e-4, 0.5};
   std::uint32_t counts[3] = {2, 100, 3};
   std::uint64_t sizes[4] = {90, 40, 4000, 400};
+  std::vector<double> event_times_s = {0.5, 2.0};
+  std::string event_name = "step", curve_name = "width";
+  std::uint8_t curve_blend = 1, curve_type = 0;  // a sum of floats
+  float curve_time_s = 1.0f, curve_value = 3.0f;
+  std::uint8_t curve_step = 0;
   std::vector<float> weights = {0.1f, 0.2f, 0.3f}, properties = {1.0f, 2.0f};
   std::vector<Group> groups;
   std::vector<float> translations, rotations, scales;  ///< rest values
@@ -78,7 +83,7 @@ struct ClipFields {
       for (const auto& number : numbers) add(number);
     };
     for (const char c : {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'}) add(c);
-    add(std::uint32_t{3});
+    add(std::uint32_t{4});
     add(std::uint32_t{0});
     add(std::uint64_t{0});
     add(std::uint64_t{0});
@@ -93,6 +98,16 @@ struct ClipFields {
       for (const std::uint32_t x : counts) add(x);
       for (const std::uint64_t x : sizes) add(x);
     }
+    add_all(event_times_s);
+    for (std::size_t e = 0; e < event_times_s.size(); ++e) add_all(event_name);
+    add(std::uint32_t{1});  // number of curves
+    add_all(curve_name);
+    add(curve_blend);
+    add(curve_type);
+    add(std::uint32_t{1});  // number of keys
+    add(curve_time_s);
+    add(curve_step);
+    add(curve_value);
     add_all(weights);
     add_all(properties);
     add(static_cast<std::uint32_t>(groups.size()));

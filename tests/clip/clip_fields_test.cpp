@@ -82,6 +82,8 @@ TEST(clip_fields, that_are_all_right_make_a_clip) {
   EXPECT_EQ(clip.counts().weights, 2u);
   EXPECT_EQ(clip.counts().properties, 2u);
   EXPECT_EQ(clip.certificate()->bytes, 400u);
+  EXPECT_EQ(clip.annotations().event_names, (std::vector<std::string>{"step", "step"}));
+  EXPECT_EQ(clip.annotations().curves.at(0).keys_of<float>()[0].value, 3.0f);
   const Clip* const one = &clip;
   EXPECT_EQ(save_clips({&one, 1}), valid().block()) << "the form is the one that clips are saved in";
   test::PoseBuffer pose(4);
@@ -116,6 +118,11 @@ const Damage kDamages[] = {
      [](ClipFields& f) { f.lengths[0] = std::numeric_limits<double>::infinity(); }},
     {"certificate, worst time", "a length of the certificate is not finite",
      [](ClipFields& f) { f.lengths[3] = std::numeric_limits<double>::quiet_NaN(); }},
+    {"event, late", "an event or a curve breaks its rules", [](ClipFields& f) { f.event_times_s[1] = 2.5; }},
+    {"event, no number", "an event or a curve breaks its rules", [](ClipFields& f) { f.event_times_s[0] = kNan; }},
+    {"curve, rule", "an event or a curve breaks its rules", [](ClipFields& f) { f.curve_blend = 3; }},
+    {"curve, step", "an event or a curve breaks its rules", [](ClipFields& f) { f.curve_step = 9; }},
+    {"curve, value", "an event or a curve breaks its rules", [](ClipFields& f) { f.curve_value = kNan; }},
     {"weights", "a base value is not finite", [](ClipFields& f) { f.weights[2] = kNan; }},
     {"properties", "a base value is not finite",
      [](ClipFields& f) { f.properties[0] = std::numeric_limits<float>::infinity(); }},

@@ -32,6 +32,7 @@ TEST(clip_file, loaded_clips_sample_the_same_bits) {
     EXPECT_EQ(after->name(), "varied");
     EXPECT_EQ(after->duration_s(), 4.0);
     EXPECT_EQ(after->certificate(), before->certificate());
+    EXPECT_EQ(after->annotations(), test::varied_annotations());
     EXPECT_EQ(after->counts().rotations, before->counts().rotations);
     EXPECT_EQ(after->counts().translations, before->counts().translations);
     EXPECT_EQ(after->counts().weights, before->counts().weights);

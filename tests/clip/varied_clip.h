@@ -7,6 +7,25 @@
 
 namespace sinew::test {
 
+/// Events and curves of every type, within 4 s.
+inline Annotations varied_annotations() {
+  Annotations notes;
+  notes.add_event(3.0, "left foot");
+  notes.add_event(0.25, "right foot");
+  notes.add_event(3.0, "");
+  notes.curves = {
+      {"width", CurveBlend::sum,
+       std::vector<CurveKey<float>>{{0.5f, CurveStep::cubic, 1.0f, 0.0f, 2.0f},
+                                    {2.0f, CurveStep::hold, 4.0f, 8.0f, 0.0f}}},
+      {"place", CurveBlend::mean, std::vector<CurveKey<glm::vec2>>{{0.0f, CurveStep::linear, {1, 2}}}},
+      {"colour", CurveBlend::heaviest, std::vector<CurveKey<glm::vec3>>{{0.0f, CurveStep::linear, {1, 2, 3}}}},
+      {"plane", CurveBlend::mean, std::vector<CurveKey<glm::vec4>>{{1.0f, CurveStep::hold, {1, 2, 3, 4}}}},
+      {"aim", CurveBlend::mean,
+       std::vector<CurveKey<glm::quat>>{{1.0f, CurveStep::linear, glm::quat(0.6f, 0.8f, 0, 0)}}},
+      {"open", CurveBlend::mean, std::vector<CurveKey<bool>>{{1.0f, CurveStep::hold, true}}}};
+  return notes;
+}
+
 /// A clip with morph weights, rotation tracks of mixed interpolations, and linear and cubic translation tracks. Some
 /// tracks are packed, others are in full float. Scale and properties have no tracks.
 inline Clip varied_clip(std::uint64_t seed) {
@@ -27,6 +46,7 @@ inline Clip varied_clip(std::uint64_t seed) {
   }
   animation.weights.push_back({0, random_weights(random, Interpolation::linear, times, 3), 0});
   rounding.weights.push_back({1e-3, 1e-3, 1e-3});
+  animation.annotations = varied_annotations();
   animation.name = "varied";
   animation.duration_s = 4.0;
   Skeleton skeleton = chain_skeleton(kJoints);

@@ -72,8 +72,8 @@ TEST(tool_asset_info, of_compiled_clips_alone) {
       {"times_checked", 33},  {"source_keys", 40},  {"kept_keys", 30},
       {"source_bytes", 5000}, {"bytes", 4000},      {"bytes_per_joint_second", 4000.0 / (3.0 * first.duration_s())}};
   EXPECT_EQ(Json(parsed(info.json)),
-            (Json{{"file", "a.sinew"}, {"version", 3}, {"bytes", bytes.size()}, {"compiled_clips", {with, without}}}));
-  EXPECT_EQ(info.headline, fmt::format("compiled clips, version 3: 2 in {} bytes", bytes.size()));
+            (Json{{"file", "a.sinew"}, {"version", 4}, {"bytes", bytes.size()}, {"compiled_clips", {with, without}}}));
+  EXPECT_EQ(info.headline, fmt::format("compiled clips, version 4: 2 in {} bytes", bytes.size()));
   EXPECT_EQ(info.tables, tool::certificate_table(scene.clips, {}));
 }
 

@@ -239,7 +239,7 @@ TEST(compile_command, info_and_check_know_files_of_compiled_clips_alone) {
   const std::vector<std::byte> bytes = save_clips(saved);
   std::ofstream(out, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  EXPECT_THAT(run_tool({"info", out}).out, HasSubstr("compiled clips, version 3: 2"));
+  EXPECT_THAT(run_tool({"info", out}).out, HasSubstr("compiled clips, version 4: 2"));
   EXPECT_EQ(run_tool({"check", out}).status, 0);
   spoil(out, 100);
   EXPECT_THAT(run_tool({"info", out}).err, HasSubstr("byte 24: clip-checksum: "));

@@ -27,7 +27,8 @@ constexpr const char* kInfo = R"({
    "morph_targets": [{"name": "smile", "non_zero_deltas": 2, "default_weight": 0.25}]}],
 "skins": [{"name": "body", "joints": 5, "joint_names": ["hip", "knee", "ankle", "", "toe"], "joints_with_weight": 4, "vertices_by_influences": {"1": 20, "2": 10}}],
 "clips": [{"name": "walk", "duration_s": 1.5, "animated_nodes": [1, 2, 3], "channels": 6, "keys": 60, "most_keys_of_a_channel": 11, "constant_tracks": 2,
-  "bytes_of_keys": 10000, "bytes_compiled": 9999999, "modes": {"linear": 5, "step": 1}, "channels_by_property": {"rotation": 6}}],
+  "bytes_of_keys": 10000, "bytes_compiled": 9999999, "modes": {"linear": 5, "step": 1}, "channels_by_property": {"rotation": 6},
+  "events": [{"time_s": 0.25, "name": "left foot"}, {"time_s": 1, "name": "right foot"}], "curves": [{"name": "trail", "type": "float", "keys": 2}]}],
 "variants": ["red", "blue"],
 "materials": [{"name": "skin", "alpha": "mask", "double_sided": true, "unlit": false, "metallic": 0.5, "roughness": 0.75,
    "texture_images": {"base_color": 1, "metallic_roughness": null}},
@@ -70,6 +71,8 @@ joints of skin 0: "hip", "knee", "ankle", "", "toe"
 clips: 1
   #  name    seconds  nodes  channels  keys  most keys  constant  size of keys  size compiled  modes               properties
   0  "walk"      1.5      3         6    60         11         2       10.0 kB     10000.0 kB  linear: 5, step: 1  rotation: 6
+events of "walk": "left foot" at 0.25 s, "right foot" at 1 s
+curves of "walk": "trail" (float, 2 keys)
 material variants: "red", "blue"
 materials: 2
   #  name    alpha   sides  lighting  metallic  roughness  textures

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/playback/curve.h"
+#include "runtime/animation/curve.h"
 
 #include <gtest/gtest.h>
 

@@ -65,6 +65,36 @@ TEST(root_track, stays_within_its_tolerance_of_the_authoring_keys) {
   }
 }
 
+TEST(root_track, what_is_baked_out_and_what_moves_the_character_make_the_authored_joint) {
+  test::FixedRandom random(11);
+  for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
+    const BoneAnimation root = wander(random, interpolation);
+    const Transform rest{{1, 2, 3}, heading(0.3), {1, 1, 1}};
+    const RootTrack track = RootTrack::make(root, rest, {}, 1e-4);
+    const BoneAnimation baked = bake_out_root(root, rest, track, 1e-4);
+    EXPECT_EQ(check(baked.translation), ErrorCode::ok);
+    EXPECT_EQ(check(baked.rotation), ErrorCode::ok);
+    double worst = 0.0;
+    for (int i = 0; i <= 5000; ++i) {
+      const double time_s = -0.1 + i * 1e-3;
+      const Transformd on_the_spot = baked.interpolate<double>(time_s, {});
+      const Transformd whole = root.interpolate<double>(
+          time_s, {Vec3<double>(rest.translation), quat_cast<double>(rest.rotation), Vec3<double>(rest.scale)});
+      worst = std::max(worst, apart(track.place(time_s) * dual_quat_from(on_the_spot.rotation, on_the_spot.translation),
+                                    dual_quat_from(whole.rotation, whole.translation)));
+    }
+    EXPECT_LE(worst, interpolation == Interpolation::step ? 1e-3 : 2e-4);
+  }
+}
+
+TEST(root_track, a_straight_walk_that_is_baked_out_bobs_on_the_spot) {
+  const BoneAnimation walk = straight_walk(1.5f, 1.0f);
+  const BoneAnimation baked = bake_out_root(walk, {}, RootTrack::make(walk, {}, {}, 1e-5), 1e-5);
+  EXPECT_EQ(baked.translation.times_s.size(), 3u);
+  for (const glm::vec3& place : baked.translation.values) EXPECT_LE(std::abs(place.x) + std::abs(place.z), 2e-5f);
+  EXPECT_NEAR(baked.translation.values[1].y, 1.1f, 1e-5f);
+}
+
 TEST(root_track, keeps_only_the_keys_that_it_needs) {
   const RootMotionParts ground;
   EXPECT_EQ(RootTrack::make(straight_walk(1.5f, 1.0f), {}, ground, 1e-5).keys().size(), 2u) << "the bob stays";

@@ -8,6 +8,7 @@
 #include "importer/tool/assets/asset_bytes.h"
 #include "importer/tool/assets/asset_parts.h"
 #include "importer/tool/certificate_table.h"
+#include "importer/tool/info/clip_annotations.h"
 #include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/messages.h"
@@ -40,12 +41,19 @@ Json json_of(const Clip& clip) {
                           {"source_bytes", c->source_bytes},
                           {"bytes", c->bytes},
                           {"bytes_per_joint_second", c->bytes_per_joint_second(clip.duration_s())}};
+  add_annotations(clip.annotations(), out);
   return out;
 }
 
 Json json_of(const std::vector<Clip>& clips) {
   Json out = Json::array();
   for (const Clip& clip : clips) out.push_back(json_of(clip));
+  return out;
+}
+
+std::string annotation_lines_of(const std::vector<Clip>& clips) {
+  std::string out;
+  for (const Clip& clip : clips) out += annotation_lines(json_of(clip));
   return out;
 }
 
@@ -57,7 +65,7 @@ Info info_of_clips(const std::string& file, const std::vector<std::byte>& bytes)
   return AssetInfo{
       {{"file", file}, {"version", kClipFileVersion}, {"bytes", bytes.size()}, {"compiled_clips", json_of(*clips)}},
       fmt::format("compiled clips, version {}: {} in {} bytes", kClipFileVersion, clips->size(), bytes.size()),
-      certificate_table(*clips, {})};
+      certificate_table(*clips, {}) + annotation_lines_of(*clips)};
 }
 
 Json json_of(const AssetBlock& block) {
@@ -142,7 +150,8 @@ Info info_of_assets(const std::string& name, const std::vector<std::byte>& bytes
   out.tables += "  " + memory_text(out.json["memory"]);
   out.json["compiled_clips"] = json_of(parts->clips);
   out.tables +=
-      certificate_table(parts->clips, parts->scene ? parts->scene->skeleton.names : std::vector<std::string>());
+      certificate_table(parts->clips, parts->scene ? parts->scene->skeleton.names : std::vector<std::string>()) +
+      annotation_lines_of(parts->clips);
   return out;
 }
 

@@ -11,6 +11,7 @@
 
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite_gltf.h"
+#include "importer/tool/info/clip_annotations.h"
 #include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/info/skin_statistics.h"
@@ -140,18 +141,20 @@ Json clip_json(const Scene& scene, const Animation& animation, const Clip& clip)
     const std::string pointer = property_pointer(track.target, scene);
     tally.add(pointer.substr(pointer.rfind('/') + 1), track.values);
   }
-  return {{"name", animation.name},
-          {"duration_s", animation.duration_s},
-          {"animated_nodes", animated_nodes(scene, animation)},
-          {"channels", tally.channels},
-          {"channels_by_property", tally.by_property},
-          {"modes", tally.by_mode},
-          {"keys", tally.keys},
-          {"most_keys_of_a_channel", tally.most_keys},
-          {"constant_tracks", clip.counts().folded},
-          {"key_searches", clip.counts().time_groups},
-          {"bytes_of_keys", tally.bytes},
-          {"bytes_compiled", clip.byte_size()}};
+  Json out{{"name", animation.name},
+           {"duration_s", animation.duration_s},
+           {"animated_nodes", animated_nodes(scene, animation)},
+           {"channels", tally.channels},
+           {"channels_by_property", tally.by_property},
+           {"modes", tally.by_mode},
+           {"keys", tally.keys},
+           {"most_keys_of_a_channel", tally.most_keys},
+           {"constant_tracks", clip.counts().folded},
+           {"key_searches", clip.counts().time_groups},
+           {"bytes_of_keys", tally.bytes},
+           {"bytes_compiled", clip.byte_size()}};
+  add_annotations(animation.annotations, out);
+  return out;
 }
 
 Json instance_json(const Scene& scene, const MeshInstance& instance) {

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/info/clip_annotations.h"
 #include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/messages.h"
@@ -195,6 +196,7 @@ class InfoText {
                                pairs(c["modes"], ": "),
                                pairs(c["channels_by_property"], ": ")};
           });
+    for (const Json& clip : info_["clips"]) text_ += annotation_lines(clip);
   }
 
   void materials() {

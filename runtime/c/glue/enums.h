@@ -48,7 +48,8 @@ inline constexpr auto kEnum<ErrorCode> =
                                          {ErrorCode::too_large, SINEW_TOO_LARGE},
                                          {ErrorCode::no_cut, SINEW_NO_CUT},
                                          {ErrorCode::unknown_character, SINEW_UNKNOWN_CHARACTER},
-                                         {ErrorCode::follows_itself, SINEW_FOLLOWS_ITSELF}});
+                                         {ErrorCode::follows_itself, SINEW_FOLLOWS_ITSELF},
+                                         {ErrorCode::outside_of_clip, SINEW_OUTSIDE_OF_CLIP}});
 
 template <>
 inline constexpr auto kEnum<Topology> = enum_values<Topology, sinew_topology>({{Topology::points, SINEW_POINTS},

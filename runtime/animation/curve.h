@@ -28,6 +28,8 @@ struct CurveKey {
   CurveStep step = CurveStep::linear;
   V value{};
   V in_tangent{}, out_tangent{};  ///< per second; used where the curve arrives or leaves by CurveStep::cubic
+
+  friend bool operator==(const CurveKey&, const CurveKey&) = default;
 };
 
 /// A value that an engine animates beside poses: the width of a trail, a colour, a flag, the aim of a camera.
