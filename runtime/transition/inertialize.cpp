@@ -20,7 +20,7 @@ struct Offsets {
   Lanes x, y, z;
 };
 
-/// What all joints share at one progress.
+/// Factors that all joints share.
 struct Moment {
   Lanes u, across;
 };
