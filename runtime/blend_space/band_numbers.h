@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// Kept numbers of the directional form for a pair of points: the way from the first point towards the second is
+/// Kept numbers of the directional form for a pair of points. The way from the first point towards the second is a sum:
 /// angle * turn + |angle| * turn_of_opposite + (speed - own speed) * rise. All are 0 where one of both is the origin,
 /// and for points on each other. Internal to blend_space/
 struct BandPair {

@@ -11,10 +11,10 @@ namespace sinew {
 /// Most beats of a track that find_common_beats takes.
 inline constexpr std::size_t kMostCommonBeats = 16;
 
-/// Finds the beats that motions can meet in, for gaits whose feet touch down in another order, or not all of them: the
-/// longest row of names that all tracks have in this order, round and round. A walk and a gallop meet in three feet of
-/// four. Of rows of equal length, the one with earlier beats of the first track counts. Call it once for a group, and
-/// make tracks of these beats alone.
+/// Finds the beats that motions can meet in, for gaits whose feet touch down in another order, or not all of them. It
+/// is the longest row of names that all tracks have in this order, round and round. A walk and a gallop meet in three
+/// feet of four. Of rows of equal length, the one with earlier beats of the first track counts. Call it once for a
+/// group, and make tracks of these beats alone.
 /// in   tracks  checked, each of at most kMostCommonBeats beats
 /// out  kept    [tracks] a bit for each beat; all 0 without a name in common
 ///      beats of the row

@@ -34,7 +34,7 @@ SINEW_API std::uint32_t common_segments(SyncGroup group) noexcept;
 /// cost O(members)
 SINEW_API double common_length_s(SyncGroup group) noexcept;
 
-/// Turns members so that equal names meet those of the first one: sets each first_beat to the smallest one with the
+/// Turns members so that equal names meet those of the first one. Each first_beat becomes the smallest one with the
 /// most equal names in a common cycle. Gaits whose order of feet differs meet in as many feet as they can.
 /// in   group  checked, but for its first_beat;   cost O(members * segments * beats)
 SINEW_API void align_names(std::span<SyncMember> group) noexcept;
