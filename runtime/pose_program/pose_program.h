@@ -22,8 +22,7 @@ inline constexpr std::size_t kMostPoseOps = 255;
 struct PoseProgramLimits {
   std::size_t clips = 0, externals = 0, masks = 0, overrides = 0, procedures = 0;
   bool mirror = false;                  ///< mirror tables are there
-  std::size_t slots = 0;                ///< poses that memory has room for
-  std::size_t kept = 0;                 ///< as PoseProgramRoom::kept
+  std::size_t slots = 0, kept = 0;      ///< that memory has room for, as PoseProgramRoom
   bool overlays_in_model_space = true;  ///< memory has room for their rotations
 };
 

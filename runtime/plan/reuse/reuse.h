@@ -5,6 +5,7 @@
 #include <span>
 
 #include "runtime/plan/reuse/what_stands.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -35,6 +36,9 @@ class Reuse {
   std::uint64_t number() const noexcept { return number_; }
   /// Of the frame's memory.
   const FrameTables& tables() const noexcept { return tables_; }
+
+  /// The program of the last run, whose kept operands the memory has; empty where they do not fit this input.
+  LastProgram last_program(const FrameInput& input) const noexcept;
 
   /// Copies the pose of these layers into place `update` of FrameLayout::updates, from wherever earlier frames have it.
   /// out  false: no frame has it
@@ -87,6 +91,7 @@ class Reuse {
   const FrameTables& before_;
   std::uint64_t number_;
   WhatStands stands_;
+  const LastInput* last_input_ = nullptr;  // null: nothing stands by comparing inputs
 };
 
 }  // namespace sinew

@@ -5,7 +5,6 @@
 #include "runtime/plan/frame_buffer.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_tables.h"
-#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -21,8 +20,7 @@ struct WhatStands {
   bool all = false;               ///< the memory holds the result of this very input
   bool all_since_before = false;  ///< the character's frame before had this input too, perhaps in other memory
   StandingMatrices matrices = StandingMatrices::none;
-  LastProgram program = {};  ///< whose kept operands the memory has
-  bool base_pose = false;    ///< the pose is of the one clip that plays now too: only its tracks need be sampled
+  bool base_pose = false;  ///< the pose is of the one clip that plays now too: only its tracks need be sampled
 };
 
 /// The last run into some memory.
