@@ -64,8 +64,7 @@ typedef struct sinew_program_room {
 } sinew_program_room;
 
 /// The room that a program needs: lists reach to its largest index, and `overridden_joints` is left at 0.
-/// out  room  with struct_size set by the caller
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
+/// out  room  with struct_size set.   err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
 SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_count, sinew_program_room* room);
 /// Raises `room` to what either of both needs.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
