@@ -8,9 +8,9 @@
 extern "C" {
 #endif
 
-// Pose programs: the pose of a frame as a short list of operations, which a graph or a script of the engine writes
-// (sinew_frame_input.program). An operation takes its operands from a stack of poses and leaves one pose there. Each
-// pose has its own morph weights and properties. A program is plain bytes: copy it, compare it, store it.
+// Pose programs: the pose of a frame as operations that an engine's graph writes (sinew_frame_input.program). Each
+// takes its operands from a stack of poses, with morph weights and properties, and leaves one there. A program is plain
+// bytes.
 
 typedef enum sinew_op_kind {
   SINEW_OP_REST = 0,              ///< pushes the rest pose
@@ -24,25 +24,31 @@ typedef enum sinew_op_kind {
   SINEW_OP_ADD_TO_REST = 8,       ///< adds the difference of the topmost pose from the rest pose to the pose below
   SINEW_OP_ADD = 9,               ///< adds the difference of the second pose from the topmost to the third
   SINEW_OP_OVERRIDE_JOINTS = 10,  ///< sets joints of the topmost pose to the transforms of override `index`
-  SINEW_OP_PROCEDURE = 11         ///< lets procedure `index` of the caller change the topmost pose: IK, springs
+  SINEW_OP_PROCEDURE = 11,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs
+  SINEW_OP_INERTIALIZE = 12,      ///< a transition: adds the source's offset from the target, which decays
+  SINEW_OP_DEAD_BLEND = 13,       ///< a transition: fades the source, which goes on by itself, into the target
+  SINEW_OP_CACHED = 14            ///< the topmost pose, kept while the operations that make it are the same
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
 #define SINEW_MOST_OPS 255u  ///< most operations of one program
 
-/// One operation. `weight` and `mask` say how much its pose counts in a mean, as the upper pose of an overlay, or as
-/// the layer of an addition. This struct never grows: its 16 bytes may be stored and sent.
+/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
+/// is the upper pose, in an addition the layer. Transitions take the target's pose now, then the source's at the start
+/// and one step before. SINEW_OP_INERTIALIZE also takes the target's at the start and one step before. This struct
+/// never grows: its 16 bytes may be stored and sent.
 typedef struct sinew_pose_op {
-  double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1]; if the weights sum to less, the rest
-                   ///< pose gets the remainder;  override, procedure: its share in [0, 1]
+  double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1], below which the rest pose fills up;
+                   ///< override, procedure: its share in [0, 1];  transitions: their progress in [0, 1]
   float weight;    ///< finite, >= 0
-  uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;
-                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own
+  uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;  additions:
+                   ///< 0 = turn joints in their parent's frame, 1 = in their own.  Transitions: steps in the duration,
+                   ///< >= 1, of which 0.1 to 1 ms measures velocities well
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
   uint8_t kind;    ///< a value of sinew_op_kind
 } sinew_pose_op;
 
-/// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0.
+/// An operation of weight 1 without a mask, at index 0, of threshold or share 1. A transition has one step.
 SINEW_API sinew_pose_op sinew_default_op(uint32_t kind);
 
 /// Upper limits of what the programs of a plan use: operations, stack slots, and the lists that they index.
@@ -54,15 +60,13 @@ typedef struct sinew_program_room {
   uint32_t masks;                             ///< masks of sinew_needs and of the caller together, at most 255
   uint32_t overridden_joints;                 ///< joints of all overrides together
   uint32_t overlays_in_model_space;           ///< 1 if programs use SINEW_OP_OVERLAY_MODEL
+  uint32_t kept;                              ///< transitions and operations SINEW_OP_CACHED, at most `ops`
 } sinew_program_room;
 
-/// The room that a program needs. Lists are as long as its largest index asks for. `overridden_joints` is left at 0,
-/// since a program does not say how many joints an override has.
-/// out  room  with struct_size set by the caller
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
+/// The room that a program needs: lists reach to its largest index, and `overridden_joints` is left at 0.
+/// out  room  with struct_size set.   err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
 SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_count, sinew_program_room* room);
-/// Raises `room` to what either of the two needs, for plans whose frames run several programs.
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
+/// Raises `room` to what either of both needs.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
 // Operations refer to entries of the lists below by index. Each entry has a version: equal versions promise the same
@@ -115,8 +119,7 @@ typedef struct sinew_procedure_pose {
 } sinew_procedure_pose;
 
 /// A function of the caller that changes the pose in the middle of a program. It runs on the thread that runs the
-/// frame, and must return: it must not throw or longjmp. An unchanged version promises the same output pose for the
-/// same input pose.
+/// frame, and must not throw or longjmp. An unchanged version promises the same output pose for the same input pose.
 typedef struct sinew_pose_procedure {
   void (*run)(void* context, const sinew_procedure_pose* pose);
   void* context;
@@ -133,14 +136,13 @@ typedef struct sinew_program_inputs {
   size_t external_count;
   const sinew_joint_overrides* overrides;
   size_t override_count;
-  const sinew_pose_procedure* procedures;  ///< not copied, even where other inputs are: must not change until the
-                                           ///< frames that use it are done
+  const sinew_pose_procedure* procedures;  ///< not copied: must not change until the frames that use it are done
   size_t procedure_count;
   const sinew_joint_mask* masks;
   size_t mask_count;
-  const sinew_page* const* pages;  ///< [operations] for those that sample a clip in pages: the page with its keys.
-                                   ///< Null, or a null element, if the clip has its keys itself. Pages must stay alive
-                                   ///< and unchanged as long as frames use them
+  const sinew_page* const*
+      pages;  ///< [operations] for those that sample a clip in pages: the page with its keys. Null
+              ///< (or all) if the clip has its keys. Must stay unchanged as long as frames use them
 } sinew_program_inputs;
 
 #ifdef __cplusplus

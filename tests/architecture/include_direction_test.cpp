@@ -80,11 +80,11 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"nlohmann/", {"importer", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
-      "importer/tool", "tests"}},
+      "runtime/transition", "importer/tool", "tests"}},
     {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
     {"tbb/", {"runtime/threads", "importer/tool", "tests"}},
     {"oneapi/", {}},
-    {"Eigen/", {"runtime/model", "runtime/procedures", "tests"}},
+    {"Eigen/", {"runtime/blend_space", "runtime/model", "runtime/procedures", "tests"}},
     {"OpenEXR/", {"viewer/light", "tests"}},
 };
 

@@ -198,21 +198,32 @@ TEST(c_program_rooms, are_those_of_cpp_and_can_be_raised) {
   const sinew_pose_op ops[] = {{0.0, 1.0f, 2, 4, SINEW_OP_EXTERNAL},
                                {0.5, 1.0f, 0, SINEW_OP_NO_MASK, SINEW_OP_SAMPLE},
                                {0.0, 1.0f, 0, SINEW_OP_NO_MASK, SINEW_OP_OVERLAY_MODEL}};
-  const sinew_pose_op other[] = {sinew_default_op(SINEW_OP_REST), sinew_default_op(SINEW_OP_PROCEDURE)};
+  const sinew_pose_op other[] = {sinew_default_op(SINEW_OP_REST), sinew_default_op(SINEW_OP_PROCEDURE),
+                                 sinew_default_op(SINEW_OP_CACHED)};
   sinew_program_room room{.struct_size = sizeof(room)}, more = room;
   ASSERT_EQ(sinew_program_room_of(ops, 3, &room), SINEW_OK);
-  ASSERT_EQ(sinew_program_room_of(other, 2, &more), SINEW_OK);
+  ASSERT_EQ(sinew_program_room_of(other, 3, &more), SINEW_OK);
   more.overridden_joints = 7;
   ASSERT_EQ(sinew_raise_program_room(&room, &more), SINEW_OK);
   EXPECT_EQ(room.struct_size, sizeof(room));
   const std::uint32_t numbers[] = {room.ops,        room.slots, room.externals,         room.overrides,
-                                   room.procedures, room.masks, room.overridden_joints, room.overlays_in_model_space};
-  const std::uint32_t expected[] = {3, 2, 3, 0, 1, 5, 7, 1};
+                                   room.procedures, room.masks, room.overridden_joints, room.overlays_in_model_space,
+                                   room.kept};
+  const std::uint32_t expected[] = {3, 2, 3, 0, 1, 5, 7, 1, 1};
   EXPECT_TRUE(std::equal(std::begin(numbers), std::end(numbers), std::begin(expected)));
   more.struct_size = 3;
   EXPECT_EQ(sinew_program_room_of(ops, 3, &more), SINEW_WRONG_STRUCT_SIZE);
   EXPECT_EQ(sinew_raise_program_room(&room, &more), SINEW_WRONG_STRUCT_SIZE);
   EXPECT_EQ(sinew_program_room_of(nullptr, 1, &room), SINEW_NULL_ARGUMENT);
+}
+
+TEST(c_transitions, by_default_have_one_step_and_begin) {
+  for (const sinew_op_kind kind : {SINEW_OP_INERTIALIZE, SINEW_OP_DEAD_BLEND}) {
+    const sinew_pose_op op = sinew_default_op(kind);
+    EXPECT_EQ(op.index, 1u);
+    EXPECT_EQ(op.time_s, 0.0);
+    EXPECT_EQ(op.weight, 1.0f);
+  }
 }
 
 TEST_F(c_pose_programs, rooms_that_no_program_can_use_are_refused) {
@@ -222,7 +233,8 @@ TEST_F(c_pose_programs, rooms_that_no_program_can_use_are_refused) {
   const std::pair<std::uint32_t sinew_program_room::*, std::uint32_t> too_many[] = {
       {&sinew_program_room::ops, 256u},         {&sinew_program_room::slots, 256u},
       {&sinew_program_room::masks, 256u},       {&sinew_program_room::externals, 65536u},
-      {&sinew_program_room::overrides, 65536u}, {&sinew_program_room::procedures, 65536u}};
+      {&sinew_program_room::overrides, 65536u}, {&sinew_program_room::procedures, 65536u},
+      {&sinew_program_room::kept, 256u}};
   for (const auto& [member, number] : too_many) {
     room_ = good;
     room_.*member = number;

@@ -6,6 +6,7 @@
 #include "runtime/plan/pose_operations.h"
 #include "runtime/pose_program/pose_machine.h"
 #include "runtime/pose_program/read_properties.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 namespace {
@@ -73,6 +74,27 @@ void add(PoseMachine& machine, const ClipLayer& layer) noexcept {
   machine.run({.kind = PoseOpKind::add}, kWithoutProperties);
 }
 
+/// Runs the operations of a program, but for those whose results earlier frames have kept.
+void run_keeping(PoseMachine& machine, const FrameInput& input, const PoseStep& step, const ReadProperties& properties,
+                 const Reuse& reuse) noexcept {
+  const PoseProgramSpan program = input.program;
+  const StandingOperands operands(program, properties, reuse.last_program(input), reuse.tables().kept);
+  const std::span<const Clip* const> pages = input.program_inputs.pages;
+  const std::size_t end = std::min(step.end, program.size());
+  for (std::size_t i = 0; i < end; ++i) {
+    if (i < step.first || operands.skips(i)) {
+      machine.skip(program[i]);
+      continue;
+    }
+    PoseMachine::Step of_op{.page = pages.empty() ? nullptr : pages[i], .with_properties = properties.of(i)};
+    if (kept_operands_of(program[i]) > 0) {
+      of_op.kept = operands.place(i);
+      of_op.kept_stands = operands.stands(i);
+    }
+    machine.run(program[i], of_op);
+  }
+}
+
 }  // namespace
 
 PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const PoseStep& step,
@@ -93,11 +115,15 @@ PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> la
   return machine.top().pose;
 }
 
-PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step,
+PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step, const Reuse& reuse,
                           FrameWork& work) noexcept {
   if (!plan.poses) return show_rest(plan, step);
   PoseMachine machine = machine_for(plan, input.program_inputs, step, work);
   const ReadProperties properties(input.program, plan.properties);
+  if (plan.needs.in.program.kept > 0) {
+    run_keeping(machine, input, step, properties, reuse);
+    return machine.top().pose;
+  }
   const std::span<const Clip* const> pages = input.program_inputs.pages;
   const std::size_t end = std::min(step.end, input.program.size());
   for (std::size_t i = 0; i < end; ++i) {

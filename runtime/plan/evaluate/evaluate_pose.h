@@ -6,6 +6,7 @@
 #include "runtime/plan/evaluate/frame_work.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
+#include "runtime/plan/reuse/reuse.h"
 
 namespace sinew {
 
@@ -27,9 +28,9 @@ PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> la
                          FrameWork& work) noexcept;
 
 /// As evaluate_layers, from the operations of a program, with stage pose_program.
-/// in   input  checked; its program is not empty
+/// in   input  checked; its program is not empty;   reuse  of the frame's memory
 /// out  the topmost pose, which is the frame's own at the end of the program
-PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step,
+PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step, const Reuse& reuse,
                           FrameWork& work) noexcept;
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/base/same_bits.h"
+#include "runtime/plan/reuse/program_versions.h"
 
 namespace sinew {
 namespace {
@@ -36,6 +37,16 @@ Reuse::Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTable
              const Run& before, bool had_it, std::uint64_t number) noexcept
     : Reuse(plan, tables, last, before, number) {
   stands_ = find_what_stands(plan, input, {last.input, tables_}, {before.input, before_}, had_it);
+  last_input_ = &last.input;
+}
+
+/// Kept operands lack morph weights where the input gave all of them.
+LastProgram Reuse::last_program(const FrameInput& input) const noexcept {
+  if (last_input_ == nullptr || !last_input_->is_known || last_input_->asleep) return {};
+  if (input.weights.empty() != (last_input_->weight_count == 0)) return {};
+  return {tables_.input_program.first(last_input_->op_count),
+          has_versions(input.program_inputs, tables_.input_versions.first(last_input_->version_count)),
+          plan_.masks.size()};
 }
 
 bool Reuse::find_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "runtime/plan/reuse/what_stands.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -37,6 +38,9 @@ class Reuse {
   std::uint64_t number() const noexcept { return number_; }
   /// The tables in the frame's memory.
   const FrameTables& tables() const noexcept { return tables_; }
+
+  /// The program of the last run, whose kept operands the memory has; empty if they do not fit this input.
+  LastProgram last_program(const FrameInput& input) const noexcept;
 
   /// Copies the pose of these layers to place `update` of FrameLayout::updates, if an earlier frame has it in its
   /// memory.
@@ -90,6 +94,7 @@ class Reuse {
   const FrameTables& before_;
   std::uint64_t number_;
   WhatStands stands_;
+  const LastInput* last_input_ = nullptr;  // null: nothing stands by comparing inputs
 };
 
 }  // namespace sinew
