@@ -33,6 +33,7 @@ set(sinew_public_headers
   retarget.h        runtime/public/retarget.h
   scene.h           runtime/public/scene.h
   skeleton.h        runtime/public/skeleton.h
+  springs.h         runtime/public/springs.h
   update_rates.h    runtime/public/update_rates.h
   sinew.h           runtime/sinew.h
   sinew_assets.h    runtime/c_assets/sinew_assets.h

@@ -111,6 +111,14 @@ struct TwistMap;
 enum class UpdateLevel : std::uint8_t;
 struct UpdateRates;
 
+// Springs.
+class Springs;
+struct SpringsContext;
+struct SpringsFault;
+struct SpringsJob;
+struct SpringSettings;
+struct SpringSetup;
+
 // Files.
 class AssetFile;
 struct AssetFileError;
