@@ -66,7 +66,7 @@ struct VrmConstraint {
 };
 
 /// VRM 0.x or 1.0 data of the scene's character (VRM, VRMC_vrm, VRMC_springBone, VRMC_node_constraint). For
-/// VRMC_vrm_animation, of the character that the clips animate. The runtime does not use this data yet.
+/// VRMC_vrm_animation, of the character that the clips animate. vrm_springs.h makes springs and constraints of it.
 struct VrmCharacter {
   std::string version;  ///< version of the specification: "0.0" or "1.0"
   std::string name, authors;

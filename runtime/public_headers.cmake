@@ -44,7 +44,8 @@ if(SINEW_IMPORTER)
     centers_of_rotation.h  importer/add_centers_of_rotation.h
     import.h               importer/import_gltf.h
     sinew_import.h         importer/c/sinew_import.h
-    vrm.h                  importer/vrm.h)
+    vrm.h                  importer/vrm.h
+    vrm_springs.h          importer/vrm_springs.h)
 endif()
 
 # Programs outside of this tree read the headers from build/include, and an installed package holds that folder. They are written

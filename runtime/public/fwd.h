@@ -134,5 +134,6 @@ struct ImportError;
 struct ImportIssue;
 struct ImportOptions;
 struct VrmCharacter;
+struct VrmSprings;
 
 }  // namespace sinew
