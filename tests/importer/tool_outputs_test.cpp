@@ -47,6 +47,10 @@ const std::map<std::string, Command> kWriting = {
      }},
     {"retarget",
      [](const auto& in, const auto& out) { return std::vector<std::string>{"retarget", in, "--onto", in, "-o", out}; }},
+    {"simulate",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"simulate", in, "-o", out};
+     }},
     {"cost",
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"cost", in, "--quick", "-o", fs::path(out).parent_path().string()};
