@@ -93,9 +93,10 @@ TEST(add_chain_below, tails_are_first_children_and_ends_go_on) {
   setup.groups.resize(1);
   add_chain_below(skeleton, 1, {.stiffness = 2.0}, 0.07, setup);
   ASSERT_EQ(setup.joints.size(), 4u);
-  const Vec3<double> tails[] = {{0, 2, 0}, {0, -4, 0}, {0, 0, 0.07}, {0, -0.07, 0}};
+  const std::uint32_t joints[] = {1, 2, 4, 3};
+  const Vec3<double> tails[] = {{0, 2, 0}, {0, -4, 0}, {0, -0.07, 0}, {0, 0, 0.07}};
   for (std::size_t j = 0; j < 4; ++j) {
-    EXPECT_EQ(setup.joints[j].joint, j + 1);
+    EXPECT_EQ(setup.joints[j].joint, joints[j]);
     EXPECT_EQ(setup.joints[j].stiffness, 2.0);
     EXPECT_TRUE(test::is_near(setup.joints[j].tail_m, tails[j], 1e-15)) << j;
   }

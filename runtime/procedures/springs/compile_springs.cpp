@@ -151,6 +151,12 @@ class SpringsCompiler {
       if (!listed[j]) continue;
       record_of_[j] = static_cast<std::uint32_t>(out_.records.size());
       out_.records.push_back(record_for(j, setup_of[j]));
+      const SpringRecord& record = out_.records.back();
+      const Transform& rest = skeleton_.rest[j];
+      out_.has_carried |= record.group == kNone;
+      out_.is_rest_uniform &= springs::scales_evenly(rest);
+      out_.rest.push_back(rest);
+      out_.rest_inputs.push_back(springs::joint_input(record, rest));
     }
   }
 
@@ -168,7 +174,9 @@ class SpringsCompiler {
     record.goal = setup_.groups[given.group].goal;
     record.rest = normalised(quat_cast<double>(skeleton_.rest[joint].rotation));
     record.tail = given.tail_m;
-    if (safe_length(given.tail_m) > 1e-9) record.group = given.group;
+    record.length = safe_length(given.tail_m);
+    record.axis = normalised_or(given.tail_m, Vec3<double>(0.0, 1.0, 0.0));
+    if (record.length > 1e-9) record.group = given.group;
     // At the usual rate the file's numbers are used as they are. A pull adds to the velocity in each tick, so at other
     // rates it follows the square of the tick.
     const double ticks = is_usual ? 1.0 : tick_s * 60.0;
@@ -239,28 +247,22 @@ tl::expected<Springs, SpringsFault> compile_springs(const Skeleton& skeleton, co
 
 void add_chain_below(const Skeleton& skeleton, std::uint32_t root, const SpringJoint& like, double end_m,
                      SpringSetup& setup) {
-  std::vector<bool> listed(skeleton.joint_count(), false);
-  const std::size_t first = setup.joints.size();
-  std::vector<std::size_t> entry_of(skeleton.joint_count());
-  std::vector<bool> has_tail;
-  for (std::uint32_t j = root; j < skeleton.joint_count(); ++j) {
-    const std::uint32_t parent = skeleton.parents[j];
-    const Vec3<double> from_parent(skeleton.rest[j].translation);
-    const bool is_below = parent != kNone && listed[parent];
-    if (is_below && !has_tail[entry_of[parent]]) {
-      SpringJoint& above = setup.joints[first + entry_of[parent]];
-      above.tail_m = from_parent;
-      above.lagging_length = like.lagging_length;
-      has_tail[entry_of[parent]] = true;
-    }
-    if ((j != root && !is_below) || skeleton.fixed_matrix_of[j] != kNone) continue;
-    listed[j] = true;
-    entry_of[j] = setup.joints.size() - first;
-    has_tail.push_back(false);
+  std::vector<std::uint32_t> first_child(skeleton.joint_count(), kNone), sibling(skeleton.joint_count(), kNone);
+  for (auto j = static_cast<std::uint32_t>(skeleton.joint_count()); j-- > 0;)
+    if (const std::uint32_t parent = skeleton.parents[j]; parent != kNone)
+      sibling[j] = std::exchange(first_child[parent], j);
+  for (std::vector<std::uint32_t> open{root}; !open.empty();) {
+    const std::uint32_t j = open.back(), child = first_child[j];
+    open.pop_back();
+    if (j != root && sibling[j] != kNone) open.push_back(sibling[j]);
+    if (skeleton.fixed_matrix_of[j] != kNone) continue;
+    if (child != kNone) open.push_back(child);
     SpringJoint& joint = setup.joints.emplace_back(like);
     joint.joint = j;
-    joint.lagging_length = false;
-    joint.tail_m = normalised_or(from_parent, Vec3<double>(0.0, 1.0, 0.0)) * end_m;
+    joint.lagging_length = like.lagging_length && child != kNone;
+    const Vec3<double> from_parent(skeleton.rest[j].translation);
+    joint.tail_m = child != kNone ? Vec3<double>(skeleton.rest[child].translation)
+                                  : normalised_or(from_parent, Vec3<double>(0.0, 1.0, 0.0)) * end_m;
   }
 }
 

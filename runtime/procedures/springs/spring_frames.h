@@ -48,6 +48,10 @@ struct UniformFrame {
   Vec point(const Vec& p) const noexcept { return at + vector(p); }
   Vec normal(const Vec& n) const noexcept { return rotate_vector(rotation, n) * sign(); }
 
+  /// Length and direction of the image of a vector, given its own.
+  double length_of(const Vec&, double length) const noexcept { return std::abs(scale) * length; }
+  Vec direction_along(const Vec&, const Vec& axis) const noexcept { return normal(axis); }
+
   /// A vector, of any length, whose image points along `v`.
   Vec local_direction(const Vec& v) const noexcept { return rotate_vector(quat_conjugate(rotation), v) * sign(); }
   Vec local_point(const Vec& p) const noexcept {
@@ -71,6 +75,11 @@ struct MatrixFrame {
     const Mat cof = cofactor(linear);
     return direction_of(cof * n * (dot(linear[0], cof[0]) < 0.0 ? -1.0 : 1.0), n);
   }
+  double length_of(const Vec& v, double) const noexcept {
+    const Vec image = vector(v);
+    return std::sqrt(dot(image, image));
+  }
+  Vec direction_along(const Vec& v, const Vec&) const noexcept { return direction_of(vector(v), Vec(0, 1, 0)); }
   Vec local_direction(const Vec& v) const noexcept {
     const Mat cof = cofactor(linear);
     const double sign = dot(linear[0], cof[0]) < 0.0 ? -1.0 : 1.0;
@@ -90,44 +99,5 @@ struct MatrixFrame {
     return {at, Mat(linear[0] * factors.x, linear[1] * factors.y, linear[2] * factors.z)};
   }
 };
-
-/// A joint that springs read, as it is kept and interpolated between frames. Rotation and shape are apart, because a
-/// mean of two matrices would shrink.
-/// eq   linear part = R(rotation) * shape
-struct InputFrame {
-  Vec at{0.0};
-  Rot rotation = quat_identity<double>();
-  Mat shape{1.0};
-
-  friend bool operator==(const InputFrame&, const InputFrame&) = default;
-};
-
-/// eq   the rotation has the first axis of M, and the second as near as it can be; of -M where M mirrors
-InputFrame input_frame_of(const Affined& world) noexcept;
-
-/// Weights of three frames at a time between the last two, or behind them.
-struct FrameWeights {
-  double earlier = 0.0, before = 0.0, now = 1.0;
-};
-
-/// in   fraction   of the way from the frame before to this one; beyond 1 it is extrapolated
-///      now_s, before_s   lengths of the last two frames; 0 = unknown
-/// eq   the parabola through the three places (Newton). It is a line where the two lengths differ by a factor of 4 or
-///      more, and for extrapolation, since noise would grow.
-FrameWeights weights_at(double fraction, double now_s, double before_s) noexcept;
-
-/// The sum of three frames with weights.
-InputFrame interpolated(const InputFrame& earlier, const InputFrame& before, const InputFrame& now,
-                        const FrameWeights& weights) noexcept;
-
-/// True if the frame scales all directions alike, within a rounding of float.
-bool is_uniform(const InputFrame& frame) noexcept;
-
-inline void place(const InputFrame& from, UniformFrame& out) noexcept {
-  out = {from.at, from.rotation, (from.shape[0].x + from.shape[1].y + from.shape[2].z) * (1.0 / 3.0)};
-}
-inline void place(const InputFrame& from, MatrixFrame& out) noexcept {
-  out = {from.at, matrix_from_unit_quat(from.rotation) * from.shape};
-}
 
 }  // namespace sinew::springs

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "runtime/math/transform.h"
-#include "runtime/procedures/springs/spring_frames.h"
+#include "runtime/procedures/springs/spring_inputs.h"
 #include "runtime/procedures/springs/spring_records.h"
 
 namespace sinew::springs {
@@ -16,8 +16,9 @@ struct Clock {
   double before_s;        ///< length of the frame before; 0 = there is no frame before that
   std::uint32_t started;  ///< 0 before the first frame
   std::uint32_t asleep;
+  std::uint32_t at_rest;      ///< all joints had their rest transforms in the last frame; `read` was not written
   std::uint32_t quiet_ticks;  ///< ticks in a row in which nothing moved or changed
-  std::uint32_t sleeps;       ///< how often the springs fell asleep
+  std::uint64_t sleeps;       ///< how often the springs fell asleep
   Affined root;               ///< of the last frame
 };
 
@@ -30,15 +31,6 @@ struct Tail {
 /// A tail after a tick, as Tail::now and Tail::end.
 struct NextTail {
   Vec now, end;
-};
-
-/// The local transform of a record in this frame, ready for ticks.
-struct JointInput {
-  Vec translation;
-  Rot goal;  ///< rest or animated rotation, unit
-  Vec scale;
-  Vec bone;  ///< the tail, scaled
-  Vec axis;  ///< its direction
 };
 
 /// A collider in the world.
@@ -54,6 +46,8 @@ struct WorldShape {
 }  // namespace sinew::springs
 
 namespace sinew {
+
+static_assert(sizeof(springs::UniformFrame) <= sizeof(springs::MatrixFrame));  // which the memory is made for
 
 /// Cuts a character's state and the working memory into arrays. All element types are trivially copyable.
 struct SpringMemory {

@@ -6,6 +6,7 @@
 
 #include "runtime/procedures/springs/spring_collisions.h"
 #include "runtime/procedures/springs/spring_memory.h"
+#include "runtime/procedures/springs/spring_swing.h"
 
 namespace sinew::springs {
 
@@ -13,14 +14,14 @@ namespace sinew::springs {
 template <class Frame>
 class Ticks {
  public:
-  Ticks(const SpringTables& tables, const SpringMemory& memory, double threshold) noexcept
+  Ticks(const SpringTables& tables, const SpringMemory& memory, std::span<const JointInput> inputs,
+        double threshold) noexcept
       : tables_(tables),
         memory_(memory),
+        inputs_(inputs),
         frames_(reinterpret_cast<Frame*>(memory.frames.data())),
         joints_(reinterpret_cast<Frame*>(memory.joints.data())),
-        threshold_(threshold) {
-    static_assert(sizeof(Frame) <= sizeof(MatrixFrame));
-  }
+        threshold_(threshold) {}
 
   /// Places all input frames and colliders at a time between the last frames, or behind them.
   void place_inputs(const FrameWeights& weights) noexcept {
@@ -35,22 +36,24 @@ class Ticks {
   /// Puts all tails at rest where their goals are.
   void reset() noexcept {
     for_each([&](std::size_t r, const SpringRecord& record, const Frame& goal) {
-      const Vec end = goal.point(memory_.inputs[r].bone), tail = to_center(record, end);
+      const Vec end = goal.point(inputs_[r].bone), tail = to_center(record, end);
       memory_.tails[r] = {tail, tail, frames_[record.frame].local_point(end)};
-      return goal.scaled(memory_.inputs[r].scale);
+      return goal.scaled(inputs_[r].scale);
     });
   }
 
   /// One tick, from SpringMemory::tails to SpringMemory::next. True if a joint moved faster than the threshold.
-  bool tick() noexcept {
+  /// in   kShows   also writes the rotations, as show() would after it
+  /// out  tails    [joints of the setup] or empty; only if the tick shows
+  template <bool kShows>
+  bool tick(std::span<Vec> tails = {}) noexcept {
     bool moves = false;
     for_each([&](std::size_t r, const SpringRecord& record, const Frame& goal) {
-      const JointInput& input = memory_.inputs[r];
+      const JointInput& input = inputs_[r];
       const Tail& tail = memory_.tails[r];
-      const Vec bone = goal.vector(input.bone);
-      const double square = dot(bone, bone);
-      double length = std::sqrt(square);
-      const Vec axis = square > 1e-200 ? bone * (1.0 / length) : Vec(0, 1, 0);
+      const double bone_length = goal.length_of(input.bone, input.length);
+      const Vec axis = goal.direction_along(input.bone, input.axis);
+      double length = bone_length;
       if (record.lagging) {
         const Vec lagging = frames_[record.frame].point(tail.end) - goal.at;
         length = std::sqrt(dot(lagging, lagging));
@@ -64,9 +67,14 @@ class Ticks {
       result.now = to_center(record, next);
       if (record.lagging) result.end = frames_[record.frame].local_point(turned.point(input.bone));
       const Vec step = result.now - tail.now;
-      moves |= !(dot(step, step) <= threshold_ * square);
+      moves |= !(dot(step, step) <= threshold_ * (bone_length * bone_length));
+      if constexpr (kShows) {
+        memory_.shown[r] = local_rotation(above_of(record), goal, turned, input, along);
+        if (!tails.empty()) tails[record.setup] = goal.at + along * bone_length;
+      }
       return turned.scaled(input.scale);
     });
+    if constexpr (kShows) show_carried(tails);
     return moves;
   }
 
@@ -77,24 +85,23 @@ class Ticks {
   }
 
   /// Rotations of all joints for tails at a fraction of the way from the last tick to `next`; 0 needs no `next`.
-  /// out  tails[joints of the setup] or empty
-  void show(double fraction, std::span<Vec> tails) noexcept {
+  /// out  tails[joints of the setup] or empty; rotations of sleeping joints keep their bits
+  void show(double fraction, std::span<Vec> tails, bool writes_rotations = true) noexcept {
     for_each([&](std::size_t r, const SpringRecord& record, const Frame& goal) {
-      const JointInput& input = memory_.inputs[r];
+      const JointInput& input = inputs_[r];
       Vec tail = memory_.tails[r].now;
       if (fraction != 0.0) tail = tail * (1.0 - fraction) + memory_.next[r].now * fraction;
       const Vec from_head = to_world(record, tail) - goal.at;
       const Vec local = direction_of(goal.local_direction(from_head), input.axis);
       const Rot swing = turn_between(input.axis, local);
-      memory_.shown[r] = input.goal * swing;
-      if (!tails.empty()) tails[record.setup] = at_length(goal, input, from_head);
+      if (writes_rotations) memory_.shown[r] = input.goal * swing;
+      if (!tails.empty()) {
+        const Vec along = direction_of(from_head, goal.vector(input.bone));
+        tails[record.setup] = goal.at + along * goal.length_of(input.bone, input.length);
+      }
       return goal.turned(swing).scaled(input.scale);
     });
-    for (std::size_t r = 0; r < tables_.records.size(); ++r)
-      if (const SpringRecord& record = tables_.records[r]; record.group == kNone) {
-        memory_.shown[r] = memory_.inputs[r].goal;
-        if (!tails.empty() && record.setup != kNone) tails[record.setup] = joints_[r].at;
-      }
+    show_carried(tails);
   }
 
  private:
@@ -103,17 +110,24 @@ class Ticks {
   void for_each(const Swing& swing) noexcept {
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {
       const SpringRecord& record = tables_.records[r];
-      const JointInput& input = memory_.inputs[r];
-      const Frame& above = record.parent == kNone ? frames_[record.frame] : joints_[record.parent];
-      const Frame goal = above.child(input.translation, input.goal);
+      const JointInput& input = inputs_[r];
+      const Frame goal = above_of(record).child(input.translation, input.goal);
       joints_[r] = record.group == kNone ? goal.scaled(input.scale) : swing(r, record, goal);
     }
   }
 
-  /// The tail in a direction from the head, as far from it as at the goal.
-  static Vec at_length(const Frame& goal, const JointInput& input, const Vec& from_head) noexcept {
-    const Vec bone = goal.vector(input.bone);
-    return goal.at + direction_of(from_head, bone) * std::sqrt(dot(bone, bone));
+  const Frame& above_of(const SpringRecord& record) const noexcept {
+    return record.parent == kNone ? frames_[record.frame] : joints_[record.parent];
+  }
+
+  void show_carried(std::span<Vec> tails) noexcept {
+    if (!tables_.has_carried) return;
+    for (std::size_t r = 0; r < tables_.records.size(); ++r) {
+      const SpringRecord& record = tables_.records[r];
+      if (record.group != kNone) continue;
+      memory_.shown[r] = inputs_[r].goal;
+      if (!tails.empty() && record.setup != kNone) tails[record.setup] = joints_[r].at;
+    }
   }
 
   Vec to_world(const SpringRecord& record, const Vec& tail) const noexcept {
@@ -125,16 +139,9 @@ class Ticks {
     return center == kNone ? tail : frames_[center].local_point(tail);
   }
 
-  static UniformFrame swung(const UniformFrame& goal, const JointInput&, const Vec& axis, const Vec& along) noexcept {
-    return UniformFrame{goal.at, turn_between(axis, along) * goal.rotation, goal.scale};
-  }
-  static MatrixFrame swung(const MatrixFrame& goal, const JointInput& input, const Vec&, const Vec& along) noexcept {
-    const Vec local = direction_of(goal.local_direction(along), input.axis);
-    return goal.turned(turn_between(input.axis, local));
-  }
-
   const SpringTables& tables_;
   const SpringMemory& memory_;
+  std::span<const JointInput> inputs_;
   Frame* frames_;
   Frame* joints_;
   double threshold_;

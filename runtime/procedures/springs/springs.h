@@ -56,8 +56,9 @@ struct SpringsFault {
 SINEW_API tl::expected<Springs, SpringsFault> compile_springs(const Skeleton& skeleton, const SpringSetup& setup,
                                                               const SpringSettings& settings = {});
 
-/// Adds `root` and all joints below it to a setup, with the values of `like`. The tail of a joint is its first child.
-/// The tail of a joint without children is `end_m` behind it, along its own translation, as VRM 0 has it.
+/// Adds `root` and all joints below it to a setup, with the values of `like`, depth first. The tail of a joint is its
+/// first child. The tail of a joint without children is `end_m` behind it, along its own translation, as VRM 0 has it.
+/// limits  A joint with a fixed matrix cannot swing: it is left out, with all below it.
 /// cost O(J), allocates
 SINEW_API void add_chain_below(const Skeleton& skeleton, std::uint32_t root, const SpringJoint& like, double end_m,
                                SpringSetup& setup);

@@ -52,20 +52,37 @@ class SpringsFrame {
  private:
   /// Reads the local transforms of all joints. True if one differs from the frame before.
   bool read_joints() noexcept {
-    bool changed = false;
+    const bool was_at_rest = clock_.at_rest != 0;
+    clock_.at_rest = is_at_rest() ? 1 : 0;
+    if (clock_.at_rest != 0) {
+      inputs_ = tables_.rest_inputs;
+      is_uniform_ = tables_.is_rest_uniform;
+      return !was_at_rest;
+    }
+    bool changed = was_at_rest;
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {
       const SpringRecord& record = tables_.records[r];
       Transform local = job_.pose.get(record.joint);
       if (record.goal == SpringGoal::rest) local.rotation = quat_identity<float>();  // it is not used
       changed |= !same_bits(local, memory_.read[r]);
       memory_.read[r] = local;
-      const Vec scale(local.scale);
-      is_uniform_ &= local.scale.x == local.scale.y && local.scale.x == local.scale.z;
-      const Rot goal = record.goal == SpringGoal::rest ? record.rest : normalised(quat_cast<double>(local.rotation));
-      const Vec bone = record.tail * scale;
-      memory_.inputs[r] = {Vec(local.translation), goal, scale, bone, direction_of(bone, Vec(0, 1, 0))};
+      is_uniform_ &= scales_evenly(local);
+      memory_.inputs[r] = joint_input(record, local);
     }
+    inputs_ = memory_.inputs;
     return changed;
+  }
+
+  /// True if all joints have their rest transforms; rotations count only where they are used.
+  bool is_at_rest() const noexcept {
+    for (std::size_t r = 0; r < tables_.records.size(); ++r) {
+      const SpringRecord& record = tables_.records[r];
+      const Transform local = job_.pose.get(record.joint);
+      const Transform& rest = tables_.rest[r];
+      if (local.translation != rest.translation || local.scale != rest.scale) return false;
+      if (record.goal == SpringGoal::pose && local.rotation != rest.rotation) return false;
+    }
+    return true;
   }
 
   /// Composes the joints that springs hang on. True if one differs from the frame before.
@@ -91,6 +108,7 @@ class SpringsFrame {
               .before_s = 0.0,
               .started = 1,
               .asleep = 0,
+              .at_rest = clock_.at_rest,
               .quiet_ticks = 0,
               .sleeps = clock_.sleeps,
               .root = job_.root};
@@ -118,23 +136,25 @@ class SpringsFrame {
 
   template <class Frame>
   void step(bool changed) noexcept {
+    const bool was_asleep = clock_.asleep != 0;
     const double h = settings_.tick_s, quiet = settings_.sleep_rad_per_s * h;
-    Ticks<Frame> ticks(tables_, memory_, quiet * quiet);
+    Ticks<Frame> ticks(tables_, memory_, inputs_, quiet * quiet);
     if (starts_) {
       ticks.place_inputs({});
       ticks.reset();
     } else if (clock_.asleep == 0) {
       advance(ticks, changed);
     }
+    if (is_shown_) return;
     const double left = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
     if (left > 0.0) {  // looks ahead to the next tick
       const double ahead = job_.dt_s > 0.0 ? (std::min)((h - left) / job_.dt_s, kFarthest) : 0.0;
       ticks.place_inputs(weights_at(1.0 + ahead, job_.dt_s, 0.0));
-      ticks.tick();
+      ticks.template tick<false>();
       count_tick();
     }
     ticks.place_inputs({});
-    ticks.show(left / h, job_.tails);
+    ticks.show(left / h, job_.tails, !was_asleep);
   }
 
   template <class Frame>
@@ -151,7 +171,8 @@ class SpringsFrame {
       const double after = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
       const double fraction = job_.dt_s > 0.0 ? (std::max)(1.0 - after / job_.dt_s, 0.0) : 1.0;
       ticks.place_inputs(weights_at(fraction, job_.dt_s, clock_.before_s));
-      const bool moves = ticks.tick();
+      is_shown_ = after == 0.0 && todo == 1.0;  // so no other pass is needed
+      const bool moves = is_shown_ ? ticks.template tick<true>(job_.tails) : ticks.template tick<false>();
       ticks.commit();
       count_tick();
       clock_.quiet_ticks = moves || changed ? 0 : clock_.quiet_ticks + 1;
@@ -181,7 +202,7 @@ class SpringsFrame {
         const double weight = static_cast<double>(job_.weight);
         rotation = normalised_or(pose * (1.0 - weight) + aligned_with(pose, rotation) * weight, pose);
       }
-      job_.pose.set_rotation(record.joint, quat_cast<float>(normalised(rotation)));
+      job_.pose.set_rotation(record.joint, quat_cast<float>(rotation));
     }
   }
 
@@ -190,8 +211,9 @@ class SpringsFrame {
   const SpringSettings& settings_;
   SpringMemory memory_;
   Clock& clock_;
+  std::span<const JointInput> inputs_;  ///< [records] in scratch, or those of rest
   SpringCounts counts_;
-  bool is_uniform_ = true, starts_ = false;
+  bool is_uniform_ = true, starts_ = false, is_shown_ = false;
 };
 
 bool is_aligned(std::span<const std::byte> memory) noexcept {

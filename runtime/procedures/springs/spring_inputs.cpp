@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/procedures/springs/spring_frames.h"
+#include "runtime/procedures/springs/spring_inputs.h"
 
 #include <algorithm>
 
