@@ -18,10 +18,13 @@ struct VrmMorphBind {
 
 /// A facial expression: a preset such as "happy", "blink" or "aa", or a custom one of the file.
 struct VrmExpression {
+  /// How it holds back other expressions: not, wholly above 0, or by its value.
+  enum class Override : std::uint8_t { none, block, blend };
   std::string name;
   bool is_preset = false;
   bool is_binary = false;  ///< fully on or off, without intermediate weights
   std::vector<VrmMorphBind> morphs;
+  Override override_blink = Override::none, override_look_at = Override::none, override_mouth = Override::none;
 };
 
 /// How the eyes look at a point: with eye bones, or with the expressions lookLeft, lookRight, lookUp and lookDown.
