@@ -18,10 +18,13 @@ struct VrmMorphBind {
 
 /// A facial expression: a preset such as "happy", "blink" or "aa", or a custom one of the file.
 struct VrmExpression {
+  /// How it holds back other expressions: not, wholly above 0, or by its value.
+  enum class Override : std::uint8_t { none, block, blend };
   std::string name;
   bool is_preset = false;
   bool is_binary = false;  ///< fully on or off, without intermediate weights
   std::vector<VrmMorphBind> morphs;
+  Override override_blink = Override::none, override_look_at = Override::none, override_mouth = Override::none;
 };
 
 /// How the eyes look at a point: with eye bones, or with the expressions lookLeft, lookRight, lookUp and lookDown.
@@ -66,7 +69,7 @@ struct VrmConstraint {
 };
 
 /// VRM 0.x or 1.0 data of the scene's character (VRM, VRMC_vrm, VRMC_springBone, VRMC_node_constraint). For
-/// VRMC_vrm_animation, of the character that the clips animate. The runtime does not use this data yet.
+/// VRMC_vrm_animation, of the character that the clips animate. vrm_springs.h makes springs and constraints of it.
 struct VrmCharacter {
   std::string version;  ///< version of the specification: "0.0" or "1.0"
   std::string name, authors;

@@ -36,6 +36,7 @@ set(sinew_public_headers
   scene.h           runtime/public/scene.h
   skeleton.h        runtime/public/skeleton.h
   sync.h            runtime/sync/sync_group.h
+  springs.h         runtime/public/springs.h
   update_rates.h    runtime/public/update_rates.h
   sinew.h           runtime/sinew.h
   sinew_assets.h    runtime/c_assets/sinew_assets.h
@@ -46,7 +47,8 @@ if(SINEW_IMPORTER)
     centers_of_rotation.h  importer/add_centers_of_rotation.h
     import.h               importer/import_gltf.h
     sinew_import.h         importer/c/sinew_import.h
-    vrm.h                  importer/vrm.h)
+    vrm.h                  importer/vrm.h
+    vrm_springs.h          importer/vrm_springs.h)
 endif()
 
 # Programs outside of this tree read the headers from build/include, and an installed package holds that folder. They are written

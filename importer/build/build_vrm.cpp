@@ -89,8 +89,16 @@ class VrmReader {
       if (const std::uint32_t joint = joint_in(bone, "node"); joint != kNone) out_.bones.push_back({name, joint});
   }
 
+  static VrmExpression::Override override_of(const std::string& word) {
+    using Override = VrmExpression::Override;
+    return word == "block" ? Override::block : word == "blend" ? Override::blend : Override::none;
+  }
+
   void add_expression(const std::string& name, bool preset, const ExtensionFields& fields) {
     VrmExpression expression{name, preset, fields.boolean("isBinary", false), {}};
+    expression.override_blink = override_of(fields.text("overrideBlink"));
+    expression.override_look_at = override_of(fields.text("overrideLookAt"));
+    expression.override_mouth = override_of(fields.text("overrideMouth"));
     for (const auto& bind : fields.list("morphTargetBinds")) {
       const std::uint32_t node = bind.index("node", document_.nodes.size());
       if (node == kNone || instance_of_node_[node] == kNone) continue;

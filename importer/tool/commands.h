@@ -13,6 +13,7 @@ Command plan_command();
 Command convert_command();
 Command retarget_command();
 Command compile_command();
+Command simulate_command();
 Command bake_command();
 Command bake_ao_command();  ///< In builds with Embree.
 Command cost_command();     ///< In builds with SINEW_COST.

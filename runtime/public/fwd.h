@@ -114,6 +114,14 @@ struct TwistMap;
 enum class UpdateLevel : std::uint8_t;
 struct UpdateRates;
 
+// Springs.
+class Springs;
+struct SpringsContext;
+struct SpringsFault;
+struct SpringsJob;
+struct SpringSettings;
+struct SpringSetup;
+
 // Files.
 class AssetFile;
 struct AssetFileError;
@@ -129,5 +137,6 @@ struct ImportError;
 struct ImportIssue;
 struct ImportOptions;
 struct VrmCharacter;
+struct VrmSprings;
 
 }  // namespace sinew

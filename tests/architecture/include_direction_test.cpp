@@ -56,7 +56,7 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
-  if (from == "importer") return to == "importer" || kAssets.contains(to);
+  if (from == "importer") return to == "importer" || kAssets.contains(to) || to.starts_with("runtime/procedures/");
   if (from == "viewer/light")
     return to == from || to == "runtime/base" || to == "runtime/math" || to == "runtime/threads";
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");

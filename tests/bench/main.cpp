@@ -83,6 +83,7 @@ void add_all(bool for_counting) {
   add_sample();
   add_blend();
   add_mirrors();
+  add_springs();
   add_local_to_model();
   add_instances();
   add_crowd();

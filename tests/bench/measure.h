@@ -56,6 +56,7 @@ void add_memory();
 void add_sample();
 void add_blend();
 void add_mirrors();
+void add_springs();
 void add_local_to_model();
 void add_instances();
 void add_crowd();

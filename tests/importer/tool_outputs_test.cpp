@@ -47,6 +47,10 @@ const std::map<std::string, Command> kWriting = {
      }},
     {"retarget",
      [](const auto& in, const auto& out) { return std::vector<std::string>{"retarget", in, "--onto", in, "-o", out}; }},
+    {"simulate",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"simulate", in, "-o", out};
+     }},
     {"cost",
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"cost", in, "--quick", "-o", fs::path(out).parent_path().string()};
@@ -97,7 +101,7 @@ TEST(tool_outputs, an_output_never_takes_the_place_of_an_input) {
   fs::create_hard_link(model.path(), model.beside("hard.gltf"));
   for (const std::string& out :
        {model.path(), model.beside("./model.gltf"), model.beside("symbolic.gltf"), model.beside("hard.gltf")})
-    expect_refused(model.path(), out, {"sample", "compile", "bake", "bake-ao", "convert", "retarget"});
+    expect_refused(model.path(), out, {"sample", "compile", "bake", "bake-ao", "convert", "retarget", "simulate"});
   const auto left = fs::directory_iterator(fs::path(model.path()).parent_path());
   EXPECT_EQ(std::distance(left, fs::directory_iterator()), 3) << "nothing else was written";
 }
@@ -123,9 +127,16 @@ std::vector<std::string> commands_of_one_output() {
   return names;
 }
 
-/// Runs a command on the model. `bake` needs to know which of the clips.
+/// A hair of one joint, for `simulate`.
+constexpr const char* kHair = R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+  "nodes": [{"children": [1]}, {"translation": [0, 1, 0]}], "extensionsUsed": ["VRMC_springBone"],
+  "extensions": {"VRMC_springBone": {"specVersion": "1.0", "springs": [{"joints": [{"node": 0}, {"node": 1}]}]}}})";
+
+/// Runs a command on the model, or on the hair. `bake` needs to know which of the clips.
 CommandOutcome run_writing(const std::string& command, const ToolModelFile& model, const std::string& out) {
-  std::vector<std::string> arguments = kWriting.at(command)(model.path(), out);
+  const std::string in = command == "simulate" ? model.beside("hair.gltf") : model.path();
+  if (command == "simulate") write_file(in, kHair);
+  std::vector<std::string> arguments = kWriting.at(command)(in, out);
   if (command == "bake") arguments.insert(arguments.end(), {"--clip", "0"});
   return run_tool(arguments);
 }

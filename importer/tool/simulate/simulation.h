@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "importer/import_gltf.h"
+#include "importer/tool/simulate/root_path.h"
+
+namespace sinew::tool {
+
+/// A joint that a simulation computes, after one step.
+struct SimulatedJoint {
+  Vec4<double> rotation{0.0, 0.0, 0.0, 1.0};  ///< x y z w, local
+  Vec3<double> tail{0.0};  ///< in the world: the end of the bone, or the joint itself without a spring
+};
+
+/// The springs and constraints of a character, stepped frame by frame while a clip plays.
+class Simulation {
+ public:
+  /// in    clip   index, or kNone for the rest pose.   The file must outlive the simulation.
+  /// err   a sentence for the user: the file has nothing to simulate, or something that cannot be used
+  static tl::expected<Simulation, std::string> make(const ImportedFile& file, std::uint32_t clip);
+
+  Simulation(Simulation&&) noexcept;
+  ~Simulation();
+
+  const std::vector<std::string>& joints() const noexcept;  ///< names of what is computed, springs first
+  const std::vector<std::string>& left_out() const noexcept;
+
+  /// Puts springs at rest with the character in its pose at `time_s`.
+  void reset(double time_s, const Vec3<double>& root);
+
+  /// The pose at `time_s`, `dt_s` after the one before.
+  const std::vector<SimulatedJoint>& step(double time_s, double dt_s, const Vec3<double>& root);
+
+ private:
+  struct Parts;
+  explicit Simulation(std::unique_ptr<Parts> parts) noexcept;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace sinew::tool

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/importer/tiny_gltf.h"
+#include "tests/importer/tool_model.h"
+#include "tests/springs/spring_stage.h"
+#include "tests/support/corpus.h"
+#include "tests/support/file_text.h"
+#include "tests/support/json.h"
+
+namespace sinew::test {
+namespace {
+
+using testing::HasSubstr;
+using Vec = Vec3<double>;
+
+/// A hair of three bones of half a metre below a head, and a clip of one second that turns the head.
+std::string hair() {
+  TinyGltf file;
+  file.root["nodes"] = Json::parse(R"([{"name": "head", "children": [1]},
+    {"name": "a", "children": [2], "translation": [0, -0.5, 0]}, {"name": "b", "children": [3], "translation": [0, -0.5, 0]},
+    {"name": "c", "children": [4], "translation": [0, -0.5, 0]}, {"name": "end", "translation": [0, -0.5, 0]}])");
+  file.root["scenes"] = Json::parse(R"([{"nodes": [0]}])");
+  file.animate("rotation", file.times({0, 1}), file.vec4({0, 0, 0, 1, 0, 0, 1, 0}));
+  file.root["animations"][0]["name"] = "nod";
+  file.root["extensionsUsed"] = {"VRMC_springBone"};
+  file.root["extensions"]["VRMC_springBone"] = Json::parse(R"({"specVersion": "1.0", "springs": [{"joints": [
+    {"node": 1, "dragForce": 0.4}, {"node": 2, "dragForce": 0.4}, {"node": 3, "dragForce": 0.4}, {"node": 4}]}]})");
+  return file.text();
+}
+
+class ToolSimulate : public testing::Test {
+ protected:
+  ToolSimulate() { write_file(path("hair.gltf"), hair()); }
+
+  std::string path(const std::string& name) const { return folder_.beside(name); }
+
+  CommandOutcome simulate(std::vector<std::string> options) {
+    options.insert(options.begin(), {"simulate", path("hair.gltf"), "-o", path("out.json")});
+    return run_tool(options);
+  }
+  Json result() const { return Json::parse(text_of_file(path("out.json"))); }
+
+ private:
+  ToolModelFile folder_;
+};
+
+TEST_F(ToolSimulate, writes_rotations_and_tails_of_every_frame) {
+  const CommandOutcome outcome = simulate({"--fps", "30", "--for", "0.5"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("15 frames of 3 joints"));
+  const Json run = result();
+  EXPECT_EQ(run["file"], "hair.gltf");
+  EXPECT_EQ(run["fps"], 30);
+  EXPECT_EQ(run["joints"], Json::parse(R"(["a", "b", "c"])"));
+  ASSERT_EQ(run["frames"].size(), 15u);
+  const Json& frame = run["frames"][14];
+  EXPECT_EQ(frame["t"], 0.5);
+  EXPECT_EQ(frame["q"], Json::parse("[[0, 0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 1]]")) << "it hangs still";
+  EXPECT_NEAR(frame["tail"][2][1].get<double>(), -2.0, 1e-9);
+}
+
+TEST_F(ToolSimulate, a_path_moves_the_root_and_a_clip_the_head) {
+  write_file(path("path.json"), R"({"times": [0, 1], "translations": [[0, 0, 0], [4, 0, 0]]})");
+  ASSERT_EQ(simulate({"--for", "1", "--root", path("path.json")}).status, 0);
+  const Json moved = result();
+  EXPECT_GT(moved["frames"][59]["tail"][2][0].get<double>(), 2.0);
+  EXPECT_LT(moved["frames"][59]["tail"][2][0].get<double>(), 3.9) << "it lags";
+  ASSERT_EQ(simulate({"--for", "0.5", "--clip", "nod"}).status, 0);
+  const Json turned = result();
+  EXPECT_GT(std::abs(turned["frames"][29]["tail"][2][0].get<double>()), 0.2);
+}
+
+TEST_F(ToolSimulate, one_frame_rate_is_like_another) {
+  write_file(path("path.json"),
+             R"({"times": [0, 0.25, 0.5, 1], "translations": [[0,0,0], [0.5,0,0], [0,0.2,0], [0,0,1]]})");
+  std::vector<Vec> ends;
+  for (const char* fps : {"60", "30", "120", "144"}) {
+    ASSERT_EQ(simulate({"--fps", fps, "--for", "1", "--root", path("path.json")}).status, 0);
+    const Json tail = result()["frames"].back()["tail"][2];
+    ends.emplace_back(tail[0].get<double>(), tail[1].get<double>(), tail[2].get<double>());
+    EXPECT_LE(distance(ends.back(), ends.front()), 3e-3) << fps;
+  }
+}
+
+TEST_F(ToolSimulate, says_what_is_wrong) {
+  const auto expect = [&](int status, std::vector<std::string> options, const char* text) {
+    const CommandOutcome outcome = simulate(std::move(options));
+    EXPECT_EQ(outcome.status, status) << text;
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  };
+  expect(1, {"--root", path("none.json")}, "none.json: is no file");
+  write_file(path("path.json"), "[1, 2]");
+  expect(1, {"--root", path("path.json")}, "path.json: is no JSON of the form {\"times\"");
+  write_file(path("path.json"), R"({"times": [0, 0], "translations": [[0, 0, 0], [1, 0, 0]]})");
+  expect(1, {"--root", path("path.json")}, "path.json: /times/1: is not later than the time before");
+  write_file(path("path.json"), R"({"times": [0, 1], "translations": [[0, 0, 0], [1, 0]]})");
+  expect(1, {"--root", path("path.json")}, "path.json: /translations/1: is no list of three numbers");
+  write_file(path("path.json"), R"({"times": [0], "translations": []})");
+  expect(1, {"--root", path("path.json")}, "path.json: /translations: has 0 entries for 1 times");
+  expect(2, {"--clip", "walk"}, "--clip walk: no such clip");
+  expect(2, {"--fps", "100000", "--for", "1000"}, "more than 1000000 frames");
+  const CommandOutcome bare = run_tool({"simulate", path("model.gltf"), "-o", path("out.json")});
+  EXPECT_EQ(bare.status, 1);
+  EXPECT_THAT(bare.err, HasSubstr("model.gltf: it has none of VRM, VRMC_springBone and VRMC_node_constraint"));
+}
+
+/// The whole way from a file to a file, beside the stored runs of the corpus.
+TEST_F(ToolSimulate, corpus_agrees_with_stored_runs) {
+  const auto root = corpus();
+  if (!root) GTEST_SKIP() << "no corpus";
+  int runs = 0;
+  for (const auto& stored : corpus_files("motion", {".json"})) {
+    const Json expected = Json::parse(text_of_file(stored));
+    if (!expected.is_object() || !expected.contains("frames") || expected.value("fps", 0) != 60) continue;
+    Json eight = {{"times", {0.0}}, {"translations", {{0.0, 0.0, 0.0}}}};
+    for (const Json& frame : expected["frames"]) {
+      const Vec at = figure_of_eight(frame["t"].get<double>());
+      eight["times"].push_back(frame["t"]);
+      eight["translations"].push_back({at.x, at.y, at.z});
+    }
+    write_file(path("path.json"), eight.dump());
+    const auto model = (*root / "vrm" / expected["file"].get<std::string>()).string();
+    ASSERT_EQ(run_tool({"simulate", model, "--for", "3", "--root", path("path.json"), "-o", path("out.json")}).status,
+              0);
+    const Json run = result();
+    ASSERT_EQ(run["frames"].size(), expected["frames"].size());
+    double worst = 0.0;
+    for (std::size_t f = 0; f < run["frames"].size(); ++f)
+      for (std::size_t j = 0; j < expected["joints"].size(); ++j)
+        for (int c = 0; c < 3; ++c)
+          worst = std::max(worst, std::abs(run["frames"][f]["tail"][j][c].get<double>() -
+                                           expected["frames"][f]["tail"][j][c].get<double>()));
+    EXPECT_LE(worst, 1e-5) << stored;
+    ++runs;
+  }
+  if (runs == 0) GTEST_SKIP() << "no stored runs";
+}
+
+}  // namespace
+}  // namespace sinew::test
