@@ -64,6 +64,7 @@ void write_environment(const View& view, const Lighting& lighting, FrameUniforms
   for (std::size_t i = 0; i < u.diffuse_light.size(); ++i)
     u.diffuse_light[i] = glm::vec4(lighting.environment->diffuse[i] * lighting.environment_intensity, 0.0f);
   u.environment_intensity = lighting.environment_intensity;
+  u.backdrop_intensity = lighting.environment_intensity * lighting.environment->backdrop;
 }
 
 ShadowMapUniforms shadow_map(const View& view, const Aabb& bounds, const ShadowLight& light) {

@@ -46,7 +46,7 @@ struct FrameUniforms {
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
   float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< distance range of Show::depth
   float environment_intensity = 0.0f;
-  float first_padding = 0.0f;
+  float backdrop_intensity = 0.0f;                   ///< of the environment behind the scene
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of a rotation matrix
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
   std::array<ShadowMapUniforms, kMostShadows> shadow_maps{};

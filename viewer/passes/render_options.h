@@ -91,6 +91,9 @@ struct Lighting {
   bool auto_exposure = false;  ///< multiply `exposure` by the factor that maps the picture's log average to middle grey
   ToneCurve tone_curve = ToneCurve::neutral;
 
+  /// Sets the environment, and the key light that belongs to it.
+  void use(std::shared_ptr<const Environment> chosen);
+
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
 

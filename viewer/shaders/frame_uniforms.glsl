@@ -31,6 +31,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float nearest_shown_m;      // distance range of the depth picture
   float farthest_shown_m;
   float environment_intensity;
+  float backdrop_intensity;   // of the environment where it is seen behind the scene
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
   ShadowMap shadow_maps[4];

@@ -23,7 +23,7 @@ vec3 environment_behind(vec2 pixel) {
   vec2 ndc = pixel / vec2(textureSize(color_image, 0)) * 2.0 - 1.0;
   vec3 direction = kParallel ? vec3(0.0, 0.0, -1.0) : vec3(vec2(ndc.x, -ndc.y) / frame.projection.xy, -1.0);
   float level = kBackdrop == 1 ? kBlurredLevel : 0.0;
-  return textureLod(environment_image, frame.environment_from_view * direction, level).rgb * frame.environment_intensity;
+  return textureLod(environment_image, frame.environment_from_view * direction, level).rgb * frame.backdrop_intensity;
 }
 
 void main() {
