@@ -269,9 +269,10 @@ void WindowLoop::draw() {
   if (!drawn) return;
   if (settings_.shows_plan()) {
     live_plan_.updates(shown_->update_levels());
-    live_plan_.evaluated(shown_->stages(), shown_->newest());
+    live_plan_.evaluated(shown_->stages(), shown_->newest(), shown_->resting());
     if (const auto cache = shown_->cache_facts()) live_plan_.cache(*cache, shown_->newest().work);
     live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
+    live_plan_.presented(frame_.window_times());
   }
   --frames_to_draw_;
   const double passed_ms = 1000.0 * seconds_since(last_picture_);
