@@ -7,6 +7,7 @@
 
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/plan/frame_input.h"
+#include "viewer/light/environment.h"
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {

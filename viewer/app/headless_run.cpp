@@ -163,8 +163,9 @@ class PictureMaker {
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
-    Picture picture = headless_.render(pose, view_, look, lines, settings_.variant,
-                                       visibility_ ? visibility_blend(*visibility_, clip_, time_s) : VisibilityBlend{});
+    Picture picture =
+        headless_.render(pose, view_, look, lines, settings_.variant,
+                         visibility_ ? visibility_blend(*visibility_, clip_, time_s) : VisibilityBlend{}, 1);
     if (shows_plan_) {
       live_plan_.updates(evaluator_.levels());
       live_plan_.evaluated(evaluator_.stages(), pose);
