@@ -34,7 +34,7 @@ class Frame {
   /// GPU pass times of the picture kSlots frames ago, the newest one that the GPU has certainly finished.
   std::span<const PassTime> pass_times();
 
-  /// What the last picture took besides drawing the scene.
+  /// Times of the last picture besides drawing the scene.
   const WindowTimes& window_times() const noexcept { return window_times_; }
 
   /// Statistics of the last picture.
