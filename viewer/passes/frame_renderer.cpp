@@ -198,15 +198,11 @@ struct FrameGround {
   GroundReach reach;
 };
 
-/// True if a corner of the rectangle, or the ground between them, may be in view.
+/// True if a rectangle of the ground may be in view.
 bool ground_is_in_view(const glm::vec4& reach, const FrameInputs& inputs, double aspect) {
-  CoveredArea area(inputs.view, aspect);
-  for (const float x : {reach.x, reach.z})
-    for (const float z : {reach.y, reach.w})
-      area.add_point(
-          transform_point(inputs.view.view_from_world, inputs.options.ground.middle + glm::dvec3(x, 0.0, z)));
-  const VkRect2D pixels = area.texels({4096, 4096}, 1);
-  return pixels.extent.width > 0 && pixels.extent.height > 0;
+  const glm::vec3 middle(inputs.options.ground.middle);
+  const Aabb flat{middle + glm::vec3(reach.x, 0.0f, reach.y), middle + glm::vec3(reach.z, 0.0f, reach.w)};
+  return !is_out_of_view(inputs.view, aspect, inputs.view.view_from_world, flat);
 }
 
 FrameGround ground_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows, double aspect) {
