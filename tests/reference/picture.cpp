@@ -105,11 +105,15 @@ glm::dvec3 displayed(const Lighting& lighting, const glm::dvec3& light) {
   }
 }
 
+double backdrop_intensity(const Lighting& lighting) {
+  return static_cast<double>(lighting.environment_intensity) * static_cast<double>(lighting.environment->backdrop);
+}
+
 /// The environment's light that the line of sight through a point of the picture meets.
 glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   const double t = 0.5 + 0.5 * glm::normalize(sight_line(picture, x, y).direction).y;
   const glm::dvec3 light = glm::dvec3(picture.ambient.ground) * (1.0 - t) + glm::dvec3(picture.ambient.sky) * t;
-  return light * static_cast<double>(picture.options.lighting.environment_intensity);
+  return light * backdrop_intensity(picture.options.lighting);
 }
 
 /// True if the background shows the environment. Without ambient light the background is a plain colour in any case.
@@ -174,7 +178,7 @@ void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3
   if (environment_is_seen(picture.options) && !picture.options.transparent_background) {
     const AmbientGradient around{{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky), glm::dvec3(picture.ambient.ground)};
     const glm::dvec3 direction = glm::normalize(sight_line(picture, x, y).direction);
-    seen.light += (1.0 - seen.coverage) * static_cast<double>(picture.options.lighting.environment_intensity) *
+    seen.light += (1.0 - seen.coverage) * backdrop_intensity(picture.options.lighting) *
                   light_around(around, direction, roughness);
     seen.coverage = 1.0;
   }

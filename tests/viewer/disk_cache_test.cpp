@@ -12,6 +12,7 @@
 #include "runtime/base/same_bits.h"
 #include "viewer/app/load_environment.h"
 #include "viewer/device/disk_cache.h"
+#include "viewer/light/rooms.h"
 #include "viewer/light/split_sum.h"
 #include "viewer/light/stored_environment.h"
 
@@ -125,12 +126,12 @@ TEST(stored_environment, has_the_bits_of_the_one_that_was_made) {
 TEST(stored_environment, is_made_again_where_the_file_is_of_another_sky_or_shape) {
   const Folder folder;
   const DiskCache disk(folder.path());
-  CubeMap dark = studio_sky();
+  CubeMap dark = sky_of(Room::studio);
   dark.texels[77].x *= 0.5f;
-  EXPECT_NE(environment_key(dark), environment_key(studio_sky()));
+  EXPECT_NE(environment_key(dark), environment_key(sky_of(Room::studio)));
   disk.store("studio.light", environment_key(dark), stored_parts(*make_environment(dark)));
   expect_same_light(*load_environment("studio", disk).value(), *studio_environment());
-  disk.store("studio.light", environment_key(studio_sky()), some_bytes());
+  disk.store("studio.light", environment_key(sky_of(Room::studio)), some_bytes());
   expect_same_light(*load_environment("studio", disk).value(), *studio_environment());
 }
 
@@ -138,10 +139,10 @@ TEST(stored_environment, is_made_again_where_the_file_is_of_another_sky_or_shape
 /// increase kVersion, or users keep the light of older versions.
 TEST(stored_environment, is_of_the_version_that_these_values_belong_to) {
   const auto studio = studio_environment();
-  EXPECT_NEAR(studio->diffuse[0].x, 0.319446f, 1e-5f);
-  EXPECT_NEAR(studio->diffuse[6].z, 0.007788f, 1e-5f);
-  EXPECT_NEAR(studio->reflected[2].texels[1500].y, 0.417878f, 1e-4f);
-  EXPECT_NEAR(studio->reflected[5].texels[40].x, 0.425852f, 1e-4f);
+  EXPECT_NEAR(studio->diffuse[0].x, 0.601604f, 1e-5f);
+  EXPECT_NEAR(studio->diffuse[6].z, 0.125804f, 1e-5f);
+  EXPECT_NEAR(studio->reflected[2].texels[1500].y, 0.625471f, 1e-4f);
+  EXPECT_NEAR(studio->reflected[5].texels[40].x, 0.586676f, 1e-4f);
   EXPECT_NEAR(split_sum_table()[2000].x, 0.757358f, 1e-5f);
 }
 

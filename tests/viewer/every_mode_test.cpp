@@ -21,7 +21,7 @@ class every_mode : public DeviceTest {};
 constexpr std::uint32_t kWide = 4000;
 
 constexpr char kDefaults[] =
-    "--ao gtao --show color --normals interpolated --transparency sorted --smoothing on --tone neutral "
+    "--ao gtao --show color --normals interpolated --transparency sorted --smoothing on --tone aces "
     "--backdrop blurred --shading physical --ground shadows --environment studio --exposure 0";
 
 const char* const kModes[] = {
@@ -40,7 +40,7 @@ const char* const kModes[] = {
     "--transparency weighted",
     "--transparency weighted --smoothing off",
     "--smoothing off",
-    "--tone aces",
+    "--tone neutral",
     "--tone none",
     "--backdrop plain",
     "--backdrop sharp",
@@ -51,6 +51,8 @@ const char* const kModes[] = {
     "--no-shadows",
     "--no-shadows --ground none --no-ao --environment none",
     "--environment studio --environment-turn 90",
+    "--environment sunset",
+    "--environment overcast",
     "--environment plain --environment-intensity 2",
     "--environment none",
     "--exposure 1",

@@ -87,6 +87,11 @@ TEST(frustum_culling, shadows_fall_away_from_the_key_light_or_anywhere) {
   ASSERT_TRUE(way);
   EXPECT_NEAR(-way->y, 5.0f, 1e-5f) << "from the highest point to the ground";
   EXPECT_NEAR(glm::dot(glm::normalize(*way), glm::normalize(Lighting{}.to_key)), -1.0f, 1e-6f);
+  Environment room;
+  room.key = KeyLight{{3.0f, 4.0f, 0.0f}, glm::vec3(1.0f)};
+  EXPECT_LT(glm::length(*shadow_sweep(scene, true, reached, &room) - glm::vec3(-3.75f, -5.0f, 0.0f)), 1e-5f);
+  room.key->irradiance = glm::vec3(0.0f);
+  EXPECT_EQ(shadow_sweep(scene, true, reached, &room), glm::vec3(0.0f)) << "an overcast sky has no key light";
   scene.lights.push_back({.kind = Light::Kind::point});
   EXPECT_EQ(shadow_sweep(scene, true, reached), glm::vec3(0.0f)) << "a point light casts none";
   scene.lights.push_back({.kind = Light::Kind::spot});

@@ -15,6 +15,7 @@
 #include "tests/viewer/reference_picture.h"
 #include "viewer/app/headless.h"
 #include "viewer/passes/frame_uniforms.h"
+#include "viewer/passes/ground_reach.h"
 
 namespace sinew::viewer {
 namespace {
@@ -281,6 +282,56 @@ TEST_F(ground, cannot_be_seen_from_below_and_is_in_no_buffer) {
     EXPECT_EQ(render_float(built, kGroundWidth, kGroundHeight, from_above(), with).pixels,
               render_float(built, kGroundWidth, kGroundHeight, from_above(), without).pixels);
   }
+}
+
+TEST_F(ground, is_left_out_where_nothing_darkens_it) {
+  BuiltScene built = box_and_ball();
+  Headless pictures(*test_device(), built.scene, kGroundWidth, kGroundHeight);
+  const auto reason = [&](const View& view, const RenderOptions& options, const FrameResult& frame) {
+    const Picture drawn = pictures.render(frame, view, options);
+    const PassStage stage = pictures.report().passes[static_cast<std::size_t>(Pass::ground)];
+    RenderOptions without = options;
+    without.ground.look = GroundLook::none;
+    const bool same = drawn.rgba == pictures.render(frame, view, without).rgba;
+    EXPECT_EQ(stage.runs, !same) << stage.reason;
+    return stage.runs ? std::string() : std::string(stage.reason.substr(0, 19));
+  };
+  const FrameResult frame = built.frame();
+  RenderOptions options = options_for(GroundLook::shadows);
+  EXPECT_EQ(reason(from_above(), options, frame), "");
+  RenderOptions touched = options;
+  touched.shadows.on = false;
+  touched.ao = {.radius_m = 0.6f, .surface_epsilon_m = 0.01f, .fade_start_m = 0.3f, .fade_end_m = 1.2f};
+  EXPECT_EQ(reason(from_above(), touched, frame), "") << "ambient occlusion alone";
+  RenderOptions dark = options;
+  dark.shadows.on = false;
+  EXPECT_EQ(reason(from_above(), dark, frame), "nothing darkens it:") << "no shadows and no occlusion";
+  RenderOptions lit_from_below = options;
+  lit_from_below.lighting.to_key = {0.3f, -1.0f, 0.2f};
+  EXPECT_EQ(reason(from_above(), lit_from_below, frame), "nothing darkens it:");
+  const View past = look_at({2.0, 2.6, 3.6}, {6.0, 2.2, 9.0}, 0.4, 0.05);
+  EXPECT_EQ(reason(past, options, frame), "nothing darkens it:") << "its shadows are out of view";
+  RenderOptions unlit = touched;
+  unlit.lighting.environment = nullptr;
+  EXPECT_EQ(reason(from_above(), unlit, frame), "nothing darkens it:") << "no ambient light to hide";
+}
+
+TEST(ground_reach, follows_what_stands_there_now) {
+  Ground ground = ground_for({{-5, 0, -5}, {5, 3, 5}});
+  ground.look = GroundLook::shadows;
+  ShadowLights lights;
+  lights.add({0, glm::normalize(glm::dvec3(1.0, 1.0, 0.0))});
+  const Aabb standing{{-1.0f, 0.0f, -1.0f}, {1.0f, 2.0f, 1.0f}};
+  const double below = -ground.middle.y;
+  const GroundReach reach = ground_reach(ground, standing, lights, 0.25);
+  EXPECT_NEAR(static_cast<double>(reach.rectangle.x), -1.0 - 2.0 - below - 0.25, 1e-5) << "the shadow of its top";
+  EXPECT_NEAR(reach.rectangle.z, 1.25f, 1e-5f);
+  EXPECT_EQ(reach.contact, glm::vec4(-1.25f, -1.25f, 1.25f, 1.25f));
+  EXPECT_TRUE(reach.darkened);
+  EXPECT_FALSE(ground_reach(ground, {{-1, 1, -1}, {1, 2, 1}}, {}, 0.25).darkened) << "in the air, without shadows";
+  EXPECT_TRUE(ground_reach(ground, {{-1, 1, -1}, {1, 2, 1}}, lights, 0.0).darkened);
+  EXPECT_TRUE(ground_reach(ground, {}, lights, 0.0).darkened) << "unknown bounds";
+  EXPECT_EQ(ground_reach(ground, {}, lights, 0.0).rectangle.x, -ground.radius_m);
 }
 
 TEST_F(ground, nothing_opaque_is_needed_to_see_its_grid) {

@@ -324,6 +324,16 @@ TEST_F(light_picture, environment_is_the_backdrop_where_it_is_asked_for) {
     expect_reference_picture(built, view, options, {.bound = 0.004}, {}, light);
 }
 
+TEST_F(light_picture, a_dark_backdrop_darkens_what_is_seen_of_the_environment_and_no_surface) {
+  const Gradient light{.sky = {0.2f, 0.5f, 0.9f}, .ground = {0.7f, 0.2f, 0.05f}};
+  auto dark = std::make_shared<Environment>(*gradient_environment(light));
+  dark->backdrop = 0.3f;
+  RenderOptions options = only_ambient_light();
+  options.lighting.environment = dark;
+  options.backdrop = Backdrop::sharp;
+  expect_reference_picture(ball(0.0f, 1.0f), view_of_ball(), options, {.bound = 0.004}, {}, light);
+}
+
 TEST_F(light_picture, blurred_backdrop_is_a_filtered_level_of_the_environment) {
   RenderOptions options = only_ambient_light();
   options.lighting.environment =

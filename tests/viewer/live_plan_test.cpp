@@ -40,7 +40,7 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
   EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao",
                                   "blur_horizontal", "blur_vertical", "opaque", "outline", "ground", "behind",
-                                  "transparent", "weighted", "exposure", "tonemap", "show", "overlay"));
+                                  "transparent", "weighted", "exposure", "backdrop", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -163,9 +163,11 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
                              .blur = (bits & 32) != 0,
                              .auto_exposure = (bits & 512) != 0,
                              .ground = (bits & 128) != 0,
+                             .backdrop = (bits & 128) == 0,
+                             .shadows_kept = (bits & 3) == 3,
                              .show = show};
       const FrameGraph graph(needs);
-      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 5, 2, {64, 48}, 700})) {
+      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 5, 2, {64, 48}, 700, 900, 800})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
         EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
         EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;
@@ -174,6 +176,56 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
         }
       }
     }
+}
+
+TEST(live_plan, has_no_stage_on_while_nothing_moves) {
+  LivePlan live;
+  const std::uint64_t stage_ns[] = {1500, 0};
+  live.evaluated(small_plan(), frame(1, stage_ns), true);
+  EXPECT_TRUE(row(live, "sample").runs) << "evaluated for this picture";
+  live.evaluated(small_plan(), frame(1, stage_ns), true);
+  EXPECT_FALSE(row(live, "sample").runs);
+  EXPECT_EQ(row(live, "sample").timed, 0u);
+  EXPECT_EQ(row(live, "sample").count, 0u);
+  EXPECT_EQ(row(live, "sample").reason, "nothing moves: the last pose stays");
+  EXPECT_EQ(row(live, "morph").reason, "no mesh has targets");
+  live.evaluated(small_plan(), frame(2, stage_ns), false);
+  EXPECT_TRUE(row(live, "sample").runs);
+}
+
+TEST(live_plan, interpolation_is_off_in_frames_that_are_evaluated) {
+  LivePlan live;
+  const std::vector<PlanStage> plan = {{"interpolate", true, "frames between updates are asked for", 5, 0}};
+  const std::uint64_t stage_ns[] = {40};
+  FrameResult exact = frame(1, stage_ns), between = frame(2, stage_ns);
+  between.work.poses_interpolated = 1;
+  live.evaluated(plan, exact);
+  EXPECT_FALSE(row(live, "interpolate").runs);
+  EXPECT_EQ(row(live, "interpolate").timed, 0u);
+  EXPECT_EQ(row(live, "interpolate").reason, "this frame is evaluated, not one in between");
+  live.evaluated(plan, between);
+  EXPECT_TRUE(row(live, "interpolate").runs);
+}
+
+TEST(live_plan, has_no_time_for_a_pass_that_ran_in_an_earlier_picture_alone) {
+  LivePlan live;
+  const PassTime passes[] = {{"shadow", 2.0}, {"opaque", 0.25}};
+  live.drawn({},
+             {.passes = describe_passes({.opaque = true, .shadows = 1, .occlusion = false, .shadows_kept = true}, {})},
+             passes);
+  EXPECT_FALSE(row(live, "shadow").runs);
+  EXPECT_EQ(row(live, "shadow").timed, 0u);
+  EXPECT_THAT(row(live, "shadow").reason, HasSubstr("maps are kept"));
+  EXPECT_EQ(row(live, "opaque").timed, 1u);
+}
+
+TEST(live_plan, tells_what_the_window_takes) {
+  LivePlan live;
+  live.presented({.wait_us = 3000.0, .panel_us = 200.0, .present_us = 50.0});
+  EXPECT_EQ(row(live, "wait").time_us, 3000.0);
+  EXPECT_EQ(row(live, "panel").time_us, 200.0);
+  EXPECT_EQ(row(live, "present").time_us, 50.0);
+  EXPECT_TRUE(row(live, "present").runs);
 }
 
 TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
@@ -186,7 +238,13 @@ TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
   EXPECT_THAT(why({.opaque = true, .blur = false}, Pass::blur_vertical), HasSubstr("blur is switched off"));
   EXPECT_THAT(why({.opaque = true}, Pass::transparent), HasSubstr("nothing blended"));
   EXPECT_THAT(why({.opaque = true}, Pass::ground), HasSubstr("no ground is asked for"));
+  EXPECT_THAT(why({.opaque = true, .no_ground = NoGround::nothing_darkens}, Pass::ground),
+              HasSubstr("nothing darkens it"));
   EXPECT_THAT(why({.ground = true, .show = Show::ao}, Pass::ground), HasSubstr("a buffer instead"));
+  EXPECT_THAT(why({}, Pass::tonemap), HasSubstr("nothing is in view"));
+  EXPECT_THAT(why({}, Pass::opaque), HasSubstr("nothing is in view"));
+  EXPECT_THAT(why({.blended = true}, Pass::opaque), HasSubstr("clears the picture"));
+  EXPECT_THAT(why({}, Pass::backdrop), HasSubstr("no environment is seen"));
   EXPECT_THAT(why({.opaque = true}, Pass::shadow), HasSubstr("no light casts"));
   EXPECT_THAT(why({.shadows = true}, Pass::shadow), HasSubstr("nothing is in view"));
   EXPECT_THAT(why({.opaque = true, .shadows = true, .show = Show::ao}, Pass::shadow), HasSubstr("a buffer instead"));

@@ -59,7 +59,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(accepted({"--smoothing", "off"}).smooth_edges, false);
   EXPECT_EQ(options.environment, "studio");
   EXPECT_FALSE(options.camera || options.time_s || options.frames || options.clip || options.fov_y_deg);
-  EXPECT_FALSE(options.auto_exposure);
+  EXPECT_EQ(options.tone_curve, ToneCurve::aces);
+  EXPECT_FALSE(options.auto_exposure || options.exposure_is_given);
+  EXPECT_TRUE(accepted({"--exposure", "0"}).exposure_is_given);
   EXPECT_TRUE(accepted({"--exposure", "auto"}).auto_exposure);
   EXPECT_FALSE(accepted({"--exposure", "1"}).auto_exposure);
   EXPECT_FALSE(options.exit_after_s || options.validate || options.transparent);

@@ -6,6 +6,7 @@
 #include "samples/showcase/shapes.h"
 #include "tests/reference/shade.h"
 #include "tests/viewer/reference_picture.h"
+#include "viewer/light/rooms.h"
 
 namespace sinew::viewer {
 namespace {
@@ -210,7 +211,7 @@ TEST_F(transmission_picture, smooth_edges_change_nothing_inside_of_rough_surface
 TEST_F(transmission_picture, the_blurred_backdrop_is_seen_through_rough_surfaces_at_least_as_blurred) {
   RenderOptions options = only_ambient_light();
   options.backdrop = Backdrop::blurred;
-  options.lighting.environment = studio_environment();
+  options.lighting.environment = make_environment(sky_of(Room::studio));  // as bright behind as it lights
   BuiltScene built;
   const auto pane = [](float roughness) {
     Material material = glass(glm::vec4(1.0f), roughness);

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/frame.h"
 
+#include <chrono>
+
 namespace sinew::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds_since(Clock::time_point then) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - then).count();
+}
+
+}  // namespace
 
 Frame::Frame(Device& device, Swapchain& swapchain, PanelBackend& panel)
     : device_(device), swapchain_(swapchain), panel_(panel), renderer_(device, swapchain.format(), kSlots) {
@@ -34,9 +45,11 @@ Frame::~Frame() {
 bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& options, const Settings& settings,
                  const std::function<void()>& lay_out) {
   const Slot& slot = slots_[next_];
+  const Clock::time_point start = Clock::now();
   must(vkWaitForFences(device_.handle(), 1, &slot.done, VK_TRUE, ~std::uint64_t{0}), "waiting for a frame");
   const auto image = swapchain_.acquire(slot.image_ready);
   if (!image) return false;
+  window_times_.wait_us = microseconds_since(start);
   const auto times = renderer_.pass_times(next_);
   pass_times_.assign(times.begin(), times.end());
 
@@ -56,11 +69,15 @@ bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& optio
   begin(slot);
   renderer_.record(slot.commands, target, inputs);
   report_ = renderer_.report(next_);
+  const Clock::time_point panel = Clock::now();
   panel_.begin();
   lay_out();
   panel_.record(slot.commands, *image);
+  window_times_.panel_us = microseconds_since(panel);
   submit(slot, *image);
+  const Clock::time_point present = Clock::now();
   swapchain_.present(*image);
+  window_times_.present_us = microseconds_since(present);
   next_ = (next_ + 1) % kSlots;
   return true;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "viewer/app/live_plan.h"
 #include "viewer/app/panel/panel_backend.h"
 #include "viewer/app/settings.h"
 #include "viewer/app/shown_scene.h"
@@ -33,6 +34,9 @@ class Frame {
   /// GPU pass times of the picture kSlots frames ago, the newest one that the GPU has certainly finished.
   std::span<const PassTime> pass_times();
 
+  /// Times of the last picture besides drawing the scene.
+  const WindowTimes& window_times() const noexcept { return window_times_; }
+
   /// Statistics of the last picture.
   const FrameReport& report() const noexcept { return report_; }
 
@@ -54,6 +58,7 @@ class Frame {
   std::uint32_t next_ = 0;
   std::vector<PassTime> pass_times_;
   FrameReport report_;
+  WindowTimes window_times_;
 };
 
 }  // namespace sinew::viewer

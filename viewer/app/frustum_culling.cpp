@@ -49,13 +49,16 @@ CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double 
   return culled;
 }
 
-std::optional<glm::vec3> shadow_sweep(const Scene& scene, bool shadows, const Aabb& reached) {
+std::optional<glm::vec3> shadow_sweep(const Scene& scene, bool shadows, const Aabb& reached,
+                                      const Environment* environment) {
   if (!shadows || reached.empty()) return glm::vec3(0.0f);
   if (std::any_of(scene.lights.begin(), scene.lights.end(),
                   [](const Light& light) { return light.kind != Light::Kind::point; }))
     return std::nullopt;
   if (!scene.lights.empty()) return glm::vec3(0.0f);
-  const glm::vec3 to_key = glm::normalize(Lighting{}.to_key);
+  const bool has_key = environment != nullptr && environment->key;
+  if (has_key && environment->key->irradiance == glm::vec3(0.0f)) return glm::vec3(0.0f);
+  const glm::vec3 to_key = glm::normalize(has_key ? environment->key->to_light : Lighting{}.to_key);
   return -to_key * glm::length(reached.upper - reached.lower) /
          to_key.y;  // long enough to reach the ground from the highest point
 }

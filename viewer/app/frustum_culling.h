@@ -7,6 +7,7 @@
 
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/plan/frame_input.h"
+#include "viewer/light/environment.h"
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {
@@ -49,7 +50,9 @@ class FrustumCulling {
 /// The vector along which meshes cast shadows, as long as the longest shadow. Zero if nothing casts shadows. Empty if a
 /// light of the scene casts them: its direction is known only after the pose is evaluated.
 /// in   reached  bounds of the clip, world space
-std::optional<glm::vec3> shadow_sweep(const Scene& scene, bool shadows, const Aabb& reached);
+///      environment  its key light counts where the scene has no lights; null = the default key light
+std::optional<glm::vec3> shadow_sweep(const Scene& scene, bool shadows, const Aabb& reached,
+                                      const Environment* environment = nullptr);
 
 /// Writes the culling result to the frame's input. If every mesh is out of view, the whole character sleeps, lights and
 /// animated materials included. `joints_needed` (skeleton lines or a camera on a joint) keeps it awake.

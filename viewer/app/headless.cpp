@@ -43,10 +43,12 @@ Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std:
 Headless::~Headless() = default;
 
 Picture Headless::render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                         std::span<const LineVertex> lines, std::uint32_t variant, const VisibilityBlend& visibility) {
+                         std::span<const LineVertex> lines, std::uint32_t variant, const VisibilityBlend& visibility,
+                         std::uint64_t source) {
   State& s = *state_;
-  // Every call counts as a new source, because consecutive frames may come from different frame buffers.
-  s.frame_upload.update(0, frame, ++s.pictures);
+  // A call without a source counts as a new one, because consecutive frames may come from different frame buffers.
+  constexpr std::uint64_t kGiven = std::uint64_t{1} << 63;
+  s.frame_upload.update(0, frame, source != 0 ? kGiven + source : ++s.pictures);
   s.scene_upload.update(0, s.frame_upload.look(0));
   const DrawnScene drawn{&s.scene_upload, &s.frame_upload, variant, visibility};
   FrameInputs inputs;

@@ -27,9 +27,10 @@ class Headless {
 
   /// Draws one frame. Equal inputs give equal bytes on the same driver.
   /// in   variant  index of a material variant; kNone = the primitives' default materials
+  ///      source   frames of one frame buffer have the same number, so that what stays is kept; 0 = unknown
   Picture render(const FrameResult& frame, const View& view, const RenderOptions& options,
                  std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone,
-                 const VisibilityBlend& visibility = {});
+                 const VisibilityBlend& visibility = {}, std::uint64_t source = 0);
 
   // Of the last picture:
   std::span<const PassTime> pass_times() const;

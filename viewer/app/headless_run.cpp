@@ -13,11 +13,13 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
+#include "viewer/app/adaptive_exposure.h"
 #include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/frustum_culling.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/live_plan.h"
+#include "viewer/app/log_line.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/png_writer.h"
 #include "viewer/app/settings.h"
@@ -120,7 +122,7 @@ class PictureMaker {
         evaluator_(loaded, {settings_.skinning, settings_.updates, options.plan}, clip, settings_.cache_weight),
         culling_(loaded.scene, evaluator_.needs(),
                  loaded.cache ? loaded.cache->reach(loaded.scene) : std::vector<Aabb>()),
-        shadow_(shadow_sweep(loaded.scene, settings_.shadows, bounds_.reached)),
+        shadow_(shadow_sweep(loaded.scene, settings_.shadows, bounds_.reached, environment_.get())),
         skeleton_(loaded.scene),
         visibility_(loaded.visibility),
         headless_(device, loaded.scene, options.width, options.height, {}, visibility_.get(), options.filter) {
@@ -161,8 +163,9 @@ class PictureMaker {
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
-    Picture picture = headless_.render(pose, view_, look, lines, settings_.variant,
-                                       visibility_ ? visibility_blend(*visibility_, clip_, time_s) : VisibilityBlend{});
+    Picture picture =
+        headless_.render(pose, view_, look, lines, settings_.variant,
+                         visibility_ ? visibility_blend(*visibility_, clip_, time_s) : VisibilityBlend{}, 1);
     if (shows_plan_) {
       live_plan_.updates(evaluator_.levels());
       live_plan_.evaluated(evaluator_.stages(), pose);
@@ -246,7 +249,24 @@ std::string make_pictures(const Options& options, double duration_s, PictureMake
 
 }  // namespace
 
-int write_pictures(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip) {
+std::string adapt_exposure(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip) {
+  if (!may_clip(options, loaded.scene)) return {};
+  const double duration =
+      std::max(clip == kNone ? 0.0 : loaded.scene.animations[clip].duration_s, cache_duration_s(loaded));
+  const auto clipped = [&](bool automatic) {
+    return clipped_share(
+        PictureMaker(device, probe_options(options, automatic), loaded, clip).at(first_time_s(options, duration)));
+  };
+  const double given = clipped(false);
+  return given <= kMostClipped ? std::string() : why_exposure_follows(given, clipped(true));
+}
+
+int write_pictures(Device& device, const Options& asked, const LoadedScene& loaded, std::uint32_t clip) {
+  Options options = asked;
+  if (const std::string why = adapt_exposure(device, asked, loaded, clip); !why.empty()) {
+    log_line(loaded.name + ": " + why);
+    options.auto_exposure = true;
+  }
   if (options.frames) {
     std::error_code error;
     fs::create_directories(options.headless, error);

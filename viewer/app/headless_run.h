@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
@@ -11,6 +12,11 @@ namespace sinew::viewer {
 
 /// Clip time of a picture: picture / fps, wrapped to the clip's duration. A time exactly at the end is not wrapped.
 double picture_time_s(std::uint32_t picture, double fps, double duration_s) noexcept;
+
+/// Decides if exposure must follow the picture, by drawing the model once, or twice if light clips it.
+/// out  one sentence that says so; empty = the exposure of the options stays
+/// err  DeviceError when the device fails
+std::string adapt_exposure(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip);
 
 /// Renders and writes the requested picture, or numbered pictures DIR/00000.png and so on. Needs no display.
 /// in   clip  kNone = rest pose

@@ -39,13 +39,21 @@ void LivePlan::time(PlanPart part, std::string_view stage, double time_us) {
   timed.time_us = ++timed.timed > kWarmUpFrames ? timed.time_us + kSmoothing * (time_us - timed.time_us) : time_us;
 }
 
-void LivePlan::evaluated(std::span<const PlanStage> stages, const FrameResult& frame) {
-  if (frame.frame == evaluated_frame_) return;
+void LivePlan::evaluated(std::span<const PlanStage> stages, const FrameResult& frame, bool resting) {
+  const bool is_new = frame.frame != evaluated_frame_;
+  if (!is_new && !resting) return;
+  resting = !is_new;  // the frame of the first picture that rests was evaluated for it
   evaluated_frame_ = frame.frame;
   for (std::size_t s = 0; s < stages.size(); ++s) {
     const PlanStage& stage = stages[s];
-    tell(PlanPart::evaluation, stage.stage, stage.runs, stage.reason, stage.count);
-    if (stage.runs && s < frame.stage_ns.size())
+    const bool exact = stage.stage == "interpolate" && frame.work.poses_interpolated == 0;
+    const bool runs = stage.runs && !resting && !exact;
+    const std::string_view reason = !stage.runs ? std::string_view(stage.reason)
+                                    : resting   ? "nothing moves: the last pose stays"
+                                    : exact     ? "this frame is evaluated, not one in between"
+                                                : std::string_view(stage.reason);
+    tell(PlanPart::evaluation, stage.stage, runs, reason, runs ? stage.count : 0);
+    if (runs && s < frame.stage_ns.size())
       time(PlanPart::evaluation, stage.stage, 1e-3 * static_cast<double>(frame.stage_ns[s]));
   }
 }
@@ -82,6 +90,16 @@ std::string why_collect(const FrameReport& report) {
 
 }  // namespace
 
+void LivePlan::presented(const WindowTimes& times) {
+  const auto row = [&](std::string_view stage, std::string_view reason, double time_us) {
+    tell(PlanPart::drawing, stage, true, reason, 1);
+    time(PlanPart::drawing, stage, time_us);
+  };
+  row("panel", "lays out and records the panel", times.panel_us);
+  row("wait", "for an earlier picture on the GPU, and for the display", times.wait_us);
+  row("present", "hands the picture over to the display", times.present_us);
+}
+
 void LivePlan::drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes) {
   tell(PlanPart::drawing, "upload", upload.written > 0, why_upload(upload), upload.written);
   if (upload.written > 0) time(PlanPart::drawing, "upload", upload.time_us);
@@ -91,7 +109,9 @@ void LivePlan::drawn(const UploadCounts& upload, const FrameReport& report, std:
     if (!mode.mode.empty()) tell(PlanPart::modes, mode.mode, mode.runs, mode.reason, mode.count);
   for (const PassStage& stage : report.passes)
     tell(PlanPart::passes, name_of(stage.pass), stage.runs, stage.reason, stage.count);
-  for (const PassTime& pass : passes) time(PlanPart::passes, pass.pass, 1e3 * pass.milliseconds);
+  // Times are of an earlier picture, in which other passes may have run.
+  for (const PassTime& pass : passes)
+    if (row(PlanPart::passes, pass.pass).runs) time(PlanPart::passes, pass.pass, 1e3 * pass.milliseconds);
 }
 
 std::string plan_text(std::span<const PlanRow> rows) {

@@ -29,6 +29,13 @@ struct PlanRow {
 /// Heading of a section, such as "evaluation, on the CPU".
 std::string_view title_of(PlanPart part) noexcept;
 
+/// CPU times of a picture in a window, in microseconds.
+struct WindowTimes {
+  double wait_us = 0.0;     ///< until the GPU has finished an earlier picture, and the display has an image to draw to
+  double panel_us = 0.0;    ///< laying out and recording the panel
+  double present_us = 0.0;  ///< handing the picture over to the display
+};
+
 /// Collects what each frame does, why, and how long it takes. Times are exponential moving averages over frames.
 class LivePlan {
  public:
@@ -36,15 +43,20 @@ class LivePlan {
   static constexpr std::uint32_t kWarmUpFrames =
       3;  ///< the first frames fill caches; the average starts with the last of them
 
-  /// Records an evaluated frame of a plan with these stages. Calling it again with the same frame has no effect.
+  /// Records an evaluated frame of a plan with these stages. Calling it again with the same frame has no effect, unless
+  /// nothing moves any more: then no stage runs.
   /// in   frame   if its stage_ns is empty, no times are recorded
-  void evaluated(std::span<const PlanStage> stages, const FrameResult& frame);
+  ///      resting  no pose is evaluated, because nothing moves
+  void evaluated(std::span<const PlanStage> stages, const FrameResult& frame, bool resting = false);
 
   /// Records the current update rate of the poses, and the reason for it.
   void updates(const UpdateLevels& levels);
 
   /// Records the state of the geometry cache and the work that the newest frame did with it.
   void cache(const CacheFacts& facts, const WorkCounters& work);
+
+  /// Records what the window does for a picture besides drawing the scene.
+  void presented(const WindowTimes& times);
 
   /// Records the upload and the render passes of a drawn picture.
   void drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes);

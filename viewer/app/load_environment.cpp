@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "viewer/light/panorama.h"
+#include "viewer/light/rooms.h"
 #include "viewer/light/stored_environment.h"
 
 namespace sinew::viewer {
@@ -17,7 +18,7 @@ namespace {
 constexpr std::uint32_t kFaceSize = 256;
 
 /// Completes an environment with filtered maps from the disk cache, or computes and stores them.
-std::shared_ptr<const Environment> cached_environment(const std::string& name, CubeMap sky, const DiskCache& disk) {
+std::shared_ptr<Environment> cached_environment(const std::string& name, CubeMap sky, const DiskCache& disk) {
   const std::uint64_t key = environment_key(sky);
   if (const auto stored = disk.load(name, key))
     if (auto whole = complete_environment(sky, *stored)) return whole;
@@ -43,13 +44,15 @@ std::optional<std::string> read_all(const std::string& path) {
 
 tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name,
                                                                                const DiskCache& disk) {
-  if (name == "studio")
-    return disk.on() ? cached_environment("studio.light", studio_sky(), disk) : studio_environment();
+  if (const auto room = room_named(name))
+    return disk.on() ? furnished(*room, cached_environment(name + ".light", sky_of(*room), disk))
+                     : room_environment(*room);
   if (name == "plain") return plain_environment();
   if (name == "none") return nullptr;
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error))
-    return tl::unexpected(name + ": there is no such file, and the built-in environments are studio, plain and none");
+    return tl::unexpected(
+        name + ": there is no such file, and the built-in environments are studio, sunset, overcast, plain and none");
   const auto bytes = read_all(name);
   if (!bytes) return tl::unexpected(name + ": cannot be read");
   const auto panorama = decode_panorama(std::as_bytes(std::span(*bytes)));

@@ -10,8 +10,8 @@
 
 namespace sinew::viewer {
 
-/// Loads an environment by name: "studio", "plain" (a gradient), "none" (null), or the path of a panorama.
-/// in   disk  caches the filtered maps for later runs: of the studio environment, and of the last panorama
+/// Loads an environment by name: a room (rooms.h), "plain" (a gradient), "none" (null), or the path of a panorama.
+/// in   disk  caches the filtered maps for later runs: of each room, and of the last panorama
 /// err  one sentence that begins with the file's name
 tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name,
                                                                                const DiskCache& disk = DiskCache());

@@ -240,7 +240,7 @@ void add_light_options(CLI::App& app, Options& options) {
                     {{"none", GroundLook::none}, {"shadows", GroundLook::shadows}, {"grid", GroundLook::grid}});
               });
   app.add_option("--environment", options.environment,
-                 "light from all around: studio, plain, none, or a panorama .hdr or .exr (studio)")
+                 "light from all around: studio, sunset, overcast, plain, none, or a panorama .hdr or .exr (studio)")
       ->type_name("LIGHT");
   text_option(app, "--environment-turn", "DEGREES", "turn it counter-clockwise, seen from above (0)",
               [&, bounded](const std::string& text) {
@@ -258,13 +258,16 @@ void add_light_options(CLI::App& app, Options& options) {
                     {{"plain", Backdrop::plain}, {"blurred", Backdrop::blurred}, {"sharp", Backdrop::sharp}});
               });
   text_option(
-      app, "--tone", "CURVE", "how light is displayed: neutral, aces or none (neutral)", [&](const std::string& text) {
+      app, "--tone", "CURVE", "how light is displayed: aces, neutral or none (aces)", [&](const std::string& text) {
         options.tone_curve = named<ToneCurve>(
             "--tone", text, {{"neutral", ToneCurve::neutral}, {"aces", ToneCurve::aces}, {"none", ToneCurve::none}});
       });
-  text_option(app, "--exposure", "EV", "stops: 1 doubles all light, -1 halves it; auto follows the picture (0)",
+  text_option(app, "--exposure", "EV",
+              "stops: 1 doubles all light, -1 halves it; auto follows the picture (0; auto where light clips a fifth "
+              "of the model)",
               [&, bounded](const std::string& text) {
                 options.auto_exposure = text == "auto";
+                options.exposure_is_given = true;
                 if (options.auto_exposure) return;
                 options.exposure_ev =
                     bounded("--exposure", text, -32.0f, 32.0f, "auto or a number of stops from -32 to 32");

@@ -54,14 +54,15 @@ struct Options {
   bool shadows = true;
   GroundLook ground = GroundLook::shadows;
   std::optional<bool> smooth_edges;    ///< unset = on, except in a window drawn by a software driver
-  std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
+  std::string environment = "studio";  ///< a room, plain, none, or the file of a panorama
   float environment_turn_deg = 0.0f;   ///< rotation about +y, counter-clockwise seen from above
   float environment_intensity = 1.0f;
   std::optional<Backdrop> backdrop;  ///< unset = blurred; plain behind Gooch shading
-  ToneCurve tone_curve = ToneCurve::neutral;
+  ToneCurve tone_curve = ToneCurve::aces;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
   bool auto_exposure = false;
-  bool skeleton = false;  ///< draw skeleton lines over the picture
+  bool exposure_is_given = false;  ///< the command line names an exposure, so it is never adapted
+  bool skeleton = false;           ///< draw skeleton lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   Framing framing = Framing::clip;

@@ -93,7 +93,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.shading = settings.shading;
   options.normals = settings.normals;
   options.transparency = settings.transparency;
-  options.lighting.environment = std::move(environment);
+  options.lighting.use(std::move(environment));
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);
   options.shadows = {settings.shadows, bounds.reached};

@@ -20,7 +20,7 @@ struct Settings {
   GroundLook ground = GroundLook::shadows;
   bool smooth_edges = true;
   Backdrop backdrop = Backdrop::plain;
-  ToneCurve tone_curve = ToneCurve::neutral;
+  ToneCurve tone_curve = ToneCurve::aces;
   float environment_turn_deg = 0.0f, environment_intensity = 1.0f, exposure_ev = 0.0f;
   bool auto_exposure = false;
   bool skeleton = false;

@@ -92,7 +92,8 @@ void ShownScene::begin_frame(const View& view, bool view_is_moved) {
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_needed) {
   begin_frame(view, view_is_moved);
-  culled_ = culling_.of(playback_.clip(), view, aspect, shadow_sweep(loaded_.scene, shadows_, bounds().reached));
+  culled_ = culling_.of(playback_.clip(), view, aspect,
+                        shadow_sweep(loaded_.scene, shadows_, bounds().reached, loaded_.environment.get()));
   joints_needed_ = joints_needed || !loaded_.scene.cameras.empty();  // the user may switch to one of them at any time
   const bool lacks = requested_culled_.culls_more_than(culled_) ||
                      (requested_culled_.every_instance && !requested_joints_ && joints_needed_);

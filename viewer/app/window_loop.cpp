@@ -14,6 +14,7 @@
 #include "viewer/app/bake_visibility.h"
 #include "viewer/app/frame.h"
 #include "viewer/app/framed_camera.h"
+#include "viewer/app/headless_run.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/log_line.h"
 #include "viewer/app/panel/panel.h"
@@ -72,6 +73,7 @@ class WindowLoop {
   }
   void switch_scene(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s);
   void add_visibility(std::uint32_t clip);
+  void adapt_to_light(std::uint32_t clip);
   void place_camera();
   void frame_all();
   void leave_file_camera();
@@ -103,6 +105,7 @@ class WindowLoop {
   FreeWidth free_;                 ///< part of the window beside the panel
   bool camera_is_framed_ = false;  ///< the user has not moved the camera since it framed the scene
   Settings settings_;
+  bool exposure_is_adapted_ = false;  ///< adapt_to_light() has switched automatic exposure on
   LivePlan live_plan_;
   std::optional<std::uint32_t> requested_scene_;
   int frames_to_draw_ = kFramesAfterChange;  // left before the loop pauses because nothing moves
@@ -119,12 +122,24 @@ void WindowLoop::switch_scene(std::uint32_t index, std::optional<std::uint32_t> 
   shown_.reset();  // frees GPU memory before the next scene is uploaded
   add_missing_centers(loaded_scenes_[index], settings_.skinning);
   add_visibility(clip.value_or(loaded_scenes_[index].scene.animations.empty() ? kNone : 0));
+  adapt_to_light(clip.value_or(loaded_scenes_[index].scene.animations.empty() ? kNone : 0));
   shown_ = make_shown(loaded_scenes_[index], settings_.evaluation());
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   if (time_s) shown_->playback().seek(*time_s);
   window_.set_title(loaded_scenes_[index].name + " - sinew");
   place_camera();
+}
+
+/// Lets exposure follow the picture if light would clip the scene, and no longer for the next scene.
+void WindowLoop::adapt_to_light(std::uint32_t clip) {
+  const LoadedScene& loaded = loaded_scenes_[scene_index_];
+  if (exposure_is_adapted_) settings_.auto_exposure = options_.auto_exposure;
+  const std::string why = adapt_exposure(device_, options_, loaded, clip);
+  exposure_is_adapted_ = !why.empty();
+  if (!exposure_is_adapted_) return;
+  log_line(loaded.name + ": " + why);
+  settings_.auto_exposure = true;
 }
 
 /// Bakes ambient visibility at the scene's first display. If that fails, reports it and continues without.
@@ -254,9 +269,10 @@ void WindowLoop::draw() {
   if (!drawn) return;
   if (settings_.shows_plan()) {
     live_plan_.updates(shown_->update_levels());
-    live_plan_.evaluated(shown_->stages(), shown_->newest());
+    live_plan_.evaluated(shown_->stages(), shown_->newest(), shown_->resting());
     if (const auto cache = shown_->cache_facts()) live_plan_.cache(*cache, shown_->newest().work);
     live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
+    live_plan_.presented(frame_.window_times());
   }
   --frames_to_draw_;
   const double passed_ms = 1000.0 * seconds_since(last_picture_);

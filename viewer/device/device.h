@@ -48,6 +48,9 @@ class Device {
   Memory& memory() const noexcept { return *memory_; }
   VkPipelineCache pipeline_cache() const noexcept { return pipeline_cache_->handle(); }
 
+  /// A number that this device has not given before.
+  std::uint64_t next_number() noexcept { return ++numbers_; }
+
   /// Number of validation errors and warnings so far; 0 without validation.
   std::uint64_t validation_messages() const noexcept { return messages_.load(); }
   bool validation_active() const noexcept { return messenger_ != VK_NULL_HANDLE; }
@@ -82,7 +85,7 @@ class Device {
   std::unique_ptr<Memory> memory_;
   std::unique_ptr<PipelineCache> pipeline_cache_;
   std::function<void(std::string_view)> on_message_;
-  std::atomic<std::uint64_t> messages_{0};
+  std::atomic<std::uint64_t> messages_{0}, numbers_{0};
 };
 
 }  // namespace sinew::viewer

@@ -71,6 +71,12 @@ constexpr std::uint32_t kGroundFrag[] =
 constexpr std::uint32_t kLineVert[] =
 #include "line.vert.inc"
     ;
+constexpr std::uint32_t kBackdropVert[] =
+#include "backdrop.vert.inc"
+    ;
+constexpr std::uint32_t kBackdropFrag[] =
+#include "backdrop.frag.inc"
+    ;
 constexpr std::uint32_t kLineFrag[] =
 #include "line.frag.inc"
     ;
@@ -100,6 +106,8 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
     case Shader::ground_vert: return kGroundVert;
     case Shader::ground_normal_frag: return kGroundNormalFrag;
     case Shader::ground_frag: return kGroundFrag;
+    case Shader::backdrop_vert: return kBackdropVert;
+    case Shader::backdrop_frag: return kBackdropFrag;
     case Shader::line_vert: return kLineVert;
     default: return kLineFrag;
   }

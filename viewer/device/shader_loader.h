@@ -32,7 +32,9 @@ enum class Shader : std::uint8_t {
   ground_normal_frag,
   ground_frag,
   line_vert,
-  line_frag
+  line_frag,
+  backdrop_vert,
+  backdrop_frag
 };
 
 std::span<const std::uint32_t> code_of(Shader shader) noexcept;

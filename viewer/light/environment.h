@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,6 +13,12 @@ namespace sinew::viewer {
 
 /// Number of mip levels of the reflection map. Level i is prefiltered for roughness i / (kEnvironmentLevels - 1).
 inline constexpr std::uint32_t kEnvironmentLevels = 6;
+
+/// A directional light that casts the shadows of an environment, for scenes without lights of their own.
+struct KeyLight {
+  glm::vec3 to_light;    ///< world space, any length except 0
+  glm::vec3 irradiance;  ///< linear, on a surface that faces the light; 0 = there is no such light
+};
 
 /// Distant environment light, prefiltered for the shaders.
 struct Environment {
@@ -28,12 +35,15 @@ struct Environment {
 
   /// The table of split_sum.h, if it was loaded from the disk cache; empty = use split_sum_table().
   std::vector<glm::vec3> split_sum;
+
+  std::optional<KeyLight> key;  ///< unset = the default key light (Lighting)
+  float backdrop = 1.0f;        ///< brightness of the environment where it is seen behind the scene
 };
 
 /// Prefilters a sky into an environment.
 /// in   sky  size a power of two, at least 2^(kEnvironmentLevels - 1)
 /// cost about 3 million map reads for a 256-texel cube, on all cores
-std::shared_ptr<const Environment> make_environment(CubeMap sky);
+std::shared_ptr<Environment> make_environment(CubeMap sky);
 
 /// Radiance linear in the y of its direction: `ground` at -1, `sky` at +1.
 struct Gradient {
@@ -50,10 +60,7 @@ std::shared_ptr<const Environment> plain_environment();
 /// which filtering flattens a gradient.
 double mean_reflected_cosine(double roughness);
 
-/// A neutral room with three large soft lights: one above and in front, one at the side, one behind.
-CubeMap studio_sky();
-
-/// The environment of studio_sky(). A shared singleton.
+/// The environment of the studio (rooms.h), the default light. A shared singleton.
 std::shared_ptr<const Environment> studio_environment();
 
 }  // namespace sinew::viewer

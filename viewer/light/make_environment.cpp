@@ -103,7 +103,7 @@ CubeMap filtered_level(std::span<const CubeMap> source, std::uint32_t level) {
 
 }  // namespace
 
-std::shared_ptr<const Environment> make_environment(CubeMap sky) {
+std::shared_ptr<Environment> make_environment(CubeMap sky) {
   CONTRACT(sky.size >= 1u << (kEnvironmentLevels - 1));
   const std::vector<CubeMap> source = pyramid(std::move(sky));
   auto made = std::make_shared<Environment>();

@@ -59,7 +59,7 @@ std::vector<std::byte> stored_parts(const Environment& environment) {
   return bytes;
 }
 
-std::shared_ptr<const Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts) {
+std::shared_ptr<Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts) {
   auto made = empty_environment(std::move(sky));
   if (parts.size() != size_of_parts(*made)) return nullptr;
   std::size_t at = 0;

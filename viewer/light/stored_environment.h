@@ -19,6 +19,6 @@ std::vector<std::byte> stored_parts(const Environment& environment);
 
 /// Rebuilds an environment from its sky and stored parts, bit-identical to make_environment. Null if `parts` has the
 /// wrong size.
-std::shared_ptr<const Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts);
+std::shared_ptr<Environment> complete_environment(CubeMap sky, std::span<const std::byte> parts);
 
 }  // namespace sinew::viewer

@@ -60,6 +60,16 @@ SurfaceFeatures surface_of(const Primitive& primitive, const MaterialFeatures& m
   return surface;
 }
 
+Caster caster_of(const Draw& draw, const DrawnScene& drawn, const FrameVertices& vertices,
+                 const DeformedBuffers& deformed, const Affined& world_from_mesh) {
+  Caster caster{draw, world_from_mesh, drawn.scene->number(), drawn.variant, 0, 1};
+  const bool deforms = deformed.positions != kAbsent;
+  if (deforms || draw.masked) caster.source = vertices.source;
+  if (deforms) caster.since = deformed.since;
+  if (draw.masked) caster.since = vertices.frame;  // its material may be animated
+  return caster;
+}
+
 }  // namespace
 
 void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
@@ -67,7 +77,9 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   weighted_.clear();
-  opaque_area_ = CoveredArea(view, aspect);
+  opaque_area_ = drawn_area_ = CoveredArea(view, aspect);
+  standing_ = {};
+  unbounded_ = false;
   weighted_range_ = {};
   casters_.clear();
   unlit_ = reads_table_ = false;
@@ -82,21 +94,22 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
       if (!placed.visible && !placed.hidden)
         out_of_view_ += draws_of(scene.instances[i], scene.meshes[scene.instances[i].mesh]);
       if (!placed.visible) continue;
-      const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();
-      for_each_copy(scene.instances[i], view_from_mesh, [&](const Affined& view_from_copy) {
-        // The view matrix never mirrors.
-        const bool mirrored = copied ? determinant_sign(view_from_copy) < 0 : placed.mirrored;
-        add(frame, drawn, i, view_from_copy, mirrored);
-      });
+      for_each_copy(scene.instances[i], affine_cast<double>(placed.world_from_mesh),
+                    [&](const Affined& world_from_copy) {
+                      // The view matrix never mirrors.
+                      const bool mirrored = copied ? determinant_sign(world_from_copy) < 0 : placed.mirrored;
+                      add(frame, drawn, i, world_from_copy, mirrored);
+                    });
     }
   }
   std::stable_sort(blended_.begin(), blended_.end(),
                    [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
 }
 
-void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh_d,
+void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& world_from_mesh,
                    bool mirrored) {
+  const Affined view_from_mesh_d = frame.view.view_from_world * world_from_mesh;
   const FrameVertices& vertices = drawn.frame->vertices(frame.slot);
   const Scene& scene = drawn.scene->scene();
   const MeshSet& meshes = drawn.scene->meshes();
@@ -139,11 +152,18 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.transmits = draw.surface.material.layers.transmission && draw.surface.normals != NormalSource::none;
     draw.frosted = draw.transmits && material && material->roughness > 0.0f;
     const bool sorted = material && shows_behind(*material);
-    if (frame.casters && !sorted && primitive.topology == Topology::triangles) casters_.push_back(draw);
+    const bool casts = frame.casters && !sorted && primitive.topology == Topology::triangles;
+    const Affined& world_from_bounds = moved ? Affined{} : world_from_mesh;
+    if (!sorted && (casts || !out_of_view)) add_standing(world_from_bounds, moved ? bounds : primitive.bounds);
+    if (casts) casters_.push_back(caster_of(draw, drawn, vertices, deformed, world_from_mesh));
     unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);
     const LayerFeatures& layers = draw.surface.material.layers;
     reads_table_ = reads_table_ || (!out_of_view && (layers.sheen || layers.transmission));
     if (out_of_view) continue;
+    if (draw.topology == Topology::points)
+      drawn_area_.add_everything();  // points extend beyond their bounds
+    else
+      drawn_area_.add_box(moved ? frame.view.view_from_world : view_from_mesh_d, moved ? bounds : primitive.bounds);
     if (sorted && !draw.transmits && frame.transparency == Transparency::weighted)
       add_weighted(draw, moved && !bounds.empty() ? range_of(view_from_world, bounds)
                          : moved                  ? DepthRange{draw.distance, draw.distance}
@@ -153,6 +173,14 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     else
       add_opaque(draw, moved ? frame.view.view_from_world : view_from_mesh_d, moved ? bounds : primitive.bounds);
   }
+}
+
+void DrawList::add_standing(const Affined& world_from_bounds, const Aabb& bounds) {
+  if (bounds.empty()) unbounded_ = true;
+  for (int c = 0; c < 8 && !bounds.empty(); ++c)
+    standing_.add(glm::vec3(transform_point(
+        world_from_bounds, glm::dvec3(c & 1 ? bounds.upper.x : bounds.lower.x, c & 2 ? bounds.upper.y : bounds.lower.y,
+                                      c & 4 ? bounds.upper.z : bounds.lower.z))));
 }
 
 void DrawList::add_opaque(const Draw& draw, const Affined& view_from_bounds, const Aabb& bounds) {

@@ -20,6 +20,8 @@ struct DrawConstants {
   float handedness = 1.0f;                  ///< -1 for mirrored meshes
   float point_size = 1.0f;
   float visibility_factor = 0.0f;  ///< VisibilityBlend::factor
+  float padding = 0.0f;
+  glm::vec4 shadow_w{0.0f};  ///< shadow maps: view_from_mesh has rows x, y and z of map_from_mesh, this is row w
 };
 
 /// Source of a surface's normals.
@@ -58,6 +60,17 @@ struct Draw {
   float distance = 0.0f;   ///< metres from the eye plane to the primitive's center
 };
 
+/// A draw into shadow maps, with all that the maps depend on.
+struct Caster {
+  Draw draw;
+  Affined world_from_mesh;
+  std::uint64_t scene = 0;  ///< SceneUpload::number()
+  std::uint32_t variant = kNone;
+  /// Frame buffer of the vertices, and the frame in which they changed; of the material where it is alpha-tested.
+  /// Since 0 = unknown: the caster counts as changed in every frame.
+  std::uint64_t source = 0, since = 0;
+};
+
 struct DrawnScene;
 
 /// The draw calls of a frame. Opaque and masked draws are in scene order; blended and transmissive ones are sorted from
@@ -78,8 +91,12 @@ class DrawList {
   std::span<const Draw> weighted() const noexcept { return weighted_; }
   /// Range of distances of the draws of weighted().
   DepthRange weighted_range() const noexcept { return weighted_range_; }
+  /// Screen area that any draw may cover.
+  const CoveredArea& drawn_area() const noexcept { return drawn_area_; }
   /// Opaque and masked triangles, including those out of view.
-  std::span<const Draw> casters() const noexcept { return casters_; }
+  std::span<const Caster> casters() const noexcept { return casters_; }
+  /// World bounds of the opaque draws and casters; empty = unknown, or there are none.
+  Aabb standing() const noexcept { return unbounded_ ? Aabb{} : standing_; }
   bool unlit() const noexcept { return unlit_; }  ///< true if a visible draw is unlit
   /// True if a visible draw needs the split-sum table for direct lights: sheen does.
   bool reads_table() const noexcept { return reads_table_; }
@@ -98,13 +115,17 @@ class DrawList {
     bool casters;
     Transparency transparency;
   };
-  void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh,
+  void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& world_from_mesh,
            bool mirrored);
+  void add_standing(const Affined& world_from_bounds, const Aabb& bounds);
   void add_opaque(const Draw& draw, const Affined& view_from_bounds, const Aabb& bounds);
   void add_weighted(const Draw& draw, const DepthRange& range);
 
-  std::vector<Draw> opaque_, blended_, weighted_, casters_;
-  CoveredArea opaque_area_;
+  std::vector<Draw> opaque_, blended_, weighted_;
+  std::vector<Caster> casters_;
+  CoveredArea opaque_area_, drawn_area_;
+  Aabb standing_;
+  bool unbounded_ = false;  ///< something stands there whose bounds are unknown
   DepthRange weighted_range_;
   bool unlit_ = false, reads_table_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;

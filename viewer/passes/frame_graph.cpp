@@ -7,8 +7,8 @@ namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
-      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque", "outline", "ground",
-      "behind", "transparent",  "weighted", "exposure",        "tonemap",       "show",   "overlay"};
+      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque",  "outline", "ground",
+      "behind", "transparent",  "weighted", "exposure",        "backdrop",      "tonemap", "show",    "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -17,7 +17,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   const bool occlusion = needs.occluded();
   const bool outlined = needs.outlined();
   const bool prepass = occlusion || outlined || !picture || needs.hides_lines();
-  if (needs.shadowed()) add(Pass::shadow);
+  if (needs.shadowed() && !needs.shadows_kept) add(Pass::shadow);
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {
     add(Pass::ssao);
@@ -26,7 +26,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
       add(Pass::blur_vertical);
     }
   }
-  if (picture) {
+  const bool drawn = picture && needs.draws();
+  if (drawn) {
     add(Pass::opaque);
     if (outlined) add(Pass::outline);
     if (needs.ground) add(Pass::ground);
@@ -34,22 +35,23 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
     if (needs.blended) add(Pass::transparent);
     if (needs.weighted) add(Pass::weighted);
     if (needs.auto_exposure && (needs.opaque || needs.blended || needs.weighted)) add(Pass::exposure);
-    add(Pass::tonemap);
-  } else {
-    add(Pass::show);
   }
+  if (picture && needs.backdrop) add(Pass::backdrop);
+  if (drawn) add(Pass::tonemap);
+  if (!picture) add(Pass::show);
   if (needs.overlay) add(Pass::overlay);
-  ground_occluded = occlusion && needs.ground;
-  sampled = picture && needs.smooth_edges;
-  depth_image = prepass || !sampled;
+  ground_occluded = occlusion && needs.ground && needs.ground_touched;
+  sampled = drawn && needs.smooth_edges;
+  depth_image = prepass || (drawn && !sampled);
   vertex_visibility = needs.reads_baked();
   normal_image = occlusion || outlined || needs.show == Show::normals || needs.show == Show::level ||
                  (vertex_visibility && needs.show == Show::ao);
-  color_image = picture;
+  color_image = drawn;
   behind_image = has(Pass::behind);
   weighted_images = has(Pass::weighted);
   exposure_image = has(Pass::exposure);
-  unlit_image = picture && (needs.unlit || (needs.grid && exposure_image));
+  unlit_image = drawn && (needs.unlit || (needs.grid && exposure_image));
+  ground_behind = has(Pass::ground) && sampled && !needs.blended && !behind_image && !unlit_image;
   shadow_maps = needs.shadowed() ? needs.shadows : 0;
   ao_image = occlusion;
   bent_normals = needs.bent();

@@ -22,13 +22,20 @@ enum class Pass : std::uint8_t {
   transparent,
   weighted,  ///< weighted sums of blended surfaces; later passes composite them when they read the picture
   exposure,  ///< automatic exposure, from the brightness of the picture
+  backdrop,  ///< the environment behind the scene
   tonemap,
   show,    ///< shows an intermediate buffer instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 15;
+inline constexpr std::size_t kPassCount = 16;
 
 std::string_view name_of(Pass pass) noexcept;
+
+/// Why a frame has no ground.
+enum class NoGround : std::uint8_t {
+  not_asked,       ///< it is off, or the eye is below it
+  nothing_darkens  ///< no shadow falls on it in view, and nothing near it hides ambient light
+};
 
 /// Content of a frame and requested options; FrameGraph derives the passes from it.
 struct FrameNeeds {
@@ -47,10 +54,17 @@ struct FrameNeeds {
   bool baked = false;         ///< ambient visibility is a vertex attribute; then `occlusion` is false
   bool blur = true;
   bool auto_exposure = false;
-  bool ground = false;        ///< the ground is on and seen from above
-  bool grid = false;          ///< the ground has grid lines, whose brightness is independent of exposure
-  bool smooth_edges = false;  ///< 4 samples a pixel
+  bool ground = false;         ///< the ground is seen from above and something darkens it, or it has a grid
+  bool ground_touched = true;  ///< something near the ground may hide ambient light from it
+  NoGround no_ground = NoGround::not_asked;  ///< why there is no ground, if `ground` is false
+  bool grid = false;                         ///< the ground has grid lines, whose brightness is independent of exposure
+  bool smooth_edges = false;                 ///< 4 samples a pixel
+  bool backdrop = false;                     ///< the environment is seen behind the scene
+  bool shadows_kept = false;                 ///< the shadow maps of an earlier frame still hold
   Show show = Show::color;
+
+  /// True if the scene's images have something to show.
+  bool draws() const noexcept { return opaque || blended || weighted || ground; }
 
   /// True if a pass reads shadow maps.
   bool shadowed() const noexcept {
@@ -98,6 +112,7 @@ class FrameGraph {
   bool unlit_image = false;        ///< display colours that bypass the tone curve
   bool vertex_visibility = false;  ///< ambient visibility is a vertex attribute
   bool ground_occluded = false;    ///< the prepass also draws the ground, which needs ambient visibility
+  bool ground_behind = false;      ///< the ground is drawn behind the resolved picture, with one sample a pixel
   bool sampled = false;            ///< 4x multisampling; colours are resolved into the colour image
   bool bent_normals = false;       ///< the ambient visibility image also holds bent normals
   bool ao_image = false,

@@ -7,7 +7,10 @@
 
 #include "runtime/base/contract.h"
 #include "viewer/device/timestamps.h"
+#include "viewer/passes/ground_reach.h"
+#include "viewer/passes/record_display.h"
 #include "viewer/passes/record_passes.h"
+#include "viewer/passes/shadow_key.h"
 
 namespace sinew::viewer {
 
@@ -49,6 +52,7 @@ struct FrameRenderer::State {
 
   void upload_lines(FrameSlot& slot, const FrameInputs& inputs) const;
   void collect_lights(const FrameInputs& inputs);
+  void keep_shadows(const FrameInputs& inputs, const ShadowLights& shadows, VkExtent2D extent, FrameNeeds& needs);
 
   Device& device;
   PassLayouts layouts;
@@ -58,6 +62,8 @@ struct FrameRenderer::State {
   DrawList draws;
   std::vector<PlacedLight> lights;
   EnvironmentUpload environment;
+  ShadowKey shadow_key;
+  std::vector<ShadowView> shadow_views;
   std::vector<std::unique_ptr<FrameSlot>> slots;
 };
 
@@ -94,27 +100,6 @@ void FrameRenderer::State::collect_lights(const FrameInputs& inputs) {
 
 namespace {
 
-FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, VkExtent2D extent,
-                      const VkRect2D& occluded, double collect_us) {
-  const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
-             blended = static_cast<std::uint32_t>(draws.blended().size()),
-             weighted = static_cast<std::uint32_t>(draws.weighted().size());
-  const PassWork work{.caster_draws = needs.shadows * static_cast<std::uint32_t>(draws.casters().size()),
-                      .opaque_draws = opaque,
-                      .blended_draws = blended,
-                      .weighted_draws = weighted,
-                      .lines = static_cast<std::uint32_t>(inputs.lines.size() / 2),
-                      .extent = extent,
-                      .ao_texels = std::uint64_t{occluded.extent.width} * occluded.extent.height};
-  const TextureFilter filter = inputs.scenes.empty() ? TextureFilter{} : inputs.scenes.front().scene->filter();
-  return {describe_passes(needs, work),
-          describe_modes(needs, inputs.options, filter),
-          opaque + blended + weighted,
-          draws.out_of_view(),
-          draws.hidden(),
-          collect_us};
-}
-
 bool is_gooch(const FrameInputs& inputs) { return inputs.options.shading == Shading::gooch; }
 
 /// True if the environment is read as light or as backdrop. Gooch shading uses it only as backdrop.
@@ -143,14 +128,60 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .light_count = light_count(inputs.options, lights)};
 }
 
-/// Screen area that the prepass may cover.
-CoveredArea occluded_area(CoveredArea area, bool ground, const FrameUniforms& uniforms) {
-  if (!ground) return area;
-  const glm::vec4& reach = uniforms.ground_reach;
-  for (const float x : {reach.x, reach.z})
-    for (const float z : {reach.y, reach.w})
+/// Parts of the picture that passes are limited to; see PassContext.
+struct ScreenAreas {
+  VkRect2D occluded, drawn, meshes, contact, outlined;
+};
+
+std::uint64_t pixels_of(const VkRect2D& area) noexcept { return std::uint64_t{area.extent.width} * area.extent.height; }
+
+/// Adds a rectangle of the ground.
+void add_ground(const FrameUniforms& uniforms, const glm::vec4& rectangle, CoveredArea& area) {
+  for (const float x : {rectangle.x, rectangle.z})
+    for (const float z : {rectangle.y, rectangle.w})
       area.add_point(glm::dvec3(uniforms.ground_middle + uniforms.ground_x * x + uniforms.ground_z * z));
-  return area;
+}
+
+/// At least one pixel, because the driver takes no empty area.
+VkRect2D not_empty(VkRect2D area) noexcept {
+  return area.extent.width > 0 && area.extent.height > 0 ? area : VkRect2D{{0, 0}, {1, 1}};
+}
+
+ScreenAreas areas_of(const DrawList& draws, const FrameGraph& graph, const FrameUniforms& uniforms,
+                     const CoveredArea& nothing, VkExtent2D extent, std::uint32_t ao_step) {
+  CoveredArea occluded = draws.opaque_area(), meshes = draws.drawn_area(), drawn = meshes, contact = nothing;
+  if (graph.ground_occluded) {
+    add_ground(uniforms, uniforms.ground_contact, contact);
+    add_ground(uniforms, uniforms.ground_contact, occluded);
+  }
+  if (graph.has(Pass::ground)) add_ground(uniforms, uniforms.ground_reach, drawn);
+  if (graph.exposure_image || graph.behind_image) drawn.add_everything();  // these passes read the whole picture
+  return {occluded.texels(extent, ao_step), not_empty(drawn.texels(extent, 1)),
+          not_empty((graph.ground_behind && !graph.exposure_image ? meshes : drawn).texels(extent, 1)),
+          not_empty(contact.texels(extent, 1)), not_empty(draws.opaque_area().texels(extent, 1))};
+}
+
+FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, VkExtent2D extent,
+                      const ScreenAreas& areas, double collect_us) {
+  const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
+             blended = static_cast<std::uint32_t>(draws.blended().size()),
+             weighted = static_cast<std::uint32_t>(draws.weighted().size());
+  const PassWork work{.caster_draws = needs.shadows * static_cast<std::uint32_t>(draws.casters().size()),
+                      .opaque_draws = opaque,
+                      .blended_draws = blended,
+                      .weighted_draws = weighted,
+                      .lines = static_cast<std::uint32_t>(inputs.lines.size() / 2),
+                      .extent = extent,
+                      .ao_texels = pixels_of(areas.occluded),
+                      .drawn_pixels = pixels_of(areas.drawn),
+                      .outline_pixels = pixels_of(areas.outlined)};
+  const TextureFilter filter = inputs.scenes.empty() ? TextureFilter{} : inputs.scenes.front().scene->filter();
+  return {describe_passes(needs, work),
+          describe_modes(needs, inputs.options, filter),
+          opaque + blended + weighted,
+          draws.out_of_view(),
+          draws.hidden(),
+          collect_us};
 }
 
 /// Near distance and 1 / depth of the range for weights. With no depth, the factor 0 gives all surfaces the same
@@ -160,11 +191,43 @@ glm::vec2 weighted_range(const DepthRange& range) {
   return {range.nearest_m, depth_m > 0.0f ? 1.0f / depth_m : 0.0f};
 }
 
-FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows) {
+/// The ground that a frame draws: what of it, or why none.
+struct FrameGround {
+  bool drawn = false;
+  NoGround reason = NoGround::not_asked;
+  GroundReach reach;
+};
+
+/// True if a rectangle of the ground may be in view.
+bool ground_is_in_view(const glm::vec4& reach, const FrameInputs& inputs, double aspect) {
+  const glm::vec3 middle(inputs.options.ground.middle);
+  const Aabb flat{middle + glm::vec3(reach.x, 0.0f, reach.y), middle + glm::vec3(reach.z, 0.0f, reach.w)};
+  return !is_out_of_view(inputs.view, aspect, inputs.view.view_from_world, flat);
+}
+
+FrameGround ground_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows, double aspect) {
+  const RenderOptions& options = inputs.options;
+  const bool gooch = is_gooch(inputs), grid = options.ground.look == GroundLook::grid;
+  if ((gooch && !grid) || !ground_is_seen(inputs.view, options.ground)) return {};
+  const bool touches = options.ao.in_screen_space() && options.lighting.ambient() && !gooch && !draws.opaque().empty();
+  const GroundReach reach =
+      ground_reach(options.ground, draws.standing(), draws.casters().empty() ? ShadowLights{} : shadows,
+                   touches ? static_cast<double>(options.ao.radius_m) : 0.0);
+  if (!grid && (!reach.darkened || !ground_is_in_view(reach.rectangle, inputs, aspect)))
+    return {false, NoGround::nothing_darkens, {}};
+  return {true, NoGround::not_asked, reach};
+}
+
+bool shows_environment(const FrameInputs& inputs) {
+  return inputs.options.lighting.ambient() && inputs.options.backdrop != Backdrop::plain &&
+         !inputs.options.transparent_background;
+}
+
+FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows,
+                    const FrameGround& ground) {
   const bool gooch = is_gooch(inputs),
              visible = !draws.opaque().empty() || !draws.blended().empty() || !draws.weighted().empty();
-  const bool grid = inputs.options.ground.look == GroundLook::grid,
-             ground = (grid || !gooch) && ground_is_seen(inputs.view, inputs.options.ground);
+  const bool grid = inputs.options.ground.look == GroundLook::grid;
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
           .frosted = std::ranges::any_of(draws.blended(), &Draw::frosted),
@@ -180,13 +243,25 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .baked = inputs.options.ao.at_vertices(),
           .blur = inputs.options.ao.blur,
           .auto_exposure = inputs.options.lighting.auto_exposure && !gooch,
-          .ground = ground,
-          .grid = ground && grid,
+          .ground = ground.drawn,
+          .ground_touched = ground.reach.contact.x < ground.reach.contact.z,
+          .no_ground = ground.reason,
+          .grid = ground.drawn && grid,
           .smooth_edges = inputs.options.smooth_edges,
+          .backdrop = shows_environment(inputs),
           .show = inputs.options.show};
 }
 
 }  // namespace
+
+/// Decides if the shadow maps of the last frame still hold.
+void FrameRenderer::State::keep_shadows(const FrameInputs& inputs, const ShadowLights& shadows, VkExtent2D extent,
+                                        FrameNeeds& needs) {
+  shadow_views.clear();
+  if (!needs.shadowed()) return shadow_key.forget();
+  for (const ShadowLight& light : shadows) shadow_views.push_back(shadow_view_of(light, inputs.options.shadows.bounds));
+  needs.shadows_kept = shadow_key.holds(shadow_views, draws.casters(), extent);
+}
 
 void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, const FrameInputs& inputs) {
   CONTRACT(inputs.slot < state_->slots.size() && target.extent.width > 0 && target.extent.height > 0);
@@ -201,7 +276,9 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
                       std::min(kPointPixels, state.device.max_point_size()), casters, inputs.options.transparency);
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-  const FrameNeeds needs = needs_of(state.draws, inputs, shadows);
+  const FrameGround ground = ground_of(state.draws, inputs, shadows, aspect);
+  FrameNeeds needs = needs_of(state.draws, inputs, shadows, ground);
+  state.keep_shadows(inputs, shadows, target.extent, needs);
   const FrameGraph graph(needs);
   state.targets.fit(graph, target.extent);
   const bool occlusion = graph.ao_image;
@@ -209,10 +286,14 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   if (state.draws.reads_table() && !is_gooch(inputs)) state.environment.show_table();
   FrameUniforms uniforms =
       make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadows, state.kernel);
+  if (ground.drawn) {
+    uniforms.ground_reach = ground.reach.rectangle;
+    uniforms.ground_contact = ground.reach.contact;
+  }
   uniforms.weighted_range = weighted_range(state.draws.weighted_range());
-  const VkRect2D occluded = occluded_area(state.draws.opaque_area(), graph.ground_occluded, uniforms)
-                                .texels(target.extent, state.targets.ao_step());
-  slot.report = report_of(state.draws, needs, inputs, target.extent, occluded, collect_us);
+  const ScreenAreas areas =
+      areas_of(state.draws, graph, uniforms, CoveredArea(inputs.view, aspect), target.extent, state.targets.ao_step());
+  slot.report = report_of(state.draws, needs, inputs, target.extent, areas, collect_us);
   slot.set.write(uniforms, state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
 
@@ -226,12 +307,18 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             inputs,
                             target,
                             features_of(inputs, graph, state.lights, shadows),
-                            occluded,
+                            state.shadow_views,
+                            areas.occluded,
+                            areas.drawn,
+                            areas.meshes,
+                            areas.contact,
+                            areas.outlined,
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
   // The submit waits for the target's semaphore at the COLOR_ATTACHMENT_OUTPUT stage; this barrier chains to that wait.
   barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
           kWriteColor);
+  if (needs.show == Show::color && !graph.has(Pass::backdrop) && !graph.has(Pass::tonemap)) clear_target(context);
   slot.timestamps.begin(commands);
   slot.passes.assign(graph.begin(), graph.end());
   for (const Pass pass : graph) {

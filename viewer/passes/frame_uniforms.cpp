@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "runtime/math/inverse.h"
+#include "viewer/passes/ground_reach.h"
 #include "viewer/passes/shadow_view.h"
 
 namespace sinew::viewer {
@@ -64,47 +65,16 @@ void write_environment(const View& view, const Lighting& lighting, FrameUniforms
   for (std::size_t i = 0; i < u.diffuse_light.size(); ++i)
     u.diffuse_light[i] = glm::vec4(lighting.environment->diffuse[i] * lighting.environment_intensity, 0.0f);
   u.environment_intensity = lighting.environment_intensity;
+  u.backdrop_intensity = lighting.environment_intensity * lighting.environment->backdrop;
 }
 
 ShadowMapUniforms shadow_map(const View& view, const Aabb& bounds, const ShadowLight& light) {
-  const ShadowView map = light.spot ? spot_shadow_view(bounds, light.position, light.to_light, light.cone_rad)
-                                    : shadow_view(bounds, light.to_light);
-  const auto map_from_view = map.map_from_view(inverse_rigid(view.view_from_world));
+  const ShadowView map = shadow_view_of(light, bounds);
+  const auto map_from_view = map.map_from(inverse_rigid(view.view_from_world));
   ShadowMapUniforms u;
   for (std::size_t i = 0; i < 4; ++i) u.from_view[i] = glm::vec4(map_from_view[i]);
   u.texel_m = static_cast<float>(map.texel_m);
   return u;
-}
-
-/// The rectangle of the ground to draw, relative to its center. The whole ground with a grid, else only where shadows
-/// or occlusion may fall.
-///      in   contact_m  reach of ambient occlusion
-glm::vec4 ground_reach(const Ground& ground, const ShadowLights& shadows, double contact_m) {
-  const double radius = ground.radius_m;
-  const glm::vec4 whole(-ground.radius_m, -ground.radius_m, ground.radius_m, ground.radius_m);
-  glm::dvec2 least(-radius), most(radius);
-  if (ground.look != GroundLook::grid && !ground.bounds.empty()) {
-    least = glm::dvec2(radius);
-    most = -least;
-    const auto add = [&](const glm::dvec3& p) {
-      const glm::dvec2 at(p.x - ground.middle.x, p.z - ground.middle.z);
-      least = glm::clamp(glm::min(least, at - contact_m), -radius, radius);
-      most = glm::clamp(glm::max(most, at + contact_m), -radius, radius);
-    };
-    for (int c = 0; c < 8; ++c) {
-      const Aabb& box = ground.bounds;
-      const glm::dvec3 corner(c & 1 ? box.upper.x : box.lower.x, c & 2 ? box.upper.y : box.lower.y,
-                              c & 4 ? box.upper.z : box.lower.z);
-      add(corner);
-      for (const ShadowLight& shadow : shadows) {
-        const glm::dvec3 to_light = shadow.spot ? shadow.position - corner : shadow.to_light;
-        if (!(to_light.y > 0.0)) return whole;  // a spot light below the highest caster casts infinite shadows
-        add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
-      }
-    }
-  }
-  return {static_cast<float>(least.x), static_cast<float>(least.y), static_cast<float>(most.x),
-          static_cast<float>(most.y)};
 }
 
 void write_ground(const View& view, const RenderOptions& options, const ShadowLights& shadows, FrameUniforms& u) {
@@ -117,7 +87,10 @@ void write_ground(const View& view, const RenderOptions& options, const ShadowLi
   u.ground_grid_step_m = ground.grid_step_m;
   u.ground_grid_offset = {static_cast<float>(ground.middle.x - step * std::floor(ground.middle.x / step)),
                           static_cast<float>(ground.middle.z - step * std::floor(ground.middle.z / step))};
-  u.ground_reach = ground_reach(ground, shadows, options.ao.in_screen_space() ? options.ao.radius_m : 0.0);
+  const GroundReach reach =
+      ground_reach(ground, ground.bounds, shadows, options.ao.in_screen_space() ? options.ao.radius_m : 0.0);
+  u.ground_reach = reach.rectangle;
+  u.ground_contact = reach.contact;
 }
 
 }  // namespace
@@ -164,6 +137,11 @@ ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::
     }
   casting.sort();
   return casting;
+}
+
+ShadowView shadow_view_of(const ShadowLight& light, const Aabb& bounds) {
+  return light.spot ? spot_shadow_view(bounds, light.position, light.to_light, light.cone_rad)
+                    : shadow_view(bounds, light.to_light);
 }
 
 bool ground_is_seen(const View& view, const Ground& ground) noexcept {

@@ -32,7 +32,7 @@ struct LightUniforms {
 };
 
 struct ShadowMapUniforms {
-  std::array<glm::vec4, 4> from_view{};  ///< rows of ShadowView::map_from_view()
+  std::array<glm::vec4, 4> from_view{};  ///< rows of ShadowView::map_from(), for view space
   float texel_m = 0.0f;
   std::array<float, 3> padding{};
 };
@@ -46,7 +46,7 @@ struct FrameUniforms {
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
   float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< distance range of Show::depth
   float environment_intensity = 0.0f;
-  float first_padding = 0.0f;
+  float backdrop_intensity = 0.0f;                   ///< of the environment behind the scene
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of a rotation matrix
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
   std::array<ShadowMapUniforms, kMostShadows> shadow_maps{};
@@ -59,12 +59,13 @@ struct FrameUniforms {
   glm::vec2 ground_grid_offset{0.0f};  ///< metres from a grid line crossing to the center of the ground
   glm::vec2 weighted_range{0.0f};      ///< nearest distance of weighted surfaces, and 1 / (farthest - nearest)
   glm::vec4 ground_reach{0.0f};        ///< drawn rectangle: min x, min z, max x, max z, relative to the center
+  glm::vec4 ground_contact{0.0f};      ///< the part of it that ambient occlusion may reach
   glm::vec4 background{0.0f};          ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (22 + 5 * kMostShadows + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (23 + 5 * kMostShadows + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene with this frame's animated values, and the world matrix of its joint.
 struct PlacedLight {
@@ -102,6 +103,10 @@ class ShadowLights {
 /// Chooses up to kMostShadows lights: directional lights first, then spot lights; the key light if the scene has no
 /// lights. None if shadows are off or have no bounds.
 ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
+
+/// The projection of a light's shadow map.
+/// in   bounds  of all casters and receivers, world space
+ShadowView shadow_view_of(const ShadowLight& light, const Aabb& bounds);
 
 /// True if the ground is on and the eye is above it. An orthographic view must look down on it.
 bool ground_is_seen(const View& view, const Ground& ground) noexcept;

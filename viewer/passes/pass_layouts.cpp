@@ -15,6 +15,8 @@ constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, ambient visibil
 // behind.
 constexpr std::uint32_t kFrameBindings = 1 + kTargetBindings + 10;
 
+constexpr std::uint32_t kEnvironmentBinding = kTargetBindings + 1;  // also read at the corners of the backdrop
+
 constexpr std::uint32_t kSets = 3;  // FrameSet::set() and its two variants
 
 }  // namespace
@@ -30,7 +32,7 @@ PassLayouts::PassLayouts(const Device& device) : device_(device) {
   for (std::uint32_t i = 0; i < kFrameBindings; ++i) {
     bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
     if (i == 0) bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    if (i == 0) bindings[i].stageFlags |= VK_SHADER_STAGE_VERTEX_BIT;
+    if (i == 0 || i == kEnvironmentBinding) bindings[i].stageFlags |= VK_SHADER_STAGE_VERTEX_BIT;
   }
   VkDescriptorSetLayoutCreateInfo frame{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   frame.bindingCount = kFrameBindings;

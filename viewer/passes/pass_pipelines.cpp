@@ -38,6 +38,8 @@ enum ConstantId : std::size_t {
   id_texcoord_sets = 8,
   id_tone_curve = 8,  // same id: full-screen shaders have no texture coordinates
   id_backdrop = 9,
+  id_backdrop_columns = 10,  // likewise
+  id_backdrop_rows = 11,
   id_light_count = 13,
   id_transparent_background = 14,
   id_ambient = 15,
@@ -152,6 +154,8 @@ PassPipelines::~PassPipelines() {
   for (const auto& [key, pipeline] : screen_) vkDestroyPipeline(device_.handle(), pipeline, nullptr);
 }
 
+bool PassPipelines::encodes() const noexcept { return !encodes_in_hardware(target_format_); }
+
 VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   const MeshPipelineKey key = without_unused_features(given);
   VkPipeline& pipeline = mesh_[key];
@@ -204,7 +208,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
-  shape.constants[id_shadow_map] = key.pass == Pass::shadow ? key.shadow_map + 1 : 0;
+  shape.constants[id_shadow_map] = key.pass == Pass::shadow;
   shape.constants[id_vertex_visibility] = key.frame.vertex_visibility;
   shape.constants[id_shadow_lights] = key.frame.shadow_lights;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
@@ -223,11 +227,12 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.vertex = Shader::ground_vert;
   shape.fragment = prepass ? Shader::ground_normal_frag : Shader::ground_frag;
   shape.color_format = prepass ? kNormalFormat : kColorFormat;
-  shape.samples = !prepass && key.frame.smooth_edges ? kSmoothSamples : 1;
-  shape.depth = true;
+  shape.samples = !prepass && !key.behind && key.frame.smooth_edges ? kSmoothSamples : 1;
+  shape.depth = !key.behind;  // whatever the picture covers is above the ground
   shape.depth_write = prepass;
   shape.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = !prepass;
+  if (key.behind) shape.blending = Blending::uncovered;
   shape.colors = !prepass && key.frame.unlit_image ? 2 : 1;
   shape.adds_second = true;
   shape.constants[0] = key.grid;
@@ -254,7 +259,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   if (pipeline) return pipeline;
   PipelineShape shape;
   shape.color_format = target_format_;
-  shape.constants[0] = !encodes_in_hardware(target_format_);  // kEncode
+  shape.constants[0] = encodes();                             // kEncode
   shape.constants[1] = static_cast<std::uint32_t>(key.show);  // kShow
   shape.constants[id_occluded] = key.frame.occluded;
   shape.constants[id_bent] = key.frame.bent;
@@ -293,6 +298,13 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
     case Pass::exposure:
       shape.fragment = key.sums ? Shader::light_sums_frag : Shader::exposure_frag;
       shape.color_format = kExposureFormat;
+      break;
+    case Pass::backdrop:
+      shape.vertex = Shader::backdrop_vert;
+      shape.fragment = Shader::backdrop_frag;
+      shape.constants[1] = blurs_at_corners(key.frame);  // kAtCorners
+      shape.constants[id_backdrop_columns] = kBackdropColumns;
+      shape.constants[id_backdrop_rows] = kBackdropRows;
       break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:

@@ -76,6 +76,9 @@ class PassPipelines {
   PassPipelines(const PassPipelines&) = delete;
   PassPipelines& operator=(const PassPipelines&) = delete;
 
+  /// True if shaders encode what is displayed to sRGB; false if the hardware does.
+  bool encodes() const noexcept;
+
   VkPipeline mesh(const MeshPipelineKey& key);
   VkPipeline screen(const ScreenPipelineKey& key);
 

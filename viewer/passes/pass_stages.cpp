@@ -36,10 +36,22 @@ std::string_view why_outline(const FrameNeeds& needs) {
 }
 
 std::string_view why_shadow(const FrameNeeds& needs) {
+  if (needs.shadowed() && needs.shadows_kept) return "no light and nothing that casts shadows has moved: maps are kept";
   if (needs.shadowed()) return "depth as each light sees it that casts shadows";
   if (needs.gooch) return "Gooch shading counts no light";
   if (!needs.shadows) return "no light casts shadows";
   return needs.show == Show::color ? "nothing is in view" : "the picture shows a buffer instead";
+}
+
+std::string_view why_no_ground(NoGround reason) {
+  if (reason == NoGround::nothing_darkens)
+    return "nothing darkens it: no shadow falls on it in view, and nothing is near it";
+  return "no ground is asked for, or the eye is below it";
+}
+
+std::string_view why_backdrop(const FrameNeeds& needs) {
+  if (needs.show != Show::color) return "the picture shows a buffer instead";
+  return needs.backdrop ? "the environment behind the scene" : "no environment is seen behind the scene";
 }
 
 std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
@@ -66,7 +78,7 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
       if (!picture) return "the picture shows a buffer instead";
       return runs ? "from the log average of light" : "nothing is in view";
     case Pass::ground:
-      if (!needs.ground) return "no ground is asked for, or the eye is below it";
+      if (!needs.ground) return why_no_ground(needs.no_ground);
       return picture ? needs.gooch ? "the grid alone" : "darkens what is behind, by shadows and contact"
                      : "the picture shows a buffer instead";
     case Pass::behind:
@@ -75,13 +87,17 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
       return picture ? "rough surfaces blur what is behind them" : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
+    case Pass::backdrop: return why_backdrop(needs);
     case Pass::opaque:
       if (!picture) return "the picture shows a buffer instead";
+      if (!runs) return "nothing is in view";
+      if (!needs.opaque) return "clears the picture for what is not opaque";
       if (needs.gooch) return "cool to warm tones of what is opaque or alpha-tested";
       return needs.reads_baked() ? "shades what is opaque or alpha-tested, with the ambient visibility of the vertices"
                                  : "shades what is opaque or alpha-tested";
     case Pass::tonemap:
       if (!picture) return "the picture shows a buffer instead";
+      if (!runs) return "nothing is in view";
       return needs.unlit ? "from light to displayed colours; unlit ones stay as they are"
                          : "from light to displayed colours";
   }
@@ -101,10 +117,11 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::ssao:
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return work.ao_texels;
-    case Pass::outline:
+    case Pass::outline: return work.outline_pixels;
+    case Pass::tonemap: return work.drawn_pixels;
     case Pass::behind:
     case Pass::exposure:
-    case Pass::tonemap:
+    case Pass::backdrop:
     case Pass::show: return width * height;
   }
   return 0;

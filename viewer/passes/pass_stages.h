@@ -20,8 +20,9 @@ struct PassStage {
 /// Amount of work in a frame.
 struct PassWork {
   std::uint32_t caster_draws = 0, opaque_draws = 0, blended_draws = 0, weighted_draws = 0, lines = 0;
-  VkExtent2D extent{};          ///< of the picture
-  std::uint64_t ao_texels = 0;  ///< texels of ambient occlusion that may show a surface
+  VkExtent2D extent{};                                 ///< of the picture
+  std::uint64_t ao_texels = 0;                         ///< texels of ambient occlusion that may show a surface
+  std::uint64_t drawn_pixels = 0, outline_pixels = 0;  ///< pixels in which the scene, and its outlines, may be
 };
 
 /// Describes all passes in order, also those that do not run. Consistent with FrameGraph(needs).

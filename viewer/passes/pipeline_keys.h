@@ -32,6 +32,14 @@ struct FrameFeatures {
   auto operator<=>(const FrameFeatures&) const = default;
 };
 
+/// Cells of the blurred backdrop. Its light is computed at their corners and interpolated in between.
+inline constexpr std::uint32_t kBackdropColumns = 64, kBackdropRows = 36;
+
+/// True if the backdrop is computed at corners of cells. Automatic exposure is known in fragment shaders alone.
+constexpr bool blurs_at_corners(const FrameFeatures& frame) noexcept {
+  return frame.backdrop == Backdrop::blurred && !frame.auto_exposure;
+}
+
 /// The steps of drawing a transmissive surface. First its colour multiplies the picture behind it, then its own light
 /// is added.
 enum class Through : std::uint8_t {
@@ -54,9 +62,8 @@ struct MeshPipelineKey {
   bool masked = false;
   bool covers = false;  ///< transparent: alpha is no coverage
   Through through = Through::nothing;
-  bool after_prepass = false;    ///< opaque: depth is written already, the test is EQUAL
-  std::uint32_t shadow_map = 0;  ///< shadow: which one
-  bool depth_only = false;       ///< normal_depth, shadow; opaque: the depth of the samples
+  bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
+  bool depth_only = false;     ///< normal_depth, shadow; opaque: the depth of the samples
   FrameFeatures frame;
   SurfaceFeatures surface;
 
@@ -66,9 +73,9 @@ struct MeshPipelineKey {
 /// Key of a pipeline without meshes: full-screen passes, the ground and its prepass, overlay lines.
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
-  Show show = Show::color;                            ///< for Pass::show: the buffer to show
-  bool sums = false;                                  ///< Pass::exposure: the first of its steps
-  bool grid = false;                                  ///< Pass::ground
+  Show show = Show::color;            ///< for Pass::show: the buffer to show
+  bool sums = false;                  ///< Pass::exposure: the first of its steps
+  bool grid = false, behind = false;  ///< Pass::ground; behind = under the resolved picture (FrameGraph::ground_behind)
   OcclusionMethod occlusion = OcclusionMethod::gtao;  ///< for Pass::ssao
   FrameFeatures frame;
 

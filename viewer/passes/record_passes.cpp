@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/record_passes.h"
 
+#include <array>
+
+#include "viewer/passes/record_display.h"
 #include "viewer/passes/rendering.h"
 #include "viewer/passes/shadow_view.h"
 
@@ -46,49 +49,69 @@ void bind_draw(const PassContext& context, const Draw& draw) {
   vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
 }
 
-/// Draws meshes. Each draw adds its topology, alpha test, surface and step to `key`.
-void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
-  const VkCommandBuffer commands = context.commands;
-  const VkDescriptorSet frame_set = key.pass == Pass::shadow        ? context.set.without_shadow()
-                                    : key.pass == Pass::transparent ? context.set.with_behind()
-                                                                    : context.set.set();
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0, nullptr);
-  key.frame = context.features;
-  VkPipeline bound = VK_NULL_HANDLE;
-  for (const Draw& draw : draws) {
-    key.topology = draw.topology;
-    key.surface = draw.surface;
-    key.covers = key.pass == Pass::transparent && !draw.blended;
-    key.masked = draw.masked && !key.after_prepass;  // after the prepass, the EQUAL depth test is the alpha test
-    bind_draw(context, draw);
-    for (const VkCullModeFlagBits culled : culled_sides(draw, key.pass)) {
-      vkCmdSetCullMode(commands, culled);
-      for (const Through step : steps_of(context.features, draw, key.pass)) {
-        key.through = step;
-        const VkPipeline pipeline = context.pipelines.mesh(key);
-        if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-        bound = pipeline;
-        vkCmdDrawIndexed(commands, draw.index_count, 1, 0, 0, 0);
+/// Draws meshes of one pass. Each draw adds its topology, alpha test, surface and step to the pipeline's key.
+class MeshDrawing {
+ public:
+  MeshDrawing(const PassContext& context, MeshPipelineKey key) : context_(context), key_(key) {
+    const VkDescriptorSet frame_set = key.pass == Pass::shadow        ? context.set.without_shadow()
+                                      : key.pass == Pass::transparent ? context.set.with_behind()
+                                                                      : context.set.set();
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0,
+                            nullptr);
+    key_.frame = context.features;
+  }
+
+  void draw(const Draw& draw) {
+    key_.topology = draw.topology;
+    key_.surface = draw.surface;
+    key_.covers = key_.pass == Pass::transparent && !draw.blended;
+    key_.masked = draw.masked && !key_.after_prepass;  // after the prepass, the EQUAL depth test is the alpha test
+    bind_draw(context_, draw);
+    for (const VkCullModeFlagBits culled : culled_sides(draw, key_.pass)) {
+      vkCmdSetCullMode(context_.commands, culled);
+      for (const Through step : steps_of(context_.features, draw, key_.pass)) {
+        key_.through = step;
+        const VkPipeline pipeline = context_.pipelines.mesh(key_);
+        if (pipeline != bound_) vkCmdBindPipeline(context_.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        bound_ = pipeline;
+        vkCmdDrawIndexed(context_.commands, draw.index_count, 1, 0, 0, 0);
       }
     }
+  }
+
+ private:
+  const PassContext& context_;
+  MeshPipelineKey key_;
+  VkPipeline bound_ = VK_NULL_HANDLE;
+};
+
+void draw_meshes(const PassContext& context, std::span<const Draw> draws, const MeshPipelineKey& key) {
+  MeshDrawing drawing(context, key);
+  for (const Draw& draw : draws) drawing.draw(draw);
+}
+
+/// Draws into a shadow map. Matrices do not depend on the camera, so that the map holds while only the camera moves.
+void draw_casters(const PassContext& context, const ShadowView& map) {
+  MeshDrawing drawing(context, {.pass = Pass::shadow, .depth_only = true});
+  for (const Caster& caster : context.draws.casters()) {
+    Draw draw = caster.draw;
+    const std::array<glm::dvec4, 4> rows = map.map_from(caster.world_from_mesh);
+    for (std::size_t i = 0; i < 3; ++i) draw.constants.view_from_mesh[i] = glm::vec4(rows[i]);
+    draw.constants.shadow_w = glm::vec4(rows[3]);
+    drawing.draw(draw);
   }
 }
 
 /// in   pass  Pass::ground, or Pass::normal_depth for the ground's prepass
 void draw_ground(const PassContext& context, Pass pass) {
+  const bool behind = pass == Pass::ground && context.graph.ground_behind;
   const VkDescriptorSet set = context.set.set();
   const bool grid = pass == Pass::ground && context.inputs.options.ground.look == GroundLook::grid;
   vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
-  vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                    context.pipelines.screen({.pass = pass, .grid = grid, .frame = context.features}));
+  vkCmdBindPipeline(
+      context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+      context.pipelines.screen({.pass = pass, .grid = grid, .behind = behind, .frame = context.features}));
   vkCmdDraw(context.commands, 6, 1, 0, 0);
-}
-
-/// Covers the target with one triangle.
-void draw_screen(const PassContext& context, VkPipeline pipeline, VkDescriptorSet set) {
-  vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
-  vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdDraw(context.commands, 3, 1, 0, 0);
 }
 
 void record_shadow(const PassContext& context) {
@@ -102,7 +125,7 @@ void record_shadow(const PassContext& context) {
       const std::uint32_t x = kShadowSize * (map % tiles.columns), y = kShadowSize * (map / tiles.columns);
       set_area(context.commands,
                {{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, {kShadowSize, kShadowSize}});
-      draw_meshes(context, context.draws.casters(), {.pass = Pass::shadow, .shadow_map = map, .depth_only = true});
+      draw_casters(context, context.shadow_views[map]);
     }
   }
   context.targets.next_use(context.commands, Target::shadow, kReadDepth);
@@ -120,7 +143,10 @@ void record_normal_depth(const PassContext& context) {
                                                  .depth_write = true,
                                                  .extent = context.targets.extent()});
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::normal_depth, .depth_only = !normals});
-    if (context.graph.ground_occluded) draw_ground(context, Pass::normal_depth);
+    if (context.graph.ground_occluded) {
+      vkCmdSetScissor(context.commands, 0, 1, &context.contact);
+      draw_ground(context, Pass::normal_depth);
+    }
   }
   context.targets.next_use(context.commands, Target::depth, kReadDepth);
   if (normals) context.targets.next_use(context.commands, Target::normals, kReadInShader);
@@ -167,12 +193,13 @@ struct SceneTargets {
 };
 
 /// Attaches a colour image of the scene, and its resolve image.
+/// in   around  true = the resolved image keeps what is outside the area of the meshes
 void attach(const PassContext& context, Target drawn, Target resolved, bool resolves, bool keep, VkImageView& view,
-            VkImageView& resolve) {
+            VkImageView& resolve, bool around = false) {
   context.targets.next_use(context.commands, drawn, kWriteColor, keep);
   view = context.targets.view(drawn);
   if (!resolves) return;
-  context.targets.next_use(context.commands, resolved, kWriteColor, false);
+  context.targets.next_use(context.commands, resolved, kWriteColor, around);
   resolve = context.targets.view(resolved);
 }
 
@@ -180,13 +207,13 @@ void attach(const PassContext& context, Target drawn, Target resolved, bool reso
 /// in   keep  false = the contents are discarded
 void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments& attachments) {
   const SceneTargets scene(context.graph);
-  const Pass last_opaque = context.graph.has(Pass::ground)    ? Pass::ground
-                           : context.graph.has(Pass::outline) ? Pass::outline
-                                                              : Pass::opaque;
+  const bool ground = context.graph.has(Pass::ground) && !context.graph.ground_behind;
+  const Pass last_opaque = ground ? Pass::ground : context.graph.has(Pass::outline) ? Pass::outline : Pass::opaque;
   const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent : last_opaque;
   const bool resolves = scene.sampled && (pass == last || (pass == last_opaque && context.graph.has(Pass::behind)));
   attachments.load = keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
-  attach(context, scene.color, Target::color, resolves, keep, attachments.color, attachments.resolve);
+  attach(context, scene.color, Target::color, resolves, keep, attachments.color, attachments.resolve,
+         context.graph.ground_behind);
   if (context.graph.unlit_image)
     attach(context, scene.unlit, Target::unlit, resolves, keep, attachments.second, attachments.second_resolve);
 }
@@ -197,19 +224,32 @@ void record_depth_samples(const PassContext& context) {
   {
     const Rendering rendering(context.commands, {.depth = context.targets.view(Target::depth_samples),
                                                  .depth_write = true,
-                                                 .extent = context.targets.extent()});
+                                                 .extent = context.targets.extent(),
+                                                 .within = context.meshes});
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .depth_only = true});
   }
   context.targets.next_use(context.commands, Target::depth_samples, kReadDepth);
 }
 
+/// Clears the picture around the meshes, where the ground is drawn before anything else.
+void clear_around_meshes(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::color, kWriteColor, false);
+  const Rendering rendering(context.commands, {.color = context.targets.view(Target::color),
+                                               .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                               .extent = context.targets.extent(),
+                                               .within = context.drawn});
+}
+
 void record_opaque(const PassContext& context) {
   const SceneTargets scene(context.graph);
+  if (context.graph.ground_behind) clear_around_meshes(context);
   if (scene.sampled) record_depth_samples(context);
   const bool depth_is_there = scene.sampled || context.graph.has(Pass::normal_depth);
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kWriteDepth, false);
-  Attachments attachments{
-      .depth = context.targets.view(scene.depth), .depth_write = !depth_is_there, .extent = context.targets.extent()};
+  Attachments attachments{.depth = context.targets.view(scene.depth),
+                          .depth_write = !depth_is_there,
+                          .extent = context.targets.extent(),
+                          .within = context.meshes};
   attach_colors(context, Pass::opaque, false, attachments);
   {
     const Rendering rendering(context.commands, attachments);
@@ -221,17 +261,27 @@ void record_opaque(const PassContext& context) {
 /// Attachments of a pass that blends over the opaque picture.
 Attachments over_opaque(const PassContext& context, Pass pass) {
   Attachments attachments{.depth = context.targets.view(SceneTargets(context.graph).depth),
-                          .extent = context.targets.extent()};
+                          .extent = context.targets.extent(),
+                          .within = context.meshes};
   attach_colors(context, pass, true, attachments);
   return attachments;
 }
 
 void record_outline(const PassContext& context) {
   const Rendering rendering(context.commands, over_opaque(context, Pass::outline));
+  vkCmdSetScissor(context.commands, 0, 1, &context.outlined);
   draw_screen(context, context.pipelines.screen({.pass = Pass::outline, .frame = context.features}), context.set.set());
 }
 
 void record_ground(const PassContext& context) {
+  if (context.graph.ground_behind) {
+    context.targets.next_use(context.commands, Target::color, kWriteColor);
+    const Rendering rendering(context.commands, {.color = context.targets.view(Target::color),
+                                                 .load = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                                 .extent = context.targets.extent(),
+                                                 .within = context.drawn});
+    return draw_ground(context, Pass::ground);
+  }
   const Rendering rendering(context.commands, over_opaque(context, Pass::ground));
   draw_ground(context, Pass::ground);
 }
@@ -256,7 +306,8 @@ void record_weighted(const PassContext& context) {
   const auto drawn = [&](Target samples, Target alone) { return sampled ? samples : alone; };
   Attachments to{.load = VK_ATTACHMENT_LOAD_OP_CLEAR,
                  .depth = context.targets.view(SceneTargets(context.graph).depth),
-                 .extent = context.targets.extent()};
+                 .extent = context.targets.extent(),
+                 .within = context.meshes};
   attach(context, drawn(Target::weighted_sums_samples, Target::weighted_sums), Target::weighted_sums, sampled, false,
          to.color, to.resolve);
   attach(context, drawn(Target::weighted_coverage_samples, Target::weighted_coverage), Target::weighted_coverage,
@@ -271,61 +322,6 @@ void record_weighted(const PassContext& context) {
   for (const Target target : {Target::weighted_sums, Target::weighted_coverage})
     context.targets.next_use(context.commands, target, kReadInShader);
   if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::weighted_unlit, kReadInShader);
-}
-
-/// Draws one of the two small images of the automatic exposure.
-void draw_exposure(const PassContext& context, Target target, VkExtent2D extent, VkDescriptorSet set) {
-  context.targets.next_use(context.commands, target, kWriteColor, false);
-  {
-    const Rendering rendering(context.commands, {.color = context.targets.view(target), .extent = extent});
-    const bool sums = target == Target::light_sums;
-    draw_screen(context, context.pipelines.screen({.pass = Pass::exposure, .sums = sums, .frame = context.features}),
-                set);
-  }
-  context.targets.next_use(context.commands, target, kReadInShader);
-}
-
-/// Makes the scene's colour images readable for the following passes.
-void end_scene(const PassContext& context) {
-  context.targets.next_use(context.commands, Target::color, kReadInShader);
-  if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::unlit, kReadInShader);
-}
-
-void record_exposure(const PassContext& context) {
-  end_scene(context);
-  draw_exposure(context, Target::light_sums, {kExposureBlocks, kExposureBlocks}, context.set.set());
-  draw_exposure(context, Target::exposure, {1, 1}, context.set.before_exposure());
-}
-
-void record_tonemap(const PassContext& context) {
-  if (!context.graph.has(Pass::exposure)) end_scene(context);
-  const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
-  draw_screen(context, context.pipelines.screen({.pass = Pass::tonemap, .frame = context.features}), context.set.set());
-}
-
-void record_show(const PassContext& context) {
-  const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
-  draw_screen(
-      context,
-      context.pipelines.screen({.pass = Pass::show, .show = context.inputs.options.show, .frame = context.features}),
-      context.set.set());
-}
-
-void record_overlay(const PassContext& context) {
-  barrier(context.commands, context.target.image, VK_IMAGE_ASPECT_COLOR_BIT, kWriteColor, kWriteColor);
-  const Rendering rendering(
-      context.commands,
-      {.color = context.target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD, .extent = context.target.extent});
-  if (context.line_vertices > 0) {
-    const VkDescriptorSet set = context.set.set();
-    const VkDeviceSize offset = 0;
-    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
-    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      context.pipelines.screen({.pass = Pass::overlay, .frame = context.features}));
-    vkCmdBindVertexBuffers(context.commands, 0, 1, &context.lines, &offset);
-    vkCmdDraw(context.commands, 6, context.line_vertices / 2, 0, 0);
-  }
-  if (context.inputs.overlay) context.inputs.overlay(context.commands);
 }
 
 }  // namespace
@@ -344,6 +340,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::transparent: return record_transparent(context);
     case Pass::weighted: return record_weighted(context);
     case Pass::exposure: return record_exposure(context);
+    case Pass::backdrop: return record_backdrop(context);
     case Pass::tonemap: return record_tonemap(context);
     case Pass::show: return record_show(context);
     case Pass::overlay: return record_overlay(context);

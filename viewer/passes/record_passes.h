@@ -18,7 +18,12 @@ struct PassContext {
   const FrameInputs& inputs;
   const ColorTarget& target;
   FrameFeatures features;
-  VkRect2D occluded;  ///< texels of ambient occlusion that may show a surface
+  std::span<const ShadowView> shadow_views;  ///< [shadow maps]
+  VkRect2D occluded;                         ///< texels of ambient occlusion that may show a surface
+  VkRect2D drawn;     ///< pixels in which the scene may be drawn; the images of the scene are valid only there
+  VkRect2D meshes;    ///< the part of it without the ground, if the ground is drawn behind the resolved picture
+  VkRect2D contact;   ///< pixels of the ground that ambient occlusion may reach
+  VkRect2D outlined;  ///< pixels in which outlines may be
   VkBuffer lines;     ///< vertices in view space, 16 bytes each
   std::uint32_t line_vertices;
 };

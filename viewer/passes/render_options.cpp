@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,13 @@ float half_diagonal(const Aabb& bounds) {
 }
 
 }  // namespace
+
+void Lighting::use(std::shared_ptr<const Environment> chosen) {
+  environment = std::move(chosen);
+  if (!environment || !environment->key) return;
+  to_key = environment->key->to_light;
+  key = environment->key->irradiance;
+}
 
 AmbientOcclusion ambient_occlusion_for(const Aabb& bounds) {
   AmbientOcclusion ao;

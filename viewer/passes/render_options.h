@@ -79,8 +79,7 @@ AmbientOcclusion ambient_occlusion_for(const Aabb& bounds);
 
 /// Environment light, and the key light that is used if the scene has no lights. Colours are linear.
 struct Lighting {
-  glm::vec3 to_key{0.45f, 0.8f,
-                   0.4f};  ///< direction to the key light: world space, or view space if it follows the camera
+  glm::vec3 to_key{0.45f, 0.8f, 0.4f};  ///< direction to the key light, in view space if it follows the camera
   bool key_follows_camera = false;
   glm::vec3 key{1.75f, 1.68f, 1.58f};                                    ///< irradiance on a surface facing the light
   std::shared_ptr<const Environment> environment = plain_environment();  ///< environment light; null = none
@@ -90,6 +89,9 @@ struct Lighting {
   float exposure = 1.0f;
   bool auto_exposure = false;  ///< multiply `exposure` by the factor that maps the picture's log average to middle grey
   ToneCurve tone_curve = ToneCurve::neutral;
+
+  /// Sets the environment, and the key light that belongs to it.
+  void use(std::shared_ptr<const Environment> chosen);
 
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };

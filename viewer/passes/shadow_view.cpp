@@ -40,11 +40,11 @@ glm::dvec4 row(const glm::dvec3& axis, double scale, const glm::dvec3& origin, d
 
 }  // namespace
 
-std::array<glm::dvec4, 4> ShadowView::map_from_view(const Affined& world_from_view) const noexcept {
+std::array<glm::dvec4, 4> ShadowView::map_from(const Affined& world_from_space) const noexcept {
   std::array<glm::dvec4, 4> product;
   for (std::size_t r = 0; r < 4; ++r) {
     const glm::dvec4& by = map_from_world[r];
-    product[r] = by.x * world_from_view.row[0] + by.y * world_from_view.row[1] + by.z * world_from_view.row[2] +
+    product[r] = by.x * world_from_space.row[0] + by.y * world_from_space.row[1] + by.z * world_from_space.row[2] +
                  glm::dvec4(0.0, 0.0, 0.0, by.w);
   }
   return product;

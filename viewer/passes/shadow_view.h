@@ -28,8 +28,9 @@ struct ShadowView {
   std::array<glm::dvec4, 4> map_from_world{};
   double texel_m = 0.0;  ///< size of a texel where w is 1
 
-  /// eq   map_from_world * world_from_view
-  std::array<glm::dvec4, 4> map_from_view(const Affined& world_from_view) const noexcept;
+  /// Matrix rows from another space to the map.
+  /// eq   map_from_world * world_from_space
+  std::array<glm::dvec4, 4> map_from(const Affined& world_from_space) const noexcept;
 };
 
 /// Fits the map of a directional light to the bounds of all casters and receivers. Independent of the camera, so

@@ -31,6 +31,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float nearest_shown_m;      // distance range of the depth picture
   float farthest_shown_m;
   float environment_intensity;
+  float backdrop_intensity;   // of the environment where it is seen behind the scene
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
   ShadowMap shadow_maps[4];
@@ -42,6 +43,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec2 ground_grid_offset;    // metres from a grid line crossing to the ground's center
   vec2 weighted_range;        // nearest distance of weighted surfaces, and 1 / (farthest - nearest)
   vec4 ground_reach;          // drawn rectangle: min x, min z, max x, max z from the center
+  vec4 ground_contact;        // the part of it that ambient occlusion may reach
   vec4 background;            // linear, as displayed
   vec4 offsets[64];           // offsets of the occlusion samples; only the first kSamples are used
   vec4 noise[16];             // unit vectors, one per pixel of a 4 x 4 tile

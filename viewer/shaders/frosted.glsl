@@ -33,6 +33,6 @@ vec4 frosted_light(float frost) {
   float last = float(textureQueryLevels(environment_image) - 1);
   float level = max(frost * last, kThrough == kFrostedBlurred ? kBlurredLevel : 0.0);
   vec3 direction = frame.environment_from_view * -towards_viewer(view_position);
-  vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.environment_intensity;
+  vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.backdrop_intensity;
   return vec4(seen.rgb + (1.0 - seen.a) * arriving_light, 1.0);
 }

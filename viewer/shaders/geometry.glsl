@@ -7,4 +7,5 @@ layout(push_constant) uniform Draw {
   float handedness;         // -1 for mirrored meshes: their bitangent is -w cross(n, t) (runtime/math/conventions.h)
   float point_size;
   float visibility_factor;      // blend factor between two key poses
+  vec4 shadow_w;            // shadow maps: view_from_mesh has rows x, y and z of map_from_mesh, this is row w
 } draw;

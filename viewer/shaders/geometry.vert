@@ -7,7 +7,7 @@
 #include "projection.glsl"
 #include "quaternion_normal.glsl"
 
-layout(constant_id = 16) const int kShadowMap = 0;           // number of the shadow map to draw, from 1; 0 = none
+layout(constant_id = 16) const bool kShadowMap = false;      // `draw` has the matrix of a shadow map
 layout(constant_id = 20) const bool kVertexVisibility = false;   // ambient visibility is a vertex attribute
 
 layout(location = 0) in vec3 position;
@@ -76,11 +76,6 @@ void main() {
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
   vertex_visibility = kVertexVisibility ? mix(visibility, next_visibility, draw.visibility_factor) : 1.0;
-  if (kShadowMap > 0) {
-    vec4 from = vec4(view, 1.0), rows[4] = frame.shadow_maps[kShadowMap - 1].from_view;
-    gl_Position = vec4(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from), dot(rows[3], from));
-  } else {
-    gl_Position = clip_from_view(view);
-  }
+  gl_Position = kShadowMap ? vec4(view, dot(draw.shadow_w, local)) : clip_from_view(view);
   gl_PointSize = draw.point_size;
 }

@@ -46,7 +46,10 @@ float shadow_coverage() {
   float unhindered = 0.0, hindered = 0.0;
   if (kAmbient) {
     unhindered = kPi * dot(diffuse_light(frame.environment_from_view * normal), kLuminance);
-    hindered = unhindered * ambient_visibility(ivec2(gl_FragCoord.xy), view_position, normal);
+    bool near = all(greaterThan(from_middle, frame.ground_contact.xy)) && all(lessThan(from_middle, frame.ground_contact.zw));
+    hindered = unhindered;
+    for (int once = 0; once < int(near); ++once)   // a loop, because software drivers execute both sides of a branch
+      hindered *= ambient_visibility(ivec2(gl_FragCoord.xy), view_position, normal);
   }
   for (int i = 0; i < kLightCount; ++i) {
     vec3 to_light;

@@ -83,17 +83,8 @@ float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels
   return size * (cos(g) + g * sin(g) - arc(ahead, g) - arc(-behind, g));
 }
 
-void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  ivec2 pixel = full_pixel(texel);
-  float far_p = distance_at(pixel);
-  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
-  visibility_distance_normal = visibility_texel(1.0, far_p, n, n);
-  if (far_p == 0.0 || n == vec3(0.0)) return;
-  n = normalize(n);
-  float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(far_p);
-  float resolved = clamp(radius_pixels - 2.0, 0.0, 1.0);                        // fades out where the radius is below 3 pixels
-  if (resolved == 0.0) return;
+// The texel of a surface at distance far_p with unit normal n.
+vec4 occluded_texel(ivec2 texel, ivec2 pixel, float far_p, vec3 n, float radius_pixels, float resolved) {
   vec3 p = view_point(pixel, far_p);
   vec3 v = towards_viewer(p);
   // A tile of 4 x 4 texels has 16 slice rotations and 4 step offsets; the blur averages them.
@@ -106,5 +97,21 @@ void main() {
   float open = clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), visibility = pow(open, frame.occlusion_power);
   float contrast = (1.0 - visibility) / max(1.0 - open, 1e-6);
   vec3 bent = n - 1.5 * contrast * resolved / float(kSlices) * hidden;
-  visibility_distance_normal = visibility_texel(visibility, far_p, n, dot(bent, bent) > 1e-6 ? normalize(bent) : n);
+  return visibility_texel(visibility, far_p, n, dot(bent, bent) > 1e-6 ? normalize(bent) : n);
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = full_pixel(texel);
+  float far_p = distance_at(pixel);
+  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+  visibility_distance_normal = visibility_texel(1.0, far_p, n, n);
+  bool surface = far_p > 0.0 && n != vec3(0.0);
+  float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(surface ? far_p : 1.0);
+  float resolved = surface ? clamp(radius_pixels - 2.0, 0.0, 1.0) : 0.0;   // fades out where the radius is below 3 pixels
+  // A loop, because software drivers execute both sides of a branch.
+  for (int once = 0; once < int(resolved > 0.0); ++once) {
+    n = normalize(n);
+    visibility_distance_normal = occluded_texel(texel, pixel, far_p, n, radius_pixels, resolved);
+  }
 }

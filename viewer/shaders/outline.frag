@@ -53,9 +53,9 @@ void main() {
   float distance = distance_at(pixel);
   vec3 n = normal_at(pixel);
   float line = 0.0;
-  if (distance == 0.0) {
-    line = line_beside(pixel);
-  } else if (n != vec3(0.0)) {
+  // Loops, because software drivers execute both sides of a branch.
+  for (int once = 0; once < int(distance == 0.0); ++once) line = line_beside(pixel);
+  for (int once = 0; once < int(distance > 0.0 && n != vec3(0.0)); ++once) {
     n = normalize(n);
     line = max(line_along(pixel, ivec2(1, 0), n, distance), line_along(pixel, ivec2(0, 1), n, distance));
   }

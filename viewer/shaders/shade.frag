@@ -127,7 +127,7 @@ void show_through(vec3 behind, float frost, vec3 light, float coverage) {
   } else {
     float level = kThrough == kBlurredBackdrop ? kBlurredLevel : 0.0;
     vec3 direction = frame.environment_from_view * -towards_viewer(view_position);
-    vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.environment_intensity;
+    vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.backdrop_intensity;
     color = vec4(min(arriving_light * behind, vec3(kMostLight)) * coverage, coverage);
   }
 }

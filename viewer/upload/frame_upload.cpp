@@ -148,6 +148,7 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];
       DeformedBuffers next = place(deformed, at);
       next.frame = result.frame;
+      next.since = deformed.since_frame;
       state_->upload_primitive(slot, mesh.primitives[p], deformed, next, slot.primitives[instance.first_primitive + p],
                                kept);
     }

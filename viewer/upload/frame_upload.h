@@ -15,6 +15,7 @@ namespace sinew::viewer {
 struct DeformedBuffers {
   VkDeviceSize positions = kAbsent, normals = kAbsent, tangents = kAbsent, colors = kAbsent;
   std::uint64_t frame = 0;  ///< frame number of these vertices
+  std::uint64_t since = 0;  ///< DeformedPrimitive::since_frame: the frame in which they changed last; 0 = unknown
   glm::vec3 centre{0.0f};   ///< center of the vertices' bounds, mesh space; blended draws are sorted by it
 };
 

@@ -12,7 +12,8 @@ SceneUpload::SceneUpload(Device& device, const Scene& scene, Staging staging, st
     : scene_(scene),
       meshes_(device, scene, visibility, staging),
       materials_(device, scene, staging, slot_count, filter),
-      filter_(filter) {
+      filter_(filter),
+      number_(device.next_number()) {
   staging.send();
 }
 

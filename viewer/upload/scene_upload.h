@@ -27,6 +27,8 @@ class SceneUpload {
   const MeshSet& meshes() const noexcept { return meshes_; }
   const MaterialSet& materials() const noexcept { return materials_; }
   const TextureFilter& filter() const noexcept { return filter_; }
+  /// Different for every upload to a device.
+  std::uint64_t number() const noexcept { return number_; }
 
  private:
   SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count,
@@ -36,6 +38,7 @@ class SceneUpload {
   MeshSet meshes_;
   MaterialSet materials_;
   TextureFilter filter_;
+  std::uint64_t number_;
 };
 
 }  // namespace sinew::viewer

@@ -72,7 +72,7 @@ void lay_out_plan(const PanelFacts& facts, bool& open) {
     show_text(facts.device);
     ImGui::Text("%.1f ms from picture to picture", facts.frame_ms);
     ImGui::PushTextWrapPos(0.0f);
-    if (facts.resting) ImGui::TextDisabled("nothing moves: no pose is evaluated; times are of the last frames");
+    if (facts.resting) ImGui::TextDisabled("nothing moves: no pose is evaluated");
     ImGui::PopTextWrapPos();
     lay_out_table(facts.rows);
   }
