@@ -35,8 +35,8 @@ set(sinew_public_headers
   retarget.h        runtime/public/retarget.h
   scene.h           runtime/public/scene.h
   skeleton.h        runtime/public/skeleton.h
-  sync.h            runtime/sync/sync_group.h
   springs.h         runtime/public/springs.h
+  sync.h            runtime/sync/sync_group.h
   update_rates.h    runtime/public/update_rates.h
   sinew.h           runtime/sinew.h
   sinew_assets.h    runtime/c_assets/sinew_assets.h
