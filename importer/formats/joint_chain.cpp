@@ -48,31 +48,15 @@ Quat<double> rotation_of(const aiQuaternion& q) {
   return length > 0.0 ? out / length : Quat<double>(1.0, 0.0, 0.0, 0.0);
 }
 
-/// Keys before and after a time, and how far the time is between them.
-template <class Key>
-struct Between {
-  const Key *before, *after;
-  double factor;
-};
-
-template <class Key>
-Between<Key> find_keys(const Key* keys, unsigned count, double ticks) {
-  const Key* const after =
-      std::upper_bound(keys, keys + count, ticks, [](double time, const Key& key) { return time < key.mTime; });
-  if (after == keys) return {keys, keys, 0.0};
-  if (after == keys + count) return {after - 1, after - 1, 0.0};
-  return {after - 1, after, (ticks - after[-1].mTime) / (after->mTime - after[-1].mTime)};
-}
-
 Vec3<double> sample(const aiVectorKey* keys, unsigned count, double ticks, const Vec3<double>& without) {
   if (count == 0) return without;
-  const auto at = find_keys(keys, count, ticks);
+  const auto at = keys_around(keys, count, ticks);
   return glm::mix(vector_of(at.before->mValue), vector_of(at.after->mValue), at.factor);
 }
 
 Quat<double> sample(const aiQuatKey* keys, unsigned count, double ticks) {
   if (count == 0) return {1.0, 0.0, 0.0, 0.0};
-  const auto at = find_keys(keys, count, ticks);
+  const auto at = keys_around(keys, count, ticks);
   return glm::slerp(rotation_of(at.before->mValue), rotation_of(at.after->mValue), at.factor);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -42,6 +43,23 @@ Affined matrix_of(const aiMatrix4x4& m) noexcept;
 
 /// Product of the matrices of nodes.
 Affined product_of(const std::vector<const aiNode*>& links) noexcept;
+
+/// Keys before and after a time, and how far the time is between them.
+template <class Key>
+struct KeysAround {
+  const Key *before, *after;
+  double factor;  ///< 0 = at `before`, or outside of all keys
+};
+
+/// in    keys[count]   ascending, at least one
+template <class Key>
+KeysAround<Key> keys_around(const Key* keys, unsigned count, double ticks) noexcept {
+  const Key* const after =
+      std::upper_bound(keys, keys + count, ticks, [](double time, const Key& key) { return time < key.mTime; });
+  if (after == keys) return {keys, keys, 0.0};
+  if (after == keys + count) return {after - 1, after - 1, 0.0};
+  return {after - 1, after, (ticks - after[-1].mTime) / (after->mTime - after[-1].mTime)};
+}
 
 /// A channel at a time in ticks: linear between keys, held outside of them.
 Transformd sample_channel(const aiNodeAnim& channel, double ticks) noexcept;

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <string_view>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "importer/formats/scene_draft.h"
 #include "runtime/math/decompose.h"
@@ -11,9 +12,21 @@
 namespace sinew::formats {
 namespace {
 
-/// Ticks of an animation as seconds from its first key, if that is before 0, else from 0.
+/// Ticks of an animation as seconds. Keys before 0 and behind the end of the clip are no part of it: takes of FBX are
+/// ranges of one time line.
 struct Clock {
-  double first_ticks = 0.0, ticks_per_s = 1.0;
+  double last_ticks = 0.0, ticks_per_s = 1.0;
+
+  /// The times that lie in the clip, and its ends where others lie beyond.
+  /// in    ticks   ascending
+  std::vector<double> cut(const std::vector<double>& ticks) const {
+    std::vector<double> out;
+    for (const double time : ticks) {
+      const double inside = std::clamp(time, 0.0, last_ticks);
+      if (out.empty() || inside != out.back()) out.push_back(inside);
+    }
+    return out;
+  }
 
   /// Key times of glTF: increasing floats. Of keys at one time the last counts.
   /// in    ticks   ascending
@@ -21,7 +34,7 @@ struct Clock {
   std::vector<float> seconds(const std::vector<double>& ticks, std::vector<std::size_t>& kept) const {
     std::vector<float> out;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-      const float time = static_cast<float>((ticks[i] - first_ticks) / ticks_per_s);
+      const float time = static_cast<float>(ticks[i] / ticks_per_s);
       if (!out.empty() && time <= out.back()) {
         kept.back() = i;
       } else {
@@ -38,22 +51,6 @@ std::vector<double> ticks_of(const Key* keys, unsigned count) {
   std::vector<double> out;
   for (unsigned i = 0; i < count; ++i) out.push_back(keys[i].mTime);
   return out;
-}
-
-double first_tick(const aiAnimation& animation) {
-  double first = 0.0;
-  const auto see = [&](const auto* keys, unsigned count) {
-    if (count != 0) first = std::min(first, keys[0].mTime);
-  };
-  for (unsigned i = 0; i < animation.mNumChannels; ++i) {
-    const aiNodeAnim& channel = *animation.mChannels[i];
-    see(channel.mPositionKeys, channel.mNumPositionKeys);
-    see(channel.mRotationKeys, channel.mNumRotationKeys);
-    see(channel.mScalingKeys, channel.mNumScalingKeys);
-  }
-  for (unsigned i = 0; i < animation.mNumMorphMeshChannels; ++i)
-    see(animation.mMorphMeshChannels[i]->mKeys, animation.mMorphMeshChannels[i]->mNumKeys);
-  return first;
 }
 
 /// Tracks of one joint at the same or at their own times.
@@ -119,23 +116,21 @@ class JointKeys {
   const Clock& clock_;
 };
 
-/// Adds the keys of a channel as they are.
-void add_whole(const aiNodeAnim& channel, JointKeys& keys) {
-  const auto vector = [](const aiVectorKey* k) {
-    return [k](std::size_t i) { return glm::dvec3(k[i].mValue.x, k[i].mValue.y, k[i].mValue.z); };
-  };
-  const auto positions = ticks_of(channel.mPositionKeys, channel.mNumPositionKeys);
-  const auto rotations = ticks_of(channel.mRotationKeys, channel.mNumRotationKeys);
-  const auto scales = ticks_of(channel.mScalingKeys, channel.mNumScalingKeys);
-  keys.add_translations(positions, vector(channel.mPositionKeys));
+/// Adds the keys of a channel at their own times.
+void add_whole(const aiNodeAnim& channel, const Clock& clock, JointKeys& keys) {
+  const auto positions = clock.cut(ticks_of(channel.mPositionKeys, channel.mNumPositionKeys));
+  const auto rotations = clock.cut(ticks_of(channel.mRotationKeys, channel.mNumRotationKeys));
+  const auto scales = clock.cut(ticks_of(channel.mScalingKeys, channel.mNumScalingKeys));
+  keys.add_translations(positions, [&](std::size_t i) { return sample_channel(channel, positions[i]).translation; });
   keys.add_rotations(rotations, [&](std::size_t i) { return sample_channel(channel, rotations[i]).rotation; });
-  keys.add_scales(scales, vector(channel.mScalingKeys));
+  keys.add_scales(scales, [&](std::size_t i) { return sample_channel(channel, scales[i]).scale; });
 }
 
 /// Transforms of a chain at the keys of its links, and at times between them where the way is not straight.
 class ChainSampler {
  public:
-  ChainSampler(const FoldedJoint& joint, const Channels& channels) : joint_(joint), channels_(channels) {
+  ChainSampler(const FoldedJoint& joint, const Channels& channels, const Clock& clock)
+      : joint_(joint), channels_(channels) {
     std::vector<double> keys;
     for (const aiNode* link : joint.links)
       if (const auto found = channels.find({link->mName.data, link->mName.length}); found != channels.end())
@@ -144,7 +139,7 @@ class ChainSampler {
                                   ticks_of(found->second->mScalingKeys, found->second->mNumScalingKeys)})
           keys.insert(keys.end(), times.begin(), times.end());
     std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    keys = clock.cut(keys);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const Transformd next = at(keys[i]);
       if (i != 0) split(keys[i - 1], poses.back(), keys[i], next, kMostHalvings);
@@ -188,8 +183,8 @@ class ChainSampler {
 void add_joint(SceneDraft& scene, std::size_t index, const Channels& channels, const Clock& clock) {
   const FoldedJoint& joint = scene.joints[index];
   JointKeys keys(scene, index, clock);
-  if (const aiNodeAnim* whole = whole_channel(joint, channels)) return add_whole(*whole, keys);
-  const ChainSampler chain(joint, channels);
+  if (const aiNodeAnim* whole = whole_channel(joint, channels)) return add_whole(*whole, clock, keys);
+  const ChainSampler chain(joint, channels, clock);
   keys.add_translations(chain.ticks, [&](std::size_t i) { return chain.poses[i].translation; });
   keys.add_rotations(chain.ticks, [&](std::size_t i) { return chain.poses[i].rotation; });
   keys.add_scales(chain.ticks, [&](std::size_t i) { return chain.poses[i].scale; });
@@ -203,17 +198,23 @@ bool is_for(const aiMeshMorphAnim& channel, const SceneDraft& scene, const Morph
          name == text_of(scene.scene.mMeshes[morphed.mesh]->mName);
 }
 
+/// Adds a key's weights, times `factor`.
+void add_key(const aiMeshMorphKey& key, double factor, std::span<float> weights) {
+  for (unsigned i = 0; i < key.mNumValuesAndWeights; ++i)
+    if (key.mValues[i] < weights.size()) weights[key.mValues[i]] += static_cast<float>(factor * key.mWeights[i]);
+}
+
 void add_weights(SceneDraft& scene, const aiMeshMorphAnim& channel, const MorphedNode& morphed, const Clock& clock) {
   const std::size_t targets = scene.scene.mMeshes[morphed.mesh]->mNumAnimMeshes;
+  const auto ticks = clock.cut(ticks_of(channel.mKeys, channel.mNumKeys));
   std::vector<std::size_t> kept;
-  const auto times_s = clock.seconds(ticks_of(channel.mKeys, channel.mNumKeys), kept);
-  std::vector<float> values;
-  for (const std::size_t k : kept) {
-    const aiMeshMorphKey& key = channel.mKeys[k];
-    const std::size_t first = values.size();
-    values.resize(first + targets, 0.0f);
-    for (unsigned i = 0; i < key.mNumValuesAndWeights; ++i)
-      if (key.mValues[i] < targets) values[first + key.mValues[i]] = static_cast<float>(key.mWeights[i]);
+  const auto times_s = clock.seconds(ticks, kept);
+  std::vector<float> values(kept.size() * targets, 0.0f);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const auto at = keys_around(channel.mKeys, channel.mNumKeys, ticks[kept[k]]);
+    const auto weights = std::span(values).subspan(k * targets, targets);
+    add_key(*at.before, 1.0 - at.factor, weights);
+    if (at.factor != 0.0) add_key(*at.after, at.factor, weights);
   }
   if (!times_s.empty()) scene.draft.add_weights(morphed.node, times_s, values);
 }
@@ -236,7 +237,8 @@ void add_animations(SceneDraft& scene) {
   for (unsigned a = 0; a < scene.scene.mNumAnimations; ++a) {
     const aiAnimation& animation = *scene.scene.mAnimations[a];
     constexpr double kDefaultTicks = 25.0;  // what assimp's other users take where a file has none
-    const Clock clock{first_tick(animation),
+    const bool has_end = scene.is_fbx && animation.mDuration > 0.0;
+    const Clock clock{has_end ? animation.mDuration : std::numeric_limits<double>::max(),
                       animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : kDefaultTicks};
     const Channels channels = channels_of(animation);
     scene.draft.begin_animation(text_of(animation.mName));

@@ -7,8 +7,11 @@
 #include <exception>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -18,6 +21,25 @@
 #include "importer/formats/scene_draft.h"
 #include "importer/issue_log.h"
 #include "runtime/math/decompose.h"
+
+namespace sinew::formats {
+namespace {
+
+constexpr const char* kViolation = "assimp does not expect this file: ";
+
+}  // namespace
+}  // namespace sinew::formats
+
+namespace Assimp {
+
+/// Takes the place of assimp's own function, which ends the process where a file breaks an assumption of assimp. An
+/// exception makes it an error of this file.
+void aiAssertViolation(const char* expression, const char* file, int line) {
+  throw std::runtime_error(sinew::formats::kViolation + std::string(expression) + " in " + file + ':' +
+                           std::to_string(line));
+}
+
+}  // namespace Assimp
 
 namespace sinew::formats {
 namespace {
@@ -43,7 +65,7 @@ double number(const aiScene& scene, const char* name, double without) {
 
 /// Unit and axes that an FBX file names in its GlobalSettings.
 /// eq    rows of the rotation: the file's axes that point right, up and to the front
-Frame frame_of_fbx(const aiScene& scene) {
+Frame frame_of_fbx(const aiScene& scene, ImportedFormat& summary) {
   constexpr std::array<std::array<const char*, 2>, 3> kAxes{
       {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
   Frame out;
@@ -54,7 +76,11 @@ Frame frame_of_fbx(const aiScene& scene) {
     const double sign = number(scene, kAxes[static_cast<std::size_t>(row)][1], 1.0);
     if (axis == 0.0 || axis == 1.0 || axis == 2.0) rows[static_cast<int>(axis)][row] = sign < 0.0 ? -1.0 : 1.0;
   }
-  if (glm::determinant(rows) == 1.0) out.y_up = glm::normalize(glm::quat_cast(rows));
+  if (glm::determinant(rows) == 1.0)
+    out.y_up = glm::normalize(glm::quat_cast(rows));
+  else
+    summary.warnings.push_back({Severity::warning, "fbx-axes", "GlobalSettings",
+                                "the axes are left-handed or no axes; y is taken for up (--up z takes z)"});
   return out;
 }
 
@@ -77,6 +103,34 @@ const aiScene* read(Assimp::Importer& importer, std::span<const std::byte> bytes
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_OPTIMIZE_EMPTY_ANIMATION_CURVES, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names);
   return importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, is_fbx ? "fbx" : "dae");
+}
+
+/// The bytes of an FBX file whose takes do not say where they start and stop: all keys count then. The new names are as
+/// long as the old ones, so that offsets of binary files stay right.
+std::vector<std::byte> without_ranges(std::span<const std::byte> bytes) {
+  std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const char* name : {"LocalStart", "LocalStop"})
+    for (std::size_t at = 0; (at = text.find(name, at)) != text.npos;) text[at] = '_';
+  const auto out = std::as_bytes(std::span(text));
+  return {out.begin(), out.end()};
+}
+
+/// Reads a scene; where assimp fails, also in another way.
+const aiScene* read_scene(Assimp::Importer& importer, std::span<const std::byte> bytes, bool is_fbx,
+                          ImportedFormat& out) {
+  const aiScene* scene = read(importer, bytes, is_fbx, true);
+  std::set<std::string> names;
+  if (scene == nullptr && is_fbx && std::string_view(importer.GetErrorString()).starts_with(kViolation)) {
+    scene = read(importer, without_ranges(bytes), is_fbx, true);
+    if (scene != nullptr)
+      out.warnings.push_back(
+          {Severity::warning, "fbx-take-range", "",
+           "assimp fails on takes in whose range a curve has no key; all keys of the takes are read"});
+  } else if (scene != nullptr && !is_fbx && has_equal_names(*scene->mRootNode, names)) {
+    scene = read(importer, bytes, is_fbx, false);
+    out.warnings.push_back({Severity::warning, "equal-names", "", "several nodes have one name; ids took their place"});
+  }
+  return scene != nullptr && scene->mRootNode != nullptr ? scene : nullptr;
 }
 
 void note_left_out(const aiScene& scene, ImportedFormat& out) {
@@ -121,16 +175,11 @@ void add_nodes(SceneDraft& scene, const glm::dquat& y_up) {
 std::optional<ImportIssue> add_scene(std::span<const std::byte> bytes, bool is_fbx, const FormatOptions& options,
                                      ModelDraft& draft, ImportedFormat& out) {
   Assimp::Importer importer;
-  const aiScene* scene = read(importer, bytes, is_fbx, true);
-  std::set<std::string> names;
-  if (scene != nullptr && scene->mRootNode != nullptr && !is_fbx && has_equal_names(*scene->mRootNode, names)) {
-    scene = read(importer, bytes, is_fbx, false);
-    out.warnings.push_back({Severity::warning, "equal-names", "", "several nodes have one name; ids took their place"});
-  }
-  if (scene == nullptr || scene->mRootNode == nullptr)
+  const aiScene* scene = read_scene(importer, bytes, is_fbx, out);
+  if (scene == nullptr)
     return ImportIssue{Severity::error, "assimp", "",
                        std::string("assimp cannot read it: ") + importer.GetErrorString()};
-  Frame frame = is_fbx ? frame_of_fbx(*scene) : frame_of_collada(*scene);
+  Frame frame = is_fbx ? frame_of_fbx(*scene, out) : frame_of_collada(*scene);
   frame.metres_per_unit = options.metres_per_unit.value_or(frame.metres_per_unit);
   if (options.z_up) frame.y_up = *options.z_up ? kYFromZ : glm::dquat(1.0, 0.0, 0.0, 0.0);
   SceneDraft draft_of{*scene, draft, out, is_fbx, frame.metres_per_unit, {}, {}, {}, {}, {}};

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "importer/formats/import_format.h"
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/files/output.h"
 #include "importer/tool/length_text.h"
@@ -18,6 +19,7 @@ namespace sinew::tool {
 namespace {
 
 struct ImportChoices {
+  BatchOptions files;
   std::string in, out;
   std::optional<std::string> unit, up;
   std::string positions = "replace", end_sites = "keep";
@@ -76,6 +78,16 @@ ExitCode import_file(const ImportChoices& choices) {
   return code;
 }
 
+ExitCode import_files(const ImportChoices& choices) {
+  const auto run = [&](const Input& file, bool many) {
+    ImportChoices own = choices;
+    own.in = file.path;
+    if (many) own.out = file.output;
+    return import_file(own);
+  };
+  return run_batch(choices.files, {run, {}, BatchOutput{choices.out, ".glb"}, FileKind::other_formats});
+}
+
 }  // namespace
 
 Command import_command() {
@@ -100,8 +112,14 @@ Command import_command() {
       "\n"
       "A file that cannot be read is an error that names its line, where the format has lines, and OUT stays as it "
       "was.");
-  command.argument("IN", &choices->in, "A .bvh, .fbx or .dae file; the first bytes tell which").required();
-  command.argument("OUT", &choices->out, "The .glb file to write; - writes to the standard output").required();
+  add_batch_options(command, choices->files,
+                    ".bvh, .fbx and .dae files, and folders of them; the first bytes tell which", "IN")
+      .required();
+  command
+      .argument("OUT", &choices->out,
+                "The .glb file to write; of several files the folder for them; - writes to the standard output")
+      .required()
+      .takes_last = [](const std::string&) { return true; };
   command.option("--unit", "UNIT", &choices->unit,
                  "Unit of lengths in IN: m, dm, cm, mm, in, ft, or its length such as 2.54cm (default: what the file "
                  "says; cm for BVH)");
@@ -117,7 +135,7 @@ Command import_command() {
       .option("--end-sites", "HOW", &choices->end_sites,
               "BVH: keep makes a node of each end site, called PARENT_end; drop leaves them out")
       .one_of({"keep", "drop"});
-  command.run = [choices] { return import_file(*choices); };
+  command.run = [choices] { return import_files(*choices); };
   return command;
 }
 

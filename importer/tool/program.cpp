@@ -16,7 +16,6 @@ constexpr const char* kEnding =
     "  sinew verify fox.glb walk.json                      fails when a pose has moved since\n"
     "  sinew plan fox.glb                                  which stages a frame runs, and why\n"
     "  sinew convert fox.gltf fox.glb --budget 0.1mm       with as few keys as keep every vertex there\n"
-    "  sinew import walk.bvh walk.glb                      motion capture, and models of other formats\n"
     "  sinew compile fox.glb -o fox.sinew --budget 0.01%   clips for playback, within a budget\n"
     "  sinew bake fox.glb --clip Walk -o walk.sgeo         every vertex of every frame\n"
     "  sinew cost fox.glb -o costs/                        what accuracy costs in time, with charts\n\n"

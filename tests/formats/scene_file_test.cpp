@@ -99,6 +99,17 @@ TEST(scene_file, unit_and_axis_of_the_caller_count_more_than_those_of_the_file) 
   EXPECT_TRUE(test::is_near(translation_of(world[1]), glm::dvec3(hip(10, 20, 30)[3]), 1e-5));
 }
 
+TEST(scene_file, left_handed_axes_get_a_warning) {
+  std::string text = test::pivots_fbx();
+  const std::string sign = "\"FrontAxisSign\", \"int\", \"Integer\", \"\",-1";
+  const std::size_t at = text.find(sign);
+  ASSERT_NE(at, text.npos);
+  text.erase(at + sign.size() - 2, 1);
+  const auto warnings = imported(text, true).summary.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].rule, "fbx-axes");
+}
+
 TEST(scene_file, collada_in_feet_with_z_up_is_in_metres_with_y_up) {
   const Scene scene = imported(test::tower_collada(), false).scene;
   ASSERT_EQ(scene.meshes.size(), 1u);
@@ -131,6 +142,18 @@ TEST(scene_file, morph_targets_of_fbx_rest_at_0_and_follow_their_curve) {
   const WeightTrack& track = scene.animations.at(0).weights.at(0).weights;
   EXPECT_THAT(track.times_s, testing::ElementsAre(0.0f, 0.5f, 1.0f));
   EXPECT_THAT(track.values, testing::ElementsAre(0.0f, 1.0f, 0.25f));
+}
+
+TEST(scene_file, a_curve_without_a_key_in_its_take_ends_no_process) {
+  std::string text = test::pivots_fbx();
+  const std::string stop = "\"LocalStop\", \"KTime\", \"Time\", \"\",46186158000";
+  text.replace(text.find(stop), stop.size(), "\"LocalStop\", \"KTime\", \"Time\", \"\",34639618500");
+  const std::string start = "\"LocalStart\", \"KTime\", \"Time\", \"\",0";
+  text.replace(text.find(start), start.size(), "\"LocalStart\", \"KTime\", \"Time\", \"\",11546539500");
+  const Imported file = imported(text, true);
+  ASSERT_EQ(file.summary.warnings.size(), 1u);
+  EXPECT_EQ(file.summary.warnings[0].rule, "fbx-take-range");
+  EXPECT_NEAR(file.scene.animations.at(0).duration_s, 1.0, 1e-6);
 }
 
 TEST(scene_file, weights_without_their_target_are_listed) {

@@ -12,6 +12,7 @@
 #include <assimp/scene.h>
 #include <assimp/Exporter.hpp>
 
+#include "importer/formats/scene_draft.h"
 #include "importer/formats/scene_file.h"
 #include "importer/import_gltf.h"
 #include "tests/formats/world_pose.h"
@@ -216,6 +217,37 @@ void expect_round_trip(const char* format, bool is_fbx, double bound) {
 // Exporters write six or seven digits, and FBX angles in place of rotations.
 TEST(scene_round_trip, collada) { expect_round_trip("collada", false, 2e-6); }
 TEST(scene_round_trip, fbx) { expect_round_trip("fbxa", true, 2e-5); }
+
+TEST(scene_round_trip, keys_outside_of_the_clip_are_cut_and_the_curve_stays) {
+  const auto source = make_scene();
+  aiAnimation& animation = *source->mAnimations[0];
+  animation.mDuration = 1.0;  // from key time 0.25 to 1.25
+  for (unsigned j = 0; j < 3; ++j)
+    for (unsigned k = 0; k < kTimes_s.size(); ++k)
+      for (double* time :
+           {&animation.mChannels[j]->mPositionKeys[k].mTime, &animation.mChannels[j]->mRotationKeys[k].mTime,
+            &animation.mChannels[j]->mScalingKeys[k].mTime})
+        *time -= 0.25;
+  ModelDraft draft;
+  ImportedFormat summary;
+  SceneDraft scene{*source, draft, summary, true, 1.0, fold_joints(*source->mRootNode), {}, {}, {}, {}};
+  for (const FoldedJoint& joint : scene.joints) {
+    const Affined rest = matrix_of(joint.node->mTransformation);
+    const int parent = joint.parent == FoldedJoint::kNoParent ? -1 : scene.node_of_joint[joint.parent];
+    scene.node_of_joint.push_back(draft.add_node(text_of(joint.node->mName), parent, translation_of(rest)));
+  }
+  add_animations(scene);
+  const auto bytes = draft.finish("cut", summary.warnings);
+  ASSERT_TRUE(bytes) << describe("cut", bytes.error().issue);
+  const auto file = import_gltf(*bytes, "cut");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file->warnings.empty());
+  EXPECT_EQ(file->scene.animations.at(0).duration_s, 1.0);
+  for (const double time_s : {0.0, 0.1, 0.5, 1.0}) {
+    const auto exact = source_pose(time_s + 0.25), world = test::world_pose(file->scene, 0, time_s);
+    EXPECT_TRUE(test::is_near(world.back(), exact.back(), 1e-5)) << time_s;
+  }
+}
 
 }  // namespace
 }  // namespace sinew::formats

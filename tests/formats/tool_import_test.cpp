@@ -103,6 +103,21 @@ TEST(tool_import, other_commands_name_import) {
     EXPECT_THAT(run_tool({"info", written(folder, "in", text)}).err, HasSubstr("`sinew import IN OUT.glb`"));
 }
 
+TEST(tool_import, a_folder_of_captures_becomes_a_folder_of_models) {
+  const ToolModelFile folder;
+  std::filesystem::create_directory(folder.beside("takes"));
+  written(folder, "takes/walk.bvh", kSwing);
+  written(folder, "takes/run.BVH", kSwing);
+  written(folder, "takes/broken.bvh", "HIERARCHY");
+  written(folder, "takes/notes.txt", "no motion");
+  const CommandOutcome imported = run_tool({"import", folder.beside("takes"), folder.beside("out")});
+  EXPECT_EQ(imported.status, 1);
+  EXPECT_THAT(imported.out, HasSubstr("3 files: 2 done, 1 failed"));
+  EXPECT_TRUE(std::filesystem::exists(folder.beside("out/walk.glb")));
+  EXPECT_TRUE(std::filesystem::exists(folder.beside("out/run.glb")));
+  EXPECT_FALSE(std::filesystem::exists(folder.beside("out/broken.glb")));
+}
+
 TEST(tool_import, the_output_is_a_glb_and_never_the_input) {
   const ToolModelFile folder;
   const std::string in = written(folder, "swing.glb", kSwing);
