@@ -54,7 +54,7 @@ glm::dmat4 turn(int axis, double degrees) {
 /// Euler angles in the order x, y, z of FBX.
 glm::dmat4 euler(double x, double y, double z) { return turn(2, z) * turn(1, y) * turn(0, x); }
 
-/// eq    T * Roff * Rp * Rpre * R * Rpost^-1 * Rp^-1 * Soff * Sp * S * Sp^-1   (FBX SDK, "Computing transformation matrices")
+/// eq    T * Roff * Rp * Rpre * R * Rpost^-1 * Rp^-1 * Soff * Sp * S * Sp^-1   (FBX SDK, "Transformation matrices")
 glm::dmat4 hip(double x, double y, double z) {
   return move(1, 2, 3) * move(0, 0, 2) * move(0, 5, 0) * euler(90, 0, 0) * euler(x, y, z) * turn(1, -45) *
          move(0, -5, 0) * move(3, 0, 0) * move(-3, 0, 0);
@@ -129,6 +129,9 @@ TEST(scene_file, geometric_transforms_move_the_mesh_and_not_what_is_below_its_no
     return transform_point(world[skeleton.node_of_joint[*skeleton.find(name)]], point);
   };
   EXPECT_TRUE(test::is_near(place("flag", glm::dvec3(0.0)), glm::dvec3(0.0, 1.5, 0.0), 1e-6));
+  std::vector<std::string> shown_at;
+  for (const MeshInstance& instance : file.scene.instances) shown_at.push_back(skeleton.names[instance.joint]);
+  EXPECT_THAT(shown_at, testing::UnorderedElementsAre("flag", "sail"));
   EXPECT_TRUE(test::is_near(place("sail", glm::dvec3(1.0, 0.0, 0.0)), glm::dvec3(0.0, 1.0, -0.9), 1e-6));
 }
 
