@@ -18,6 +18,7 @@ constexpr std::string_view kUnpack = "unpack it and import the .gltf or .glb ins
 constexpr std::string_view kExport = "export the model as glTF 2.0 from the program that made it, or convert it";
 constexpr std::string_view kBlender = "open it in Blender and export glTF 2.0 (.glb)";
 constexpr std::string_view kViaBlender = "convert it: Blender imports it and exports glTF 2.0 (.glb)";
+constexpr std::string_view kImport = "`sinew import IN OUT.glb` makes a .glb of it";
 constexpr std::string_view kPicture = "import the .gltf or .glb that uses it";
 constexpr std::string_view kTables = "`sinew info` shows it; import the .gltf or .glb that it was made from";
 constexpr std::string_view kTile = "import the .glb that it wraps";
@@ -42,15 +43,15 @@ constexpr FileSign kFileSigns[] = {
     {0, "SINEWAST"sv, "an asset file of sinew (.sinew)", kTables},
     {0, "SINEWCLP"sv, "a file of compiled clips of sinew (.sinew)", kTables},
     {0, "SINEWGEO"sv, "a geometry cache of sinew (.sgeo)", "it is shown beside a model; import the .gltf or .glb"},
-    {0, "Kaydara FBX Binary"sv, "FBX", kViaBlender},
-    {0, "; FBX "sv, "FBX (as text)", kExport},
+    {0, "Kaydara FBX Binary"sv, "FBX", kImport},
+    {0, "; FBX "sv, "FBX (as text)", kImport},
     {0, "BLENDER"sv, "a Blender file (.blend)", kBlender},
     {0, "#usda"sv, "USD (as text)", kViaBlender},
     {0, "PXR-USDC"sv, "USD", kViaBlender},
     {0, "ply\n"sv, "a PLY model", kViaBlender},
     {0, "ply\r\n"sv, "a PLY model", kViaBlender},
     {0, "solid "sv, "an STL model", kViaBlender},
-    {0, "HIERARCHY"sv, "BVH motion", kViaBlender},
+    {0, "HIERARCHY"sv, "BVH motion", kImport},
     {0, "Ogawa"sv, "an Alembic cache", kViaBlender},
     {0, "MD5Version"sv, "an MD5 model or animation", kExport},
     {0, "PMX "sv, "an MMD model", kExport},
@@ -117,7 +118,7 @@ std::string describe_zip(std::string_view file) {
 std::string_view describe_xml(std::string_view text) {
   const std::string_view head = text.substr(0, 4096);
   if (head.find("<COLLADA") != head.npos)
-    return "COLLADA (.dae); convert it: Blender 4 imports it and exports glTF 2.0";
+    return "COLLADA (.dae); `sinew import IN OUT.glb` makes a .glb of it";
   if (starts_with_any_case(text, "<?xml") && head.find("<html") != head.npos) return kWebPage;
   if (head.find("<X3D") != head.npos) return "an X3D model; convert it to glTF 2.0";
   return "XML, as servers send in place of a file; see what it says, and download the file again";

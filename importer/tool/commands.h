@@ -11,6 +11,7 @@ Command verify_command();
 Command check_command();
 Command plan_command();
 Command convert_command();
+Command import_command();
 Command retarget_command();
 Command compile_command();
 Command simulate_command();

@@ -41,8 +41,9 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (auto row = runtime_rows().rbegin(); row != runtime_rows().rend(); ++row)  // subfolders before their folder
     if (starts(row->first)) return row->first;
-  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "viewer/app",
-                           "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part :
+       {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "importer/formats", "viewer/app",
+        "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -56,6 +57,7 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
+  if (from == "importer/formats") return to == from || to == "importer" || kAssets.contains(to);
   if (from == "importer") return to == "importer" || kAssets.contains(to) || to.starts_with("runtime/procedures/");
   if (from == "viewer/light")
     return to == from || to == "runtime/base" || to == "runtime/math" || to == "runtime/threads";
@@ -72,6 +74,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"OpenMesh/", {"importer", "tests"}},
     {"meshoptimizer", {"importer", "importer/tool", "tests"}},
     {"draco/", {"importer", "tests"}},
+    {"assimp/", {"importer/formats", "tests"}},
     {"embree", {"importer/ambient", "tests"}},
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
     {"GLFW/", {"viewer", "viewer/app", "tests"}},

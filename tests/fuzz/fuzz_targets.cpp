@@ -11,7 +11,7 @@ std::span<const Target> targets() noexcept {
                                        Target{"accessors", read_accessors}, Target{"compressed", decode_compressed},
                                        Target{"images", decode_images},     Target{"clips", load_compiled_clips},
                                        Target{"geometry", play_geometry},   Target{"assets", read_asset_files},
-                                       Target{"poses", read_poses}};
+                                       Target{"poses", read_poses},         Target{"motion", read_motion}};
   return kTargets;
 }
 

@@ -23,6 +23,7 @@ void load_compiled_clips(Bytes input);  ///< compiled clips: the input as a file
 void play_geometry(Bytes input);        ///< geometry caches: the input as a file, and as the frames of a valid one
 void read_asset_files(Bytes input);     ///< .sinew files: the input as it is, and with correct checksums
 void read_poses(Bytes input);           ///< golden poses for `sinew verify`
+void read_motion(Bytes input);          ///< BVH files, which become glTF
 
 std::span<const Target> targets() noexcept;
 

@@ -184,6 +184,11 @@ Blob accessor_seed() {
   return seed;
 }
 
+constexpr const char* kMotion =
+    "HIERARCHY\nROOT a b\n{\n OFFSET 0 1 0\n CHANNELS 4 Xposition Zrotation Xrotation Yrotation\n JOINT c\n {\n"
+    " OFFSET 1 0 0\n CHANNELS 3 Yrotation Xposition Yrotation\n End Site\n {\n OFFSET 0 1 0\n }\n }\n}\n"
+    "ROOT d\n{\n OFFSET 0 0 0\n}\nMOTION\nFrames: 2\nFrame Time: .0333\n1 2 3 4 5 6 7\n-1 2e1 +3 4. 5 6 7\n";
+
 constexpr const char* kPoses =
     R"({"extent": 2.5, "clips": [{"clip": null, "samples": [{"time": 0.0, "nonUnit": 0.5, "nodes": [{"node": 0, )"
     R"("world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.5, -2e-3, 3, 1]}], "weights": [{"node": 0, "weights": [0.25, 1]}], )"
@@ -266,6 +271,7 @@ std::vector<Seed> own_seeds() {
   out.push_back({"images", test::encode_webp(5, 4, pixels)});
   out.push_back({"images", test::encode_avif(5, 4, pixels)});
   out.push_back({"poses", blob(kPoses)});
+  out.push_back({"motion", blob(kMotion)});
   return out;
 }
 

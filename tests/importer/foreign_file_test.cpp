@@ -50,7 +50,7 @@ TEST(foreign_file, failed_downloads_and_pointers_are_to_be_fetched_again) {
 }
 
 TEST(foreign_file, other_models_are_named_with_the_way_to_gltf) {
-  EXPECT_THAT(named("Kaydara FBX Binary  \0\x1a\0"s), AllOf(StartsWith("FBX; "), HasSubstr("Blender")));
+  EXPECT_THAT(named("Kaydara FBX Binary  \0\x1a\0"s), AllOf(StartsWith("FBX; "), HasSubstr("sinew import")));
   EXPECT_THAT(named("; FBX 7.4.0 project file"), StartsWith("FBX (as text)"));
   EXPECT_THAT(named("BLENDER-v300"), AllOf(StartsWith("a Blender file"), HasSubstr("export glTF 2.0")));
   EXPECT_THAT(named("# made by hand\n\n  # twice\r\nmtllib a.mtl\nv 0 0 0\n"), StartsWith("a Wavefront OBJ model; "));

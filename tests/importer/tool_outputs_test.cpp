@@ -45,6 +45,12 @@ const std::map<std::string, Command> kWriting = {
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"convert", in, out};
      }},
+    {"import",
+     [](const auto& in, const auto& out) {
+       const std::string motion = (fs::path(in).parent_path() / "motion.bvh").string();
+       std::ofstream(motion) << "HIERARCHY ROOT a { OFFSET 0 0 0 } MOTION Frames: 0 Frame Time: 0";
+       return std::vector<std::string>{"import", motion, out};
+     }},
     {"retarget",
      [](const auto& in, const auto& out) { return std::vector<std::string>{"retarget", in, "--onto", in, "-o", out}; }},
     {"simulate",

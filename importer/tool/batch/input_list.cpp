@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 const char* file_of(FileKind kind) {
   if (kind == FileKind::geometry_caches) return "geometry cache (.sgeo)";
+  if (kind == FileKind::other_formats) return ".bvh, .fbx or .dae file";
   return kind == FileKind::models ? ".glb, .gltf or .vrm file" : ".glb, .gltf, .vrm or .sinew file";
 }
 
@@ -77,6 +78,7 @@ bool is_named_as(FileKind kind, const std::string& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (kind == FileKind::geometry_caches) return extension == ".sgeo";
+  if (kind == FileKind::other_formats) return extension == ".bvh" || extension == ".fbx" || extension == ".dae";
   if (kind == FileKind::models_and_assets && extension == ".sinew") return true;
   return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
 }

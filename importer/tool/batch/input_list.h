@@ -23,8 +23,8 @@ struct InputList {
   bool many = false;  ///< several arguments, or a folder: one line a file, and a summary
 };
 
-/// The files that a folder stands for: .glb, .gltf and .vrm; also .sinew; or only .sgeo.
-enum class FileKind { models, models_and_assets, geometry_caches };
+/// The files that a folder stands for: .glb, .gltf and .vrm; also .sinew; only .sgeo; or .bvh, .fbx and .dae.
+enum class FileKind { models, models_and_assets, geometry_caches, other_formats };
 
 /// True if the name of a file has an extension of this kind, in upper or lower case.
 bool is_named_as(FileKind kind, const std::string& file);
