@@ -16,7 +16,7 @@ std::int64_t wrapped(std::int64_t position, std::int64_t period) noexcept {
 
 void start_clip(const LiveGraph& live, const GraphClipNode& clip, MotionState& state) noexcept {
   const std::int64_t period = live.clips().entries()[clip.clip].period;
-  const double offset = std::round(static_cast<double>(clip.offset_s) * static_cast<double>(kTicksPerSecond));
+  const double offset = std::round(decimal_of(clip.offset_s) * static_cast<double>(kTicksPerSecond));
   const double most = static_cast<double>(kNever >> kClipBits);
   const std::int64_t position =
       static_cast<std::int64_t>(std::clamp(offset, -most, most)) * (std::int64_t{1} << kClipBits);
@@ -173,7 +173,7 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
   GraphSync sync = GraphSync::none;
   if (next.transition != kNoGraphIndex) {
     const GraphTransition& transition = t.transitions[next.transition];
-    duration = ticks_of(static_cast<double>(transition.duration_s));
+    duration = ticks_of(decimal_of(transition.duration_s));
     sync = transition.sync;
     for (std::size_t c = 0; c < transition.condition_count; ++c) {
       const GraphCondition& condition = t.conditions[transition.first_condition + c];
@@ -205,8 +205,7 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
 bool end_fades(const LiveGraph& live, const LiveMachine& machine) noexcept {
   for (std::size_t i = machine.slots.depth(); i-- > 1;) {
     SlotState& slot = machine.slots.slot(i);
-    if (slot.whole == 0 &&
-        slot.time >= ticks_of(static_cast<double>(live.tables().transitions[slot.transition].duration_s))) {
+    if (slot.whole == 0 && slot.time >= ticks_of(decimal_of(live.tables().transitions[slot.transition].duration_s))) {
       forget(machine.slots, 0, i);
       return true;
     }

@@ -16,7 +16,7 @@ Result<GraphClipSet> GraphClipSet::make(std::span<const GraphClip> clips, const 
     if (!std::isfinite(clip.duration_s)) return tl::make_unexpected(ErrorCode::not_finite);
     if (clip.duration_s < 0.0 || clip.duration_s > kMostGraphClip_s) return tl::make_unexpected(ErrorCode::too_large);
     Entry entry;
-    const GraphTicks ticks = ticks_of(clip.duration_s);
+    const GraphTicks ticks = ticks_of(decimal_of(clip.duration_s));
     entry.period = ticks << kClipBits;
     entry.duration_s = seconds_of(ticks);
     entry.first_event = static_cast<std::uint32_t>(set.events_.size());
@@ -25,7 +25,7 @@ Result<GraphClipSet> GraphClipSet::make(std::span<const GraphClip> clips, const 
     for (const double time_s : clip.event_times_s) {
       if (!(time_s >= last_s && time_s <= clip.duration_s)) return tl::make_unexpected(ErrorCode::times_not_increasing);
       last_s = time_s;
-      set.events_.push_back(std::min(ticks_of(time_s) << kClipBits, entry.period));
+      set.events_.push_back(std::min(ticks_of(decimal_of(time_s)) << kClipBits, entry.period));
     }
     entry.root = clip.root;
     entry.clip = clip.clip;

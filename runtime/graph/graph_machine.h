@@ -31,7 +31,7 @@ struct GraphCondition {
 /// state may, too.
 enum class GraphInterruption : std::uint8_t {
   none,
-  source,              ///< transitions of the state that is left
+  source,              ///< transitions of the state that is left, as long as it is seen
   target,              ///< transitions of the state that is entered
   source_then_target,  ///< both; at the same moment those of the source win
   target_then_source,

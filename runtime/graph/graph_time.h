@@ -17,6 +17,18 @@ inline constexpr GraphTicks kNever = std::int64_t{1} << 62;
 inline GraphTicks ticks_of(double time_s) noexcept {
   return static_cast<GraphTicks>(std::llround(time_s * static_cast<double>(kTicksPerSecond)));
 }
+/// The number that somebody wrote, of the float that it became: 0.1f stands for 0.1. Numbers that are no multiples of
+/// 0.00001 within the precision of float stay as they are.
+inline double decimal_of(float value) noexcept {
+  const double exact = static_cast<double>(value), decimal = std::nearbyint(exact * 1e5) / 1e5;
+  return std::fabs(exact - decimal) <= std::fabs(exact) * 0x1p-23 ? decimal : exact;
+}
+/// The same of a time that was a float once, such as a key time.
+inline double decimal_of(double value) noexcept {
+  const auto single = static_cast<float>(value);
+  return static_cast<double>(single) == value ? decimal_of(single) : value;
+}
+
 inline double seconds_of(GraphTicks ticks) noexcept {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerSecond);
 }

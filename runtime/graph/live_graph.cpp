@@ -149,7 +149,7 @@ float LiveGraph::weight_of(const GraphLayer& layer) const noexcept {
 float LiveGraph::fade_of(const SlotState& slot, GraphTicks ahead) const noexcept {
   if (slot.whole != 0) return 1.0f;
   const GraphTransition& transition = tables_.transitions[slot.transition];
-  const double ticks = static_cast<double>(ticks_of(static_cast<double>(transition.duration_s)));
+  const double ticks = static_cast<double>(ticks_of(decimal_of(transition.duration_s)));
   return static_cast<float>(fade_share(transition.fade, static_cast<double>(slot.time + ahead) / ticks));
 }
 

@@ -11,7 +11,7 @@ namespace sinew {
 namespace {
 
 GraphTicks duration_of(const GraphTransition& transition) noexcept {
-  return ticks_of(static_cast<double>(transition.duration_s));
+  return ticks_of(decimal_of(transition.duration_s));
 }
 
 /// Ticks until a motion has played so many rounds since it started.
@@ -99,18 +99,17 @@ class Choice {
       if (in > horizon_) return kNever;
     }
     if (phase == nullptr) return in;
-    return list.driver == kNoMotion
-               ? kNever
-               : until_phase(motions_[list.driver], static_cast<double>(phase->value), in, horizon_);
+    return list.driver == kNoMotion ? kNever
+                                    : until_phase(motions_[list.driver], decimal_of(phase->value), in, horizon_);
   }
 
   GraphTicks holds_in(const GraphCondition& condition, const List& list) const noexcept {
     switch (condition.kind) {
       case GraphConditionKind::time_in_state:
-        return std::max(GraphTicks{0}, ticks_of(static_cast<double>(condition.value)) - list.slot->time);
+        return std::max(GraphTicks{0}, ticks_of(decimal_of(condition.value)) - list.slot->time);
       case GraphConditionKind::played:
         if (list.driver == kNoMotion) return 0;
-        return until_played(motions_[list.driver], static_cast<double>(condition.value), horizon_);
+        return until_played(motions_[list.driver], decimal_of(condition.value), horizon_);
       default: return holds_now(live_, condition) ? 0 : kNever;
     }
   }
@@ -198,12 +197,16 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
     if (from_source && below > 0) {
       const GraphMachineState& source = live.tables().states[m.first_state + top.from];
       const int rank = by == GraphInterruption::target_then_source ? 2 : 0;
+      GraphTicks seen = left;  // the source is, until a fade above it ends
+      for (std::size_t i = below; i < depth; ++i)
+        if (const SlotState& slot = machine.slots.slot(i); slot.whole == 0)
+          seen = std::min(seen, duration_of(live.tables().transitions[slot.transition]) - slot.time);
       Choice::List list{source.first_transition,
                         source.transition_count,
                         &machine.slots.slot(below - 1),
                         machine.driver[below - 1],
                         stays,
-                        left,
+                        seen,
                         rank,
                         top.state};
       if (current.ordered) list.before = &current;
