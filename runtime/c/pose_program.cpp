@@ -26,7 +26,8 @@ sinew_pose_op sinew_default_op(std::uint32_t kind) {
   const bool is_full =
       kind == SINEW_OP_MEAN || kind == SINEW_OP_OVERRIDE_JOINTS || kind == SINEW_OP_PROCEDURE;  // by threshold or share
   const std::uint8_t own = c::kEnum<PoseOpKind>.has(kind) ? static_cast<std::uint8_t>(kind) : std::uint8_t{0xFF};
-  return {.time_s = is_full ? 1.0 : 0.0, .weight = 1.0f, .index = 0, .mask = SINEW_OP_NO_MASK, .kind = own};
+  const std::uint16_t steps = kind == SINEW_OP_INERTIALIZE || kind == SINEW_OP_DEAD_BLEND ? 1 : 0;
+  return {.time_s = is_full ? 1.0 : 0.0, .weight = 1.0f, .index = steps, .mask = SINEW_OP_NO_MASK, .kind = own};
 }
 
 sinew_error sinew_program_room_of(const sinew_pose_op* ops, std::size_t op_count, sinew_program_room* room) {

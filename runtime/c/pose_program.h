@@ -24,7 +24,13 @@ typedef enum sinew_op_kind {
   SINEW_OP_ADD_TO_REST = 8,       ///< adds the difference of the topmost pose from the rest pose to the pose below
   SINEW_OP_ADD = 9,               ///< adds the difference of the second pose from the topmost to the third
   SINEW_OP_OVERRIDE_JOINTS = 10,  ///< sets joints of the topmost pose to the transforms of override `index`
-  SINEW_OP_PROCEDURE = 11         ///< lets procedure `index` of the caller change the topmost pose: IK, springs
+  SINEW_OP_PROCEDURE = 11,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs
+  SINEW_OP_INERTIALIZE = 12,      ///< adds to the fifth pose from the top how source and target differed: target now,
+                                  ///< source at the start, source one step before, target at the start, target one
+                                  ///< step before
+  SINEW_OP_DEAD_BLEND = 13,       ///< fades the source, which goes on by itself, into the target: target now, source
+                                  ///< at the start, source one step before
+  SINEW_OP_CACHED = 14            ///< the topmost pose, kept while the operations that make it are the same
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
 #define SINEW_MOST_OPS 255u  ///< of one program
@@ -33,16 +39,19 @@ typedef enum sinew_op_kind {
 /// is the upper pose, in an addition the layer. This struct never grows: its 16 bytes may be stored and sent.
 typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1]; if the weights sum to less, the rest
-                   ///< pose gets the remainder;  override, procedure: its share in [0, 1]
+                   ///< pose gets the remainder;  override, procedure: its share in [0, 1];  transitions: progress
+                   ///< in [0, 1]
   float weight;    ///< finite, >= 0
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;
-                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own
+                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own;  transitions: steps
+                   ///< in the duration, >= 1
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
   uint8_t kind;    ///< sinew_op_kind
 } sinew_pose_op;
 
-/// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0.
+/// An operation of weight 1 without a mask, at index 0. Its threshold or share is 1; the time of other kinds is 0. A
+/// transition has one step.
 SINEW_API sinew_pose_op sinew_default_op(uint32_t kind);
 
 /// Upper limits of what the programs of a plan use: operations, stack slots, and the lists that they index.
@@ -54,6 +63,7 @@ typedef struct sinew_program_room {
   uint32_t masks;                             ///< of sinew_needs and of the caller together, at most 255
   uint32_t overridden_joints;                 ///< of all overrides together
   uint32_t overlays_in_model_space;           ///< 1 if programs use SINEW_OP_OVERLAY_MODEL
+  uint32_t kept;                              ///< operations of kinds SINEW_OP_INERTIALIZE and higher
 } sinew_program_room;
 
 /// The room that a program needs. Lists are as long as its largest index asks for. `overridden_joints` is left at 0,

@@ -15,6 +15,7 @@ inline constexpr auto kProgramRoom =
            field<&sinew_program_room::procedures, &PoseProgramRoom::procedures>(),
            field<&sinew_program_room::masks, &PoseProgramRoom::masks>(),
            field<&sinew_program_room::overridden_joints, &PoseProgramRoom::overridden_joints>(),
-           field<&sinew_program_room::overlays_in_model_space, &PoseProgramRoom::overlays_in_model_space>());
+           field<&sinew_program_room::overlays_in_model_space, &PoseProgramRoom::overlays_in_model_space>(),
+           field<&sinew_program_room::kept, &PoseProgramRoom::kept>());
 
 }  // namespace sinew::c

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kMostEntries = std::numeric_limits<std::uint16_t>::max();  // that PoseOp::index can count
 
 bool is_usable(const PoseProgramRoom& room) noexcept {
-  return room.ops <= kMostPoseOps && room.slots <= room.ops && room.masks <= PoseOp::kNoMask &&
+  return room.ops <= kMostPoseOps && room.slots <= room.ops && room.kept <= room.ops && room.masks <= PoseOp::kNoMask &&
          room.externals <= kMostEntries && room.overrides <= kMostEntries && room.procedures <= kMostEntries;
 }
 

@@ -116,6 +116,7 @@ void lay_out_tables(CompiledPlan& plan, MemoryLayout& memory) {
   tables.input_geometry = memory.take<GeometryInput>(slots);
   tables.input_program = memory.take<PoseOp>(plan.needs.in.program.ops);
   tables.input_versions = memory.take<ContentVersion>(most_versions(plan.needs.in.program));
+  tables.kept = memory.take<KeptOperands>(plan.needs.in.program.kept);
   tables.input_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());
   if (!plan.interpolate) return;
   tables.input_next_layers = memory.take<ClipLayer>(plan.needs.in.layer_room());

@@ -14,6 +14,7 @@
 namespace sinew {
 
 struct CompiledPlan;
+struct KeptOperands;
 struct KeptUpdate;
 struct PlayedGeometry;
 
@@ -38,6 +39,7 @@ struct TableLayout {
   Block<GeometryInput> input_geometry;
   Block<PoseOp> input_program;
   Block<ContentVersion> input_versions;
+  Block<KeptOperands> kept;
   Block<KeptUpdate> updates;
   Block<ClipLayer> update_layers[2];
   Block<std::uint64_t> stage_ns;

@@ -7,6 +7,7 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -52,6 +53,7 @@ struct FrameTables {
   std::span<GeometryInput> input_geometry;  ///< [cached instances] no source where nothing plays or nobody sees it
   std::span<PoseOp> input_program;
   std::span<ContentVersion> input_versions;  ///< of all program inputs, list by list
+  std::span<KeptOperands> kept;              ///< of operations of input_program
   std::span<KeptUpdate> updates;             ///< [2] of FrameLayout::updates
   std::span<std::uint64_t> stage_ns;         ///< FrameResult::stage_ns
 
@@ -74,6 +76,7 @@ struct FrameTables {
         input_geometry(memory.of(at.input_geometry)),
         input_program(memory.of(at.input_program)),
         input_versions(memory.of(at.input_versions)),
+        kept(memory.of(at.kept)),
         updates(memory.of(at.updates)),
         stage_ns(memory.of(at.stage_ns)) {}
 };

@@ -33,6 +33,7 @@ PoseProgramLimits program_limits(const CompiledPlan& plan, const PoseProgramInpu
           .procedures = inputs.procedures.size(),
           .mirror = plan.mirror,
           .slots = plan.needs.in.program.slots,
+          .kept = plan.needs.in.program.kept,
           .overlays_in_model_space = plan.needs.in.program.overlays_in_model_space};
 }
 

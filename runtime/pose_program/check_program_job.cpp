@@ -116,7 +116,8 @@ ErrorCode check(const PoseProgramJob& job) noexcept {
                                  .overrides = inputs.overrides.size(),
                                  .procedures = inputs.procedures.size(),
                                  .mirror = job.assets->mirror != nullptr,
-                                 .slots = kMostPoseOps};
+                                 .slots = kMostPoseOps,
+                                 .kept = kMostPoseOps};
   if (const ErrorCode error = check(job.program, limits); error != ErrorCode::ok) return error;
   const std::size_t joints = job.assets->skeleton->joint_count(), weights = job.assets->rest_weights.size(),
                     properties = job.assets->rest_properties.size();

@@ -48,6 +48,9 @@ void PoseMachine::run(const PoseOp& op, const Step& step) noexcept {
     case PoseOpKind::add: add_to_reference(frame_of(op)); break;
     case PoseOpKind::override_joints: override_top(op); break;
     case PoseOpKind::procedure: run_procedure(op); break;
+    case PoseOpKind::inertialize: inertialize(op); break;
+    case PoseOpKind::dead_blend: dead_blend(op); break;
+    case PoseOpKind::cached: cache_top(); break;
   }
   slots_.share(depth_ - 1) = {op.weight, op.mask};
 }

@@ -15,6 +15,8 @@ class PoseMachine {
     const Clip* page = nullptr;   ///< as PoseProgramInputs::pages
     bool with_properties = true;  ///< some operation after it reads its properties
     bool holds_clip = false;      ///< as PoseProgramJob::holds_clip
+    std::uint32_t kept = 0;       ///< where a kept operation keeps what it needs of its operands
+    bool kept_stands = false;     ///< it is there already: the operands were skipped
   };
 
   /// Keeps the references.
@@ -56,6 +58,9 @@ class PoseMachine {
            std::span<const float> reference_weights, DeltaFrame frame) noexcept;
   void override_top(const PoseOp& op) noexcept;
   void run_procedure(const PoseOp& op) noexcept;
+  void inertialize(const PoseOp& op) noexcept;
+  void dead_blend(const PoseOp& op) noexcept;
+  void cache_top() noexcept;
 
   const PoseProgramAssets& assets_;
   const PoseProgramInputs& inputs_;

@@ -20,15 +20,23 @@ enum class PoseOpKind : std::uint8_t {
   add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
   procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
+  inertialize,      ///< adds to the fifth pose from the top how source and target differed: target now, source at the
+                    ///< start, source one step before, target at the start, target one step before
+  dead_blend,       ///< fades the source, which goes on by itself, into the target: target now, source at the start,
+                    ///< source one step before
+  cached,           ///< the topmost pose, which frames keep as long as the operations that make it are the same
 };
 
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
 /// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
+/// Transitions ignore the weights and masks of their operands.
 struct PoseOp {
-  double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share
+  double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share;
+                        ///< transitions: progress in [0, 1], the share of the duration that has passed
   float weight = 1.0f;  ///< finite, >= 0
   std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands;
-                                ///< additions: DeltaFrame
+                                ///< additions: DeltaFrame;  transitions: steps in the duration, >= 1. A step is the
+                                ///< time from "one step before" to the start; 0.1 to 1 ms measures velocities well
   std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
   PoseOpKind kind = PoseOpKind::rest;
 
@@ -47,9 +55,26 @@ constexpr std::size_t operands_of(const PoseOp& op) noexcept {
     case PoseOpKind::add_to_rest: return 2;
     case PoseOpKind::add: return 3;
     case PoseOpKind::override_joints:
-    case PoseOpKind::procedure: return 1;
+    case PoseOpKind::procedure:
+    case PoseOpKind::cached: return 1;
+    case PoseOpKind::dead_blend: return 3;
+    case PoseOpKind::inertialize: return 5;
     default: return 0;
   }
+}
+
+/// Operands, the last ones, that stay the same while an operation goes on. Frames keep what it needs of them.
+constexpr std::size_t kept_operands_of(const PoseOp& op) noexcept {
+  switch (op.kind) {
+    case PoseOpKind::cached: return 1;
+    case PoseOpKind::dead_blend: return 2;
+    case PoseOpKind::inertialize: return 4;
+    default: return 0;
+  }
+}
+
+constexpr bool is_transition(PoseOpKind kind) noexcept {
+  return kind == PoseOpKind::inertialize || kind == PoseOpKind::dead_blend;
 }
 
 /// Programs name the first so many clips. Indices from here on are refused (PoseProgram writes 0xFFFF for all of them).

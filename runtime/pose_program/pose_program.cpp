@@ -8,9 +8,10 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kNames[] = {"rest",        "sample", "sample_mirrored", "rest_mirrored",
-                                  "external",    "mean",   "overlay",         "overlay_model",
-                                  "add_to_rest", "add",    "override_joints", "procedure"};
+constexpr const char* kNames[] = {"rest",        "sample",     "sample_mirrored", "rest_mirrored",
+                                  "external",    "mean",       "overlay",         "overlay_model",
+                                  "add_to_rest", "add",        "override_joints", "procedure",
+                                  "inertialize", "dead_blend", "cached"};
 constexpr std::size_t kKinds = std::size(kNames);
 
 bool is_kind(PoseOpKind kind) noexcept { return static_cast<std::size_t>(kind) < kKinds; }
@@ -42,6 +43,10 @@ OpRule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
     return {ErrorCode::index_out_of_range, "there is no procedure of that index"};
   if (has_share && !(op.time_s >= 0.0 && op.time_s <= 1.0))
     return {ErrorCode::not_a_fraction, "its share lies in [0, 1]"};
+  if (is_transition(op.kind) && !(op.time_s >= 0.0 && op.time_s <= 1.0))
+    return {ErrorCode::not_a_fraction, "the progress of a transition lies in [0, 1]"};
+  if (is_transition(op.kind) && op.index == 0)
+    return {ErrorCode::not_a_fraction, "a transition takes at least one step"};
   if (adds && op.index > static_cast<std::uint16_t>(DeltaFrame::joint))
     return {ErrorCode::unsupported, "an addition is in the parent's frame or the joint's"};
   if (mirrors && !limits.mirror) return {ErrorCode::not_in_needs, "nothing says how the skeleton is mirrored"};
@@ -70,6 +75,7 @@ PoseProgramRoom room_of(PoseProgramSpan program) noexcept {
   const auto reach = [](std::uint32_t& count, std::uint32_t index) { count = std::max(count, index + 1); };
   for (const PoseOp& op : program) {
     if (op.mask != PoseOp::kNoMask) reach(room.masks, op.mask);
+    if (kept_operands_of(op) > 0) ++room.kept;
     switch (op.kind) {
       case PoseOpKind::external: reach(room.externals, op.index); break;
       case PoseOpKind::override_joints: reach(room.overrides, op.index); break;
@@ -89,18 +95,21 @@ PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexc
           std::max(a.masks, b.masks),
           std::max(a.procedures, b.procedures),
           std::max(a.overridden_joints, b.overridden_joints),
-          a.overlays_in_model_space || b.overlays_in_model_space};
+          a.overlays_in_model_space || b.overlays_in_model_space,
+          std::max(a.kept, b.kept)};
 }
 
 PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
   if (program.size() > kMostPoseOps)
     return {ErrorCode::size_mismatch, program.size(), "a program has at most 255 operations"};
-  std::size_t depth = 0;
+  std::size_t depth = 0, kept = 0;
   for (std::size_t i = 0; i < program.size(); ++i) {
     if (const OpRule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok)
       return {rule.code, i, rule.text};
     const std::size_t taken = operands_of(program[i]);
     if (taken > depth) return {ErrorCode::size_mismatch, i, "it takes more poses than those before it leave"};
+    if (kept_operands_of(program[i]) > 0 && ++kept > limits.kept)
+      return {ErrorCode::not_in_needs, i, "the memory has room for fewer transitions and cached poses"};
     depth = depth - taken + 1;
     if (depth > limits.slots) return {ErrorCode::size_mismatch, i, "the memory has room for fewer poses"};
   }

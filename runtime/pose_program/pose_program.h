@@ -23,6 +23,7 @@ struct PoseProgramLimits {
   std::size_t clips = 0, externals = 0, masks = 0, overrides = 0, procedures = 0;
   bool mirror = false;                  ///< mirror tables are there
   std::size_t slots = 0;                ///< poses that memory has room for
+  std::size_t kept = 0;                 ///< as PoseProgramRoom::kept
   bool overlays_in_model_space = true;  ///< memory has room for their rotations
 };
 
@@ -33,6 +34,7 @@ struct PoseProgramRoom {
   std::uint32_t externals = 0, overrides = 0, masks = 0, procedures = 0;  ///< of the caller
   std::uint32_t overridden_joints = 0;                                    ///< of all overrides together
   bool overlays_in_model_space = false;
+  std::uint32_t kept = 0;  ///< operations that keep their operands' work: transitions and `cached`
 
   friend bool operator==(const PoseProgramRoom&, const PoseProgramRoom&) = default;
 };
@@ -58,8 +60,8 @@ SINEW_API PoseProgramRoom room_of(PoseProgramSpan program) noexcept;
 SINEW_API PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexcept;
 
 /// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight,
-///      not_a_fraction (a share or threshold), not_in_needs (mirrored without tables), unsupported (an unknown kind),
-///      size_mismatch (operands, length, slots)
+///      not_a_fraction (a share, threshold or progress; no steps), not_in_needs (mirrored without tables, more kept
+///      operations), unsupported (an unknown kind), size_mismatch (operands, length, slots)
 /// cost O(ops), no allocation
 SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept;
 inline ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {
@@ -113,6 +115,18 @@ class PoseProgram {
   }
   PoseProgram& procedure(std::uint32_t index, double share = 1.0, float weight = 1.0f) noexcept {
     return push({share, weight, index_of(index), PoseOp::kNoMask, PoseOpKind::procedure});
+  }
+  /// in   progress  [0, 1];   steps  of the duration, >= 1
+  PoseProgram& inertialize(double progress, std::uint32_t steps, float weight = 1.0f,
+                           std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({progress, weight, index_of(steps), mask, PoseOpKind::inertialize});
+  }
+  PoseProgram& dead_blend(double progress, std::uint32_t steps, float weight = 1.0f,
+                          std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({progress, weight, index_of(steps), mask, PoseOpKind::dead_blend});
+  }
+  PoseProgram& cached(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
+    return push({.weight = weight, .mask = mask, .kind = PoseOpKind::cached});
   }
   PoseProgram& push(const PoseOp& op) noexcept {
     if (count_ < kMostPoseOps) ops_[count_] = op;

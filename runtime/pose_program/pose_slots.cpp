@@ -23,6 +23,12 @@ PoseSlotLayout::PoseSlotLayout(const PoseProgramAssets& assets, const PoseProgra
   unmirrored = take(mirrored * pose_bytes);
   unmirrored_weights = take(mirrored * weights * sizeof(float));
   model_rotations = take(room.overlays_in_model_space ? 3 * joints * sizeof(glm::quat) : 0);
+  kept = bytes;
+  for (std::uint32_t k = 0; k < room.kept; ++k)
+    take((TransitionNumbers::kPlanes * PoseSpan::stride_for(joints) +
+          TransitionNumbers::kParts * (weights + properties)) *
+         sizeof(float));
+  if (room.kept > 0) kept_bytes = (bytes - kept) / room.kept;
 }
 
 PoseSlot PoseSlots::slot_above(std::size_t index) const noexcept {
@@ -31,6 +37,14 @@ PoseSlot PoseSlots::slot_above(std::size_t index) const noexcept {
   return {pose_over({at<float>(layout_.poses) + index * floats, floats}, layout_.joints),
           {at<float>(layout_.pose_weights) + index * layout_.weights, weights},
           {at<float>(layout_.pose_properties) + index * layout_.properties, properties}};
+}
+
+TransitionNumbers PoseSlots::kept(std::size_t index) const noexcept {
+  float* const planes = at<float>(layout_.kept + index * layout_.kept_bytes);
+  float* const numbers = planes + TransitionNumbers::kPlanes * PoseSpan::stride_for(layout_.joints);
+  const std::size_t weights = TransitionNumbers::kParts * layout_.weights,
+                    properties = TransitionNumbers::kParts * layout_.properties;
+  return {planes, layout_.joints, {numbers, weights}, {numbers + weights, properties}};
 }
 
 PoseSlot PoseSlots::unmirrored() const noexcept {

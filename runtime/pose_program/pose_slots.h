@@ -5,6 +5,7 @@
 
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose_program/run_pose_program.h"
+#include "runtime/transition/transition_numbers.h"
 
 namespace sinew {
 
@@ -29,7 +30,8 @@ struct PoseSlotLayout {
   std::size_t joints = 0, weights = 0, properties = 0;  ///< of each pose
   /// Offsets in bytes. The lowest pose of the stack is the output, which lies elsewhere.
   std::size_t shares = 0, blend_layers = 0, poses = 0, pose_weights = 0, pose_properties = 0, unmirrored = 0,
-              unmirrored_weights = 0, model_rotations = 0;
+              unmirrored_weights = 0, model_rotations = 0, kept = 0;
+  std::size_t kept_bytes = 0;   ///< of each kept operation
   std::size_t front_bytes = 0;  ///< which every run touches; one clip that plays alone touches no others
   std::size_t bytes = 0;        ///< all of it, a multiple of 64
 };
@@ -59,6 +61,9 @@ class PoseSlots {
   std::span<glm::quat> model_rotations() const noexcept {  ///< [3 J]
     return {at<glm::quat>(layout_.model_rotations), 3 * layout_.joints};
   }
+
+  /// What kept operation `index` keeps.
+  TransitionNumbers kept(std::size_t index) const noexcept;
 
  private:
   template <class T>

@@ -15,6 +15,8 @@ struct PoseProgramWork {
   std::uint64_t poses_added = 0;
   std::uint64_t joints_overridden = 0;
   std::uint64_t procedures_run = 0;
+  std::uint64_t transitions_started = 0;  ///< whose start was evaluated; frames keep it until the transition ends
+  std::uint64_t poses_in_transition = 0;
 
   friend bool operator==(const PoseProgramWork&, const PoseProgramWork&) = default;
 };

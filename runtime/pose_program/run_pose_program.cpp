@@ -21,13 +21,16 @@ void run_unchecked(const PoseProgramJob& job) noexcept {
   const ReadProperties properties(job.program, !job.properties.empty());
   const std::span<const Clip* const> pages = job.inputs.pages;
   const std::size_t end = std::min(job.end, job.program.size());
+  std::uint32_t kept = 0;
   for (std::size_t i = 0; i < end; ++i) {
     if (i < job.first)
       machine.skip(job.program[i]);
     else
       machine.run(job.program[i], {.page = pages.empty() ? nullptr : pages[i],
                                    .with_properties = properties.of(i),
-                                   .holds_clip = job.holds_clip && i == 0});
+                                   .holds_clip = job.holds_clip && i == 0,
+                                   .kept = kept});
+    if (kept_operands_of(job.program[i]) > 0) ++kept;
   }
 }
 

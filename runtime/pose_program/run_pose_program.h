@@ -31,7 +31,17 @@ struct PoseProgramAssets {
 };
 
 /// A kind of work whose time is told.
-enum class PosePhase : std::uint8_t { sample, external, mirror, blend, overlay, add, override_joints, procedure };
+enum class PosePhase : std::uint8_t {
+  sample,
+  external,
+  mirror,
+  blend,
+  overlay,
+  add,
+  override_joints,
+  procedure,
+  transition
+};
 
 /// Hears of the end of each piece of work: a clock that charges the time since the last one to a phase.
 struct PosePhaseClock {
@@ -40,7 +50,7 @@ struct PosePhaseClock {
 };
 
 /// Bytes that run(PoseProgramJob) needs as memory, a multiple of 64.
-/// in   room  of the largest program; only `slots` and `overlays_in_model_space` count
+/// in   room  of the largest program; only `slots`, `kept` and `overlays_in_model_space` count
 SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept;
 
 /// Runs a program: one pose remains, with its morph weights and properties.
@@ -51,6 +61,7 @@ SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const 
 ///                space; then q = conj(G_parent) G with the parent's new G. Translations and scales as overlay.
 ///      add       AddPoseJob;   override_joints   mix of the pose's local transform and the given one, brought to the
 ///                parent's space
+///      inertialize, dead_blend   InertializeJob, DeadBlendJob; a job evaluates their operands each time
 ///      Morph weights and properties follow the same rules without masks; additions leave properties as they are.
 /// in   memory     64-byte aligned, pose_program_bytes
 ///      first, end  the operations to run in this call. With first > 0 the memory and the output hold what the

@@ -52,7 +52,7 @@ TEST_F(CProgramRefusals, lists_that_are_longer_than_the_needs) {
 
 TEST_F(CProgramRefusals, kinds_that_do_not_exist) {
   refused(SINEW_UNSUPPORTED, "program[1]: the kind of operation is not known",
-          [&] { ops_[1].kind = SINEW_OP_PROCEDURE + 1; });
+          [&] { ops_[1].kind = SINEW_OP_CACHED + 1; });
   refused(SINEW_UNSUPPORTED, "program[0]: the kind of operation is not known",
           [&] { ops_[0] = sinew_default_op(256); });
   refused(SINEW_UNSUPPORTED, "overrides[0].space: there is no such space of a joint",

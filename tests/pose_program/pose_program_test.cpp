@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr PoseProgramLimits kLimits{
-    .clips = 2, .externals = 1, .masks = 1, .overrides = 1, .mirror = false, .slots = 3};
+    .clips = 2, .externals = 1, .masks = 1, .overrides = 1, .mirror = false, .slots = 3, .kept = 1};
 
 TEST(pose_program, a_sound_program_has_no_fault_and_says_how_many_poses_it_needs) {
   PoseProgram program;
@@ -56,6 +56,16 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
        "operation 2 (add_to_rest): an addition is in the parent's frame"},
       {of().rest().rest().add(), ErrorCode::size_mismatch, "operation 2 (add): it takes more poses"},
       {of().rest().rest().rest().rest().mean(4), ErrorCode::size_mismatch, "operation 3 (rest): the memory has room"},
+      {of().rest().rest().rest().dead_blend(1.5, 9), ErrorCode::not_a_fraction,
+       "operation 3 (dead_blend): the progress"},
+      {of().rest().rest().rest().dead_blend(-0.5, 9), ErrorCode::not_a_fraction,
+       "operation 3 (dead_blend): the progress"},
+      {of().rest().rest().rest().dead_blend(0.5, 0), ErrorCode::not_a_fraction,
+       "operation 3 (dead_blend): a transition"},
+      {of().rest().rest().dead_blend(0.5, 9), ErrorCode::size_mismatch, "operation 2 (dead_blend): it takes more"},
+      {of().rest().rest().rest().inertialize(0.5, 9), ErrorCode::size_mismatch, "operation 3 (inertialize): it takes"},
+      {of().cached(), ErrorCode::size_mismatch, "operation 0 (cached): it takes more poses"},
+      {of().rest().cached().cached(), ErrorCode::not_in_needs, "operation 2 (cached): the memory has room for fewer"},
       {of().push({.kind = static_cast<PoseOpKind>(99)}), ErrorCode::unsupported, "operation 0 (kind 99)"},
   };
   for (const Misuse& misuse : misuses) {
@@ -120,6 +130,14 @@ TEST(pose_program, both_operations_that_mirror_need_a_mirror) {
       limits.mirror = there;
       EXPECT_EQ(check({&op, 1}, limits), there ? ErrorCode::ok : ErrorCode::not_in_needs);
     }
+}
+
+TEST(pose_program, the_room_of_transitions_and_cached_poses_is_their_number) {
+  PoseProgram program = PoseProgram().rest().cached().rest().rest().dead_blend(0.5, 9);
+  program.rest().rest().rest().rest().inertialize(0.5, 9);
+  EXPECT_EQ(room_of(program.ops()).kept, 3u);
+  EXPECT_EQ(pose_slots(program.ops()), 5u) << "one transition may follow another without more room";
+  EXPECT_EQ(larger({.kept = 2}, {.kept = 3}).kept, 3u);
 }
 
 TEST(pose_program, more_than_255_operations_are_counted_and_refused) {

@@ -83,7 +83,8 @@ struct ProgramStage {
               .masks = masks};
     weights.resize(rest_weights.size());
     properties.resize(scene.properties.rest.size());
-    bytes = pose_program_bytes(assets, {.slots = 10, .overlays_in_model_space = true});  // with room for a mirror
+    bytes = pose_program_bytes(assets,
+                               {.slots = 10, .overlays_in_model_space = true, .kept = 8});  // with room for a mirror
     block.reset(static_cast<std::byte*>(std::aligned_alloc(64, bytes)));
   }
 

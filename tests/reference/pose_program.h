@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "runtime/animation/truth_pose.h"
@@ -12,6 +14,7 @@
 #include "runtime/model/scene.h"
 #include "runtime/pose_program/run_pose_program.h"
 #include "tests/reference/sampling.h"
+#include "tests/reference/transitions.h"
 
 namespace sinew::reference {
 
@@ -65,6 +68,15 @@ class SlowProgram {
         const Entry layer = popped();
         return added(popped().pose, layer, reference, op.index == 1);
       }
+      case PoseOpKind::cached: return popped().pose;
+      case PoseOpKind::inertialize:
+        return in_transition<4>([&](const auto& now, const auto& start) {
+          return inertialized(now, start[0], start[1], start[2], start[3], op.time_s, double(op.index));
+        });
+      case PoseOpKind::dead_blend:
+        return in_transition<2>([&](const auto& now, const auto& start) {
+          return dead_blended(now, start[0], start[1], op.time_s, double(op.index));
+        });
       case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index].joints, op.time_s);
       default: return rest_;
     }
@@ -199,6 +211,26 @@ class SlowProgram {
            x.scale * (1.0 - share) + to.scale * share};
     }
     return pose;
+  }
+
+  /// Calls `mix(now, start)` for each joint and number; `start` has those of the other operands.
+  template <std::size_t kOthers, class Mix>
+  SlowPose in_transition(const Mix& mix) {
+    std::array<SlowPose, kOthers> others;
+    for (std::size_t o = kOthers; o-- > 0;) others[o] = popped().pose;
+    SlowPose now = popped().pose;
+    const auto mix_all = [&](auto member) {
+      auto& list = now.*member;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        std::array<std::decay_t<decltype(list[i])>, kOthers> start;
+        for (std::size_t o = 0; o < kOthers; ++o) start[o] = (others[o].*member)[i];
+        list[i] = mix(list[i], start);
+      }
+    };
+    mix_all(&SlowPose::joints);
+    mix_all(&SlowPose::weights);
+    mix_all(&SlowPose::properties);
+    return now;
   }
 
   const Scene& scene_;

@@ -84,7 +84,10 @@ inline constexpr auto kEnum<PoseOpKind> =
                                             {PoseOpKind::add_to_rest, SINEW_OP_ADD_TO_REST},
                                             {PoseOpKind::add, SINEW_OP_ADD},
                                             {PoseOpKind::override_joints, SINEW_OP_OVERRIDE_JOINTS},
-                                            {PoseOpKind::procedure, SINEW_OP_PROCEDURE}});
+                                            {PoseOpKind::procedure, SINEW_OP_PROCEDURE},
+                                            {PoseOpKind::inertialize, SINEW_OP_INERTIALIZE},
+                                            {PoseOpKind::dead_blend, SINEW_OP_DEAD_BLEND},
+                                            {PoseOpKind::cached, SINEW_OP_CACHED}});
 
 template <>
 inline constexpr auto kEnum<OverrideSpace> = enum_values<OverrideSpace, sinew_override_space>(

@@ -102,8 +102,13 @@ void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) no
 /// in   ops  operations of a program that run
 PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, std::size_t ops,
                    FrameWork& work) noexcept {
-  const PoseStep pose_step{
-      .given_weights = input.weights, .memory = step.memory, .has_base = step.reuse.stands().base_pose, .end = ops};
+  const WhatStands& stands = step.reuse.stands();
+  const PoseStep pose_step{.given_weights = input.weights,
+                           .memory = step.memory,
+                           .has_base = stands.base_pose,
+                           .end = ops,
+                           .last = stands.program,
+                           .kept = step.tables.kept};
   if (!input.program.empty()) return evaluate_program(plan, input, pose_step, work);
   return plan.interpolate ? interpolate_poses(plan, input, step, work)
                           : evaluate_layers(plan, input.layers, pose_step, work);
@@ -170,7 +175,8 @@ void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameM
   const FrameStep step{memory, reuse, reuse.tables(), past_caches};
   FrameWork work(step.tables.stage_ns, result.work);
   if (!input.program.empty())
-    evaluate_program(plan, input, {.given_weights = input.weights, .memory = memory, .first = ops}, work);
+    evaluate_program(plan, input,
+                     {.given_weights = input.weights, .memory = memory, .first = ops, .kept = step.tables.kept}, work);
   run_stages_after_pose(plan, input, step, memory.of(plan.layout.pose.pose), work, result);
 }
 

@@ -100,11 +100,19 @@ PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, con
   const ReadProperties properties(input.program, plan.properties);
   const std::span<const Clip* const> pages = input.program_inputs.pages;
   const std::size_t end = std::min(step.end, input.program.size());
+  const StandingOperands operands(input.program, properties, step.last, step.kept);
   for (std::size_t i = 0; i < end; ++i) {
-    if (i < step.first)
-      machine.skip(input.program[i]);
-    else
-      machine.run(input.program[i], {.page = pages.empty() ? nullptr : pages[i], .with_properties = properties.of(i)});
+    const PoseOp& op = input.program[i];
+    if (i < step.first || operands.skips(i)) {
+      machine.skip(op);
+      continue;
+    }
+    PoseMachine::Step of_op{.page = pages.empty() ? nullptr : pages[i], .with_properties = properties.of(i)};
+    if (kept_operands_of(op) > 0) {
+      of_op.kept = operands.place(i);
+      of_op.kept_stands = operands.stands(i);
+    }
+    machine.run(op, of_op);
   }
   return machine.top().pose;
 }

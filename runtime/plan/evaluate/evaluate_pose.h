@@ -6,6 +6,7 @@
 #include "runtime/plan/evaluate/frame_work.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -15,6 +16,8 @@ struct PoseStep {
   FrameMemory memory = {};
   bool has_base = false;  ///< the memory has a pose of the one clip that plays: only its tracks are sampled
   std::size_t first = 0, end = kMostPoseOps;  ///< operations of a program to run, as in PoseProgramJob
+  LastProgram last = {};                      ///< the last run into the memory
+  std::span<KeptOperands> kept = {};          ///< FrameTables::kept
 };
 
 /// Stages sample, mirror, blend, add and properties: the local pose, morph weights and property values of one frame.

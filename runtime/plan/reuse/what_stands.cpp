@@ -62,6 +62,15 @@ bool had_same_program(const LastFrame& frame, const FrameInput& input) noexcept 
          has_versions(input.program_inputs, frame.tables.input_versions.first(frame.input.version_count));
 }
 
+/// Kept operands lack morph weights where the input gave all of them.
+LastProgram find_last_program(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last) noexcept {
+  if (input.program.empty() || last.tables.kept.empty()) return {};
+  if (input.weights.empty() != (last.input.weight_count == 0)) return {};
+  return {last.tables.input_program.first(last.input.op_count),
+          has_versions(input.program_inputs, last.tables.input_versions.first(last.input.version_count)),
+          plan.masks.size()};
+}
+
 }  // namespace
 
 bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
@@ -93,6 +102,7 @@ WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, c
       input.program.empty() && last.input.op_count == 0 && plays_alone(input.layers) && plays_alone(last_layers);
   stands.matrices = find_standing_matrices(plan, input, last_layers, last.input, both_alone);
   const std::uint32_t clip = playing_clip(input.layers);
+  stands.program = find_last_program(plan, input, last);
   stands.base_pose = both_alone && clip != kNone && clip == playing_clip(last_layers);
   return stands;
 }

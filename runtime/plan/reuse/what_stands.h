@@ -5,6 +5,7 @@
 #include "runtime/plan/frame_buffer.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_tables.h"
+#include "runtime/pose_program/standing_operands.h"
 
 namespace sinew {
 
@@ -20,7 +21,8 @@ struct WhatStands {
   bool all = false;               ///< the memory holds the result of this very input
   bool all_since_before = false;  ///< the character's frame before had this input too, perhaps in other memory
   StandingMatrices matrices = StandingMatrices::none;
-  bool base_pose = false;  ///< the pose is of the one clip that plays now too: only its tracks need be sampled
+  LastProgram program = {};  ///< whose kept operands the memory has
+  bool base_pose = false;    ///< the pose is of the one clip that plays now too: only its tracks need be sampled
 };
 
 /// The last run into some memory.

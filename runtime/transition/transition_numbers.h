@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// What stays the same during a transition: numbers of the poses at its start. Its content is private to the two kinds
+/// of transitions; each documents its own planes.
+/// owns  nothing: a view of floats_for(...) floats, 64-byte aligned
+struct TransitionNumbers {
+  static constexpr std::size_t kPlanes = 21;  ///< of joints, as long as those of a pose
+  static constexpr std::size_t kParts = 3;    ///< floats for each morph weight and property
+
+  float* planes = nullptr;
+  std::size_t joint_count = 0;
+  std::span<float> weights, properties;  ///< [kParts W], [kParts P]; empty: not wanted
+
+  std::size_t stride() const noexcept { return PoseSpan::stride_for(joint_count); }
+  float* plane(std::size_t p) const noexcept { return planes + p * stride(); }
+};
+
+/// A pose with its morph weights and properties. Those of one transition are of equal sizes.
+struct TransitionPose {
+  PoseSpan pose;
+  std::span<float> weights, properties;
+};
+
+}  // namespace sinew
