@@ -173,8 +173,8 @@ class GraphChecker {
       want(t.to < m.state_count, ErrorCode::index_out_of_range, "its target is no state of the machine");
       want(t.duration_s >= 0.0f && t.duration_s <= 3600.0f, ErrorCode::too_large, "it does not last 0 to 3600 s");
       want(t.fade <= GraphFade::ease_out && t.interruption <= GraphInterruption::target_then_source &&
-               t.sync <= GraphSync::locked,
-           ErrorCode::unsupported, "its fade, interruption or synchronisation is unknown");
+               t.sync <= GraphSync::locked && t.kind <= GraphTransitionKind::dead_blend,
+           ErrorCode::unsupported, "its kind, fade, interruption or synchronisation is unknown");
       want(in_table(t_.conditions, t.first_condition, t.condition_count), ErrorCode::index_out_of_range,
            "its conditions do not exist");
       if (!is_sound()) return;

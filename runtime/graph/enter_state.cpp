@@ -91,6 +91,7 @@ void forget(const MachineSlots& slots, std::size_t first, std::size_t count) noe
 }
 
 std::size_t slot_that_weighs_least(const LiveGraph& live, const MachineSlots& slots) noexcept {
+  if (live.first_playing(slots, slots.depth()) > 0) return 0;  // the oldest offset has decayed most
   std::size_t least = 0;
   float rest = 1.0f, lowest = 2.0f;
   for (std::size_t i = slots.depth(); i-- > 0;) {
@@ -171,10 +172,12 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
   SlotState slot{.state = next.to, .transition = next.transition, .from = next.from};
   GraphTicks duration = 0;
   GraphSync sync = GraphSync::none;
+  auto kind = GraphTransitionKind::cross_fade;
   if (next.transition != kNoGraphIndex) {
     const GraphTransition& transition = t.transitions[next.transition];
     duration = ticks_of(decimal_of(transition.duration_s));
     sync = transition.sync;
+    kind = live.kind_of(transition);
     for (std::size_t c = 0; c < transition.condition_count; ++c) {
       const GraphCondition& condition = t.conditions[transition.first_condition + c];
       if (condition.kind == GraphConditionKind::trigger) triggers |= std::uint64_t{1} << condition.parameter;
@@ -200,15 +203,29 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
   if (sync != GraphSync::none && source.state != nullptr)
     start_in_phase(driver_of(live, t.states[machine.machine->first_state + slot.state].node, slots.inside(index)),
                    source);
+  if (slot.whole == 0 && kind != GraphTransitionKind::cross_fade) {
+    std::memcpy(slots.started(index), slots.inside(index), slots.largest_state);
+    for (std::size_t p = 0; p < t.parameters.size(); ++p)
+      slots.started_parameters(index)[p] = live.value_of(static_cast<GraphIndex>(p));
+  }
 }
 
 bool end_fades(const LiveGraph& live, const LiveMachine& machine) noexcept {
-  for (std::size_t i = machine.slots.depth(); i-- > 1;) {
-    SlotState& slot = machine.slots.slot(i);
-    if (slot.whole == 0 && slot.time >= ticks_of(decimal_of(live.tables().transitions[slot.transition].duration_s))) {
-      forget(machine.slots, 0, i);
-      return true;
-    }
+  const MachineSlots& slots = machine.slots;
+  const auto is_over = [&](const SlotState& slot) { return slot.whole == 0 && slot.time >= live.duration_of(slot); };
+  for (std::size_t i = slots.depth(); i-- > machine.first + 1;) {
+    if (!is_over(slots.slot(i))) continue;
+    slots.slot(i).whole = 1;
+    // A cut stays in its slot, below the state that is now seen alone.
+    const std::size_t kept = machine.first == 0 ? 0 : machine.first + 1;
+    if (i > kept) forget(slots, kept, i - kept);
+    return true;
+  }
+  for (std::size_t i = 1; i < slots.depth(); ++i) {
+    if (!live.is_cut(slots.slot(i))) continue;
+    if (!is_over(slots.slot(i))) return false;
+    forget(slots, 0, i);
+    return true;
   }
   return false;
 }

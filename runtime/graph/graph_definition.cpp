@@ -89,6 +89,7 @@ tl::expected<GraphDefinition, GraphFault> GraphDefinition::make(GraphTables tabl
   graph.state_bytes_ = demand.bytes;
   graph.room_.ops = demand.ops + 1;
   graph.room_.slots = demand.slots;
+  graph.room_.kept = demand.kept;
   graph.room_.overlays_in_model_space = demand.in_model_space;
   for (const GraphNode& node : tables.nodes)
     if (node.kind == GraphNodeKind::external)
@@ -98,6 +99,7 @@ tl::expected<GraphDefinition, GraphFault> GraphDefinition::make(GraphTables tabl
   graph.signature_ = signature_of(tables, layout);
   graph.offsets_ = std::move(layout.offsets);
   graph.largest_states_ = std::move(layout.largest_states);
+  graph.slot_bytes_ = std::move(layout.slot_bytes);
   graph.tables_ = std::move(tables);
   return graph;
 }

@@ -100,6 +100,8 @@ class SINEW_API GraphDefinition {
   std::uint32_t offset_of(GraphIndex node) const noexcept { return offsets_[node]; }
   /// Bytes of the largest state of a machine, with all that lies below it.
   std::uint32_t largest_state(GraphIndex machine) const noexcept { return largest_states_[machine]; }
+  /// Bytes of a slot of a machine: a state that plays or fades.
+  std::uint32_t slot_bytes(GraphIndex machine) const noexcept { return slot_bytes_[machine]; }
 
   /// kNoGraphIndex if there is none.
   GraphIndex find_parameter(std::string_view name) const noexcept;
@@ -107,7 +109,7 @@ class SINEW_API GraphDefinition {
 
  private:
   GraphTables tables_;
-  std::vector<std::uint32_t> offsets_, largest_states_;
+  std::vector<std::uint32_t> offsets_, largest_states_, slot_bytes_;
   std::size_t state_bytes_ = 0;
   PoseProgramRoom room_;
   std::uint32_t signature_ = 0;

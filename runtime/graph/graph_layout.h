@@ -16,6 +16,7 @@ struct GraphDemand {
   std::uint32_t operands = 0;  ///< poses that it leaves
   std::uint32_t slots = 0;     ///< poses on the stack while it runs
   std::uint32_t machines = 0;
+  std::uint32_t kept = 0;  ///< operations that keep their operands' work
   bool in_model_space = false;
 };
 
@@ -23,6 +24,7 @@ struct GraphDemand {
 struct GraphLayout {
   std::vector<std::uint32_t> offsets;         ///< [nodes]
   std::vector<std::uint32_t> largest_states;  ///< [machines]
+  std::vector<std::uint32_t> slot_bytes;      ///< [machines]
   GraphDemand demand;                         ///< of the root
 };
 

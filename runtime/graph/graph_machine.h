@@ -31,7 +31,7 @@ struct GraphCondition {
 /// state may, too.
 enum class GraphInterruption : std::uint8_t {
   none,
-  source,              ///< transitions of the state that is left, as long as it is seen
+  source,              ///< transitions of the state that is left, as long as it plays
   target,              ///< transitions of the state that is entered
   source_then_target,  ///< both; at the same moment those of the source win
   target_then_source,
@@ -53,6 +53,13 @@ enum class GraphSync : std::uint8_t {
   locked,  ///< as start, and both play with the weighted mean of their lengths while they fade
 };
 
+/// How a transition gets from the old state to the new one.
+enum class GraphTransitionKind : std::uint8_t {
+  cross_fade,   ///< both play, mixed by `fade`
+  inertialize,  ///< the new state plays at once; the old pose's offset and velocity decay (PoseOpKind::inertialize)
+  dead_blend,   ///< the old pose goes on by its velocity and is mixed with the new state (PoseOpKind::dead_blend)
+};
+
 /// A transition. Of those that can be taken at the earliest moment the smallest priority wins. Among equal ones a
 /// state's own come before those of any state, and the last declared wins.
 struct GraphTransition {
@@ -61,6 +68,8 @@ struct GraphTransition {
   GraphIndex to = 0;                                    ///< state of the machine
   GraphIndex first_condition = 0, condition_count = 0;  ///< none: at once
   GraphFade fade = GraphFade::smooth;
+  /// Where clips move the character, all kinds are cross-fades: their places differ by metres, which must not decay.
+  GraphTransitionKind kind = GraphTransitionKind::cross_fade;
   GraphInterruption interruption = GraphInterruption::target;
   GraphSync sync = GraphSync::none;
   bool ordered = false;  ///< of the source's transitions only those with a smaller priority may interrupt this one

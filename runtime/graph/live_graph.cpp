@@ -16,15 +16,34 @@ constexpr double kShortestRound = 0.001 * static_cast<double>(kTicksPerSecond);
 }  // namespace
 
 double LiveMotion::time_s(const LiveSample& sample, std::int64_t position) const noexcept {
-  if (is_space) return std::ldexp(static_cast<double>(position), -kPhaseBits) * sample.entry->duration_s;
-  return std::ldexp(static_cast<double>(position), -kClipBits) / static_cast<double>(kTicksPerSecond);
+  if (is_space) return static_cast<double>(position) * kRoundsOfPhase * sample.entry->duration_s;
+  return static_cast<double>(position) * kTicksOfClip / static_cast<double>(kTicksPerSecond);
 }
 
-void LiveGraph::open() noexcept {
+std::int64_t LiveMotion::position_at(GraphTicks ahead) const noexcept {
+  if (ahead == 0 || period == 0) return state->position;
+  const std::int64_t position = state->position + step * ahead;
+  if (!loop) return std::clamp(position, std::int64_t{0}, period);
+  const std::int64_t rest = position % period;
+  return rest < 0 ? rest + period : rest;
+}
+
+void LiveGraph::clear() noexcept {
   motion_count_ = sample_count_ = machine_count_ = root_samples_ = 0;
   plays_in_step_ = false;
   moves_root_ = true;
-  open_node(tables_.root, state_);
+}
+
+void LiveGraph::open() noexcept { open_only(tables_.root, state_); }
+
+void LiveGraph::open_only(GraphIndex node, std::byte* base) noexcept {
+  clear();
+  open_node(node, base);
+}
+
+void LiveGraph::open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept {
+  clear();
+  open_machine(node, base, end);
 }
 
 std::uint16_t LiveGraph::open_node(GraphIndex node, std::byte* base) noexcept {
@@ -32,7 +51,7 @@ std::uint16_t LiveGraph::open_node(GraphIndex node, std::byte* base) noexcept {
   switch (tables_.nodes[node].kind) {
     case GraphNodeKind::clip: return open_clip(node, base);
     case GraphNodeKind::blend_space: return open_space(node, base);
-    case GraphNodeKind::machine: return open_machine(node, base);
+    case GraphNodeKind::machine: return open_machine(node, base, slots_of(node, base).depth());
     case GraphNodeKind::select: {
       std::byte* const own = base + graph_.offset_of(node);
       return open_node(tables_.children[tables_.selects[s].first_child + block_at<SelectState>(own).child],
@@ -69,7 +88,7 @@ std::uint16_t LiveGraph::open_clip(GraphIndex node, std::byte* base) noexcept {
   LiveMotion& motion = motions_[motion_count_];
   motion.state = &block_at<MotionState>(base + graph_.offset_of(node));
   motion.period = entry.period;
-  motion.own_step = entry.period > 0 ? std::llround(std::ldexp(speed, kClipBits)) : 0;
+  motion.own_step = entry.period > 0 ? std::llround(speed / kTicksOfClip) : 0;
   motion.step = motion.own_step;
   motion.length =
       motion.own_step != 0 ? static_cast<double>(entry.period) / std::fabs(static_cast<double>(motion.own_step)) : 0.0;
@@ -100,7 +119,7 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
     samples_[sample_count_++] = {&entry, weights[i], clip.clip, clip.mirror};
     const double speed = speed_of(clip), weight = static_cast<double>(weights[i]);
     if (entry.period == 0 || speed == 0.0) continue;
-    length += weight * std::ldexp(static_cast<double>(entry.period), -kClipBits) / std::fabs(speed);
+    length += weight * static_cast<double>(entry.period) * kTicksOfClip / std::fabs(speed);
     moving += weight;
     direction += weight * speed;
   }
@@ -118,19 +137,26 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
   return static_cast<std::uint16_t>(motion_count_++);
 }
 
-std::uint16_t LiveGraph::open_machine(GraphIndex node, std::byte* base) noexcept {
+std::size_t LiveGraph::first_playing(const MachineSlots& slots, std::size_t end) const noexcept {
+  for (std::size_t i = end; i-- > 1;)
+    if (is_cut(slots.slot(i))) return i;
+  return 0;
+}
+
+std::uint16_t LiveGraph::open_machine(GraphIndex node, std::byte* base, std::size_t end) noexcept {
   LiveMachine& live = machines_[machine_count_++];
   live.machine = &tables_.machines[tables_.nodes[node].settings];
   live.slots = slots_of(node, base);
   live.node = node;
-  const std::size_t depth = live.slots.depth();
-  for (std::size_t i = 0; i < depth; ++i) {
+  live.first = first_playing(live.slots, end);
+  for (std::size_t i = 0; i < live.first; ++i) live.driver[i] = kNoMotion;
+  for (std::size_t i = live.first; i < end; ++i) {
     const SlotState& slot = live.slots.slot(i);
     live.driver[i] = open_node(tables_.states[live.machine->first_state + slot.state].node, live.slots.inside(i));
-    if (i == 0 || slot.whole != 0) continue;
-    if (tables_.transitions[slot.transition].sync == GraphSync::locked) plays_in_step_ = true;
+    if (i > live.first && slot.whole == 0 && tables_.transitions[slot.transition].sync == GraphSync::locked)
+      plays_in_step_ = true;
   }
-  return live.driver[depth - 1];
+  return live.driver[end - 1];
 }
 
 GraphIndex LiveGraph::choice_of(const GraphSelect& select) const noexcept {
@@ -148,9 +174,9 @@ float LiveGraph::weight_of(const GraphLayer& layer) const noexcept {
 
 float LiveGraph::fade_of(const SlotState& slot, GraphTicks ahead) const noexcept {
   if (slot.whole != 0) return 1.0f;
-  const GraphTransition& transition = tables_.transitions[slot.transition];
-  const double ticks = static_cast<double>(ticks_of(decimal_of(transition.duration_s)));
-  return static_cast<float>(fade_share(transition.fade, static_cast<double>(slot.time + ahead) / ticks));
+  const GraphFade fade = is_cut(slot) ? GraphFade::smoother : tables_.transitions[slot.transition].fade;
+  const auto u = static_cast<double>(slot.time + ahead) / static_cast<double>(duration_of(slot));
+  return static_cast<float>(fade_share(fade, u));
 }
 
 void LiveGraph::weigh(GraphTicks ahead) noexcept {
@@ -202,7 +228,7 @@ void LiveGraph::weigh_node(GraphIndex node, std::byte* base, float weight, float
         shares[i] = rest * fade;
         rest *= 1.0f - fade;
       }
-      for (std::size_t i = 0; i < slots.depth(); ++i)
+      for (std::size_t i = first_playing(slots, slots.depth()); i < slots.depth(); ++i)
         weigh_node(tables_.states[machine.first_state + slots.slot(i).state].node, slots.inside(i), weight * shares[i],
                    root_weight * shares[i]);
       return;
@@ -217,11 +243,11 @@ void LiveGraph::match_lengths(GraphTicks ahead) noexcept {
   for (const LiveMachine& live : machines()) {
     const auto is_locked = [&](std::size_t i) {
       const SlotState& slot = live.slots.slot(i);
-      return i > 0 && slot.whole == 0 && tables_.transitions[slot.transition].sync == GraphSync::locked &&
+      return i > live.first && slot.whole == 0 && tables_.transitions[slot.transition].sync == GraphSync::locked &&
              live.driver[i] != kNoMotion && live.driver[i - 1] != kNoMotion && motions_[live.driver[i]].length > 0.0 &&
              motions_[live.driver[i - 1]].length > 0.0;
     };
-    for (std::size_t first = 0, end = 1; first < live.slots.depth(); first = end) {
+    for (std::size_t first = live.first, end = 1; first < live.slots.depth(); first = end) {
       double length = live.driver[first] == kNoMotion ? 0.0 : motions_[live.driver[first]].length;
       for (end = first + 1; end < live.slots.depth() && is_locked(end); ++end) {
         const double share = static_cast<double>(fade_of(live.slots.slot(end), ahead));

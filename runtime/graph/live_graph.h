@@ -8,6 +8,7 @@
 #include "runtime/graph/graph_clips.h"
 #include "runtime/graph/graph_definition.h"
 #include "runtime/graph/graph_layout.h"
+#include "runtime/graph/graph_time.h"
 #include "runtime/graph/state_blocks.h"
 
 namespace sinew {
@@ -37,6 +38,8 @@ struct LiveMotion {
 
   /// Clip time of a sample at a position.
   double time_s(const LiveSample& sample, std::int64_t position) const noexcept;
+  /// Position `ahead` ticks from now, or before.
+  std::int64_t position_at(GraphTicks ahead) const noexcept;
 };
 
 /// A machine that plays, and what its transitions do next.
@@ -44,6 +47,7 @@ struct LiveMachine {
   const GraphMachine* machine;
   MachineSlots slots;
   GraphIndex node;
+  std::size_t first;  ///< slot that plays; those below stand still in a transition without a cross-fade
   std::array<std::uint16_t, kMostGraphFades + 1> driver;  ///< main motion of each slot, or kNoMotion
 };
 
@@ -58,6 +62,9 @@ class LiveGraph {
 
   /// Makes the lists anew.
   void open() noexcept;
+  /// Makes lists of a node alone, or of the slots [0, end) of a machine.
+  void open_only(GraphIndex node, std::byte* base) noexcept;
+  void open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept;
   /// Weighs all motions as they are `ahead` ticks from now.
   void weigh(GraphTicks ahead) noexcept;
   /// Steps of motions that play in step, by their weights `ahead` ticks from now.
@@ -79,10 +86,23 @@ class LiveGraph {
   float value_of(GraphIndex parameter) const noexcept { return parameters_[parameter]; }
 
   MachineSlots slots_of(GraphIndex node, std::byte* base) const noexcept {
-    return {base + graph_.offset_of(node), slot_bytes(graph_.largest_state(tables_.nodes[node].settings))};
+    const GraphIndex machine = tables_.nodes[node].settings;
+    return {base + graph_.offset_of(node), graph_.slot_bytes(machine), graph_.largest_state(machine)};
   }
   GraphIndex choice_of(const GraphSelect& select) const noexcept;
   float weight_of(const GraphLayer& layer) const noexcept;
+  GraphTransitionKind kind_of(const GraphTransition& transition) const noexcept {
+    return clips_.any_root() ? GraphTransitionKind::cross_fade : transition.kind;
+  }
+  bool is_cut(const SlotState& slot) const noexcept {
+    return slot.whole == 0 && kind_of(tables_.transitions[slot.transition]) != GraphTransitionKind::cross_fade;
+  }
+  /// The first slot that plays of the slots [0, end): the uppermost cut. Those below it stand still.
+  std::size_t first_playing(const MachineSlots& slots, std::size_t end) const noexcept;
+  /// Time of the fade or transition of a slot that is not whole.
+  GraphTicks duration_of(const SlotState& slot) const noexcept {
+    return ticks_of(decimal_of(tables_.transitions[slot.transition].duration_s));
+  }
   /// Share of the slot's state in the mix of it and those below.
   float fade_of(const SlotState& slot, GraphTicks ahead) const noexcept;
 
@@ -90,7 +110,8 @@ class LiveGraph {
   std::uint16_t open_node(GraphIndex node, std::byte* base) noexcept;
   std::uint16_t open_clip(GraphIndex node, std::byte* base) noexcept;
   std::uint16_t open_space(GraphIndex node, std::byte* base) noexcept;
-  std::uint16_t open_machine(GraphIndex node, std::byte* base) noexcept;
+  std::uint16_t open_machine(GraphIndex node, std::byte* base, std::size_t end) noexcept;
+  void clear() noexcept;
   void weigh_node(GraphIndex node, std::byte* base, float weight, float root_weight) noexcept;
   double speed_of(const GraphClipNode& clip) const noexcept;
 

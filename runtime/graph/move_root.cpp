@@ -2,9 +2,9 @@
 #include "runtime/graph/move_root.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
+#include "runtime/graph/raw_array.h"
 #include "runtime/graph/rigid_exponential.h"
 #include "runtime/graph/whole_division.h"
 
@@ -86,7 +86,7 @@ DualQuatd move_root(LiveGraph& live, GraphTicks ticks) noexcept {
 }
 
 DualQuatd root_place_now(LiveGraph& live) noexcept {
-  std::array<RootShare, kMostPoseOps> shares;
+  RawArray<RootShare, kMostPoseOps> shares;
   std::size_t count = 0;
   live.weigh(0);
   for (const LiveMotion& motion : live.motions()) {
@@ -98,7 +98,7 @@ DualQuatd root_place_now(LiveGraph& live) noexcept {
         share.place = sample.entry->root->place(motion.time_s(sample, motion.state->position));
         if (sample.mirror) share.place = mirrored_motion(share.place, live.clips().mirror_normal());
       }
-      shares[count++] = share;
+      shares.put(count++, share);
     }
   }
   if (count == 1) return shares[0].place;

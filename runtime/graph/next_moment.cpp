@@ -193,8 +193,8 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
     if (by == GraphInterruption::source_then_target) own.rank = 2;
     choice.consider(any);
     std::size_t below = depth - 1;  // slot of the source plus one
-    while (below > 0 && machine.slots.slot(below - 1).state != top.from) --below;
-    if (from_source && below > 0) {
+    while (below > machine.first && machine.slots.slot(below - 1).state != top.from) --below;
+    if (from_source && below > machine.first) {
       const GraphMachineState& source = live.tables().states[m.first_state + top.from];
       const int rank = by == GraphInterruption::target_then_source ? 2 : 0;
       GraphTicks seen = left;  // the source is, until a fade above it ends
@@ -221,11 +221,12 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
 
 GraphTicks next_fade_end(const LiveGraph& live, const LiveMachine& machine) noexcept {
   GraphTicks next = kNever;
+  bool lowest = true;  // of the cuts: only its end changes the slots
   for (std::size_t i = 1; i < machine.slots.depth(); ++i) {
     const SlotState& slot = machine.slots.slot(i);
-    if (slot.whole == 0)
-      next =
-          std::min(next, std::max(GraphTicks{0}, duration_of(live.tables().transitions[slot.transition]) - slot.time));
+    if (live.is_cut(slot) ? !lowest : i < machine.first || slot.whole != 0) continue;
+    if (live.is_cut(slot)) lowest = false;
+    next = std::min(next, std::max(GraphTicks{0}, live.duration_of(slot) - slot.time));
   }
   return next;
 }

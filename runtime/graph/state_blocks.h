@@ -31,6 +31,7 @@ struct MotionState {
 };
 static_assert(sizeof(MotionState) == 16);
 inline constexpr int kClipBits = 20, kPhaseBits = 58;
+inline constexpr double kTicksOfClip = 0x1p-20, kRoundsOfPhase = 0x1p-58;  ///< of one unit
 inline constexpr std::int64_t kPhasePeriod = std::int64_t{1} << kPhaseBits;
 
 /// Of a select. The child's state follows.
@@ -57,23 +58,31 @@ struct SlotState {
 };
 static_assert(sizeof(SlotState) == 16);
 
-inline std::size_t slot_bytes(std::uint32_t largest_state) noexcept { return sizeof(SlotState) + largest_state; }
+/// Bytes of the parameters' values that a slot keeps, a multiple of 8.
+inline std::uint32_t kept_parameter_bytes(std::size_t parameters) noexcept {
+  return static_cast<std::uint32_t>((parameters * sizeof(float) + 7) / 8 * 8);
+}
 
 template <class Block>
 Block& block_at(std::byte* memory) noexcept {
   return *reinterpret_cast<Block*>(memory);
 }
 
-/// The slots of one machine.
+/// The slots of one machine. Of machines that inertialize or dead-blend, each slot also keeps its state as it started,
+/// and the parameters at that moment.
 struct MachineSlots {
   std::byte* memory;  ///< of the machine
-  std::size_t stride;
+  std::size_t stride, largest_state;
 
   MachineState& head() const noexcept { return block_at<MachineState>(memory); }
   std::byte* at(std::size_t slot) const noexcept { return memory + sizeof(MachineState) + slot * stride; }
   SlotState& slot(std::size_t index) const noexcept { return block_at<SlotState>(at(index)); }
   /// The memory in which the node of a slot lies.
   std::byte* inside(std::size_t slot) const noexcept { return at(slot) + sizeof(SlotState); }
+  std::byte* started(std::size_t slot) const noexcept { return inside(slot) + largest_state; }
+  float* started_parameters(std::size_t slot) const noexcept {
+    return reinterpret_cast<float*>(started(slot) + largest_state);
+  }
   std::size_t depth() const noexcept { return head().depth; }
   SlotState& top() const noexcept { return slot(depth() - 1); }
 };

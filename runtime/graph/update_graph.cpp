@@ -2,7 +2,6 @@
 #include "runtime/graph/update_graph.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -11,6 +10,7 @@
 #include "runtime/graph/move_root.h"
 #include "runtime/graph/next_moment.h"
 #include "runtime/graph/play_motions.h"
+#include "runtime/graph/raw_array.h"
 #include "runtime/graph/write_program.h"
 
 namespace sinew {
@@ -78,7 +78,8 @@ class GraphUpdate {
       play_piece(piece);
       left -= piece;
       for (const LiveMachine& machine : live_.machines())
-        for (std::size_t i = 0; i < machine.slots.depth(); ++i) machine.slots.slot(i).time += piece;
+        for (std::size_t i = 0; i < machine.slots.depth(); ++i)
+          if (SlotState& slot = machine.slots.slot(i); i >= machine.first || live_.is_cut(slot)) slot.time += piece;
       if (pass_moment(piece)) {
         live_.open();
       } else if (left == 0) {
@@ -94,7 +95,7 @@ class GraphUpdate {
     const bool may_take = taken_ < kMostGraphTransitions;
     GraphTicks first = piece;
     for (std::size_t m = 0; m < machines.size(); ++m) {
-      next_[m] = may_take ? next_transition(live_, live_.motions(), machines[m], piece) : NextTransition{};
+      next_.put(m, may_take ? next_transition(live_, live_.motions(), machines[m], piece) : NextTransition{});
       first = std::min({first, next_[m].in, next_fade_end(live_, machines[m])});
     }
     return first;
@@ -134,7 +135,7 @@ class GraphUpdate {
   GraphStep& step_;
   GraphEventLog log_;
   std::uint32_t taken_ = 0;
-  std::array<NextTransition, kMostLiveMachines> next_;
+  RawArray<NextTransition, kMostLiveMachines> next_;  // [machines]
 };
 
 ErrorCode check_assets(const GraphDefinition* graph, const GraphClipSet* clips, std::span<const float> parameters,

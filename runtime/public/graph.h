@@ -19,4 +19,5 @@
 #include "runtime/graph/graph_builder.h"
 #include "runtime/graph/graph_clips.h"
 #include "runtime/graph/graph_definition.h"
+#include "runtime/graph/read_graph_state.h"
 #include "runtime/graph/update_graph.h"

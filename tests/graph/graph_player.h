@@ -48,7 +48,8 @@ class GraphPlayer {
   std::string_view active() {
     const GraphTables& t = graph_.tables();
     const GraphIndex machine = t.nodes[t.root].settings;
-    const MachineSlots slots{state().data() + graph_.offset_of(t.root), slot_bytes(graph_.largest_state(machine))};
+    const MachineSlots slots{state().data() + graph_.offset_of(t.root), graph_.slot_bytes(machine),
+                             graph_.largest_state(machine)};
     return t.name_at(t.states[t.machines[machine].first_state + slots.top().state].name);
   }
 
