@@ -5,6 +5,7 @@
 set(sinew_public_headers
   animation.h       runtime/public/animation.h
   asset_file.h      runtime/public/asset_file.h
+  blend_space.h     runtime/blend_space/blend_space.h
   clip.h            runtime/public/clip.h
   clip_file.h       runtime/clip/clip_file.h
   clip_library.h    runtime/public/clip_library.h
@@ -34,6 +35,7 @@ set(sinew_public_headers
   retarget.h        runtime/public/retarget.h
   scene.h           runtime/public/scene.h
   skeleton.h        runtime/public/skeleton.h
+  sync.h            runtime/sync/sync_group.h
   update_rates.h    runtime/public/update_rates.h
   sinew.h           runtime/sinew.h
   sinew_assets.h    runtime/c_assets/sinew_assets.h

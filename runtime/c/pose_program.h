@@ -25,26 +25,26 @@ typedef enum sinew_op_kind {
   SINEW_OP_ADD = 9,               ///< adds the difference of the second pose from the topmost to the third
   SINEW_OP_OVERRIDE_JOINTS = 10,  ///< sets joints of the topmost pose to the transforms of override `index`
   SINEW_OP_PROCEDURE = 11,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs
-  SINEW_OP_INERTIALIZE = 12,      ///< adds to the fifth pose from the top how source and target differed: target now,
-                                  ///< source at the start, source one step before, target at the start, target one
-                                  ///< step before
-  SINEW_OP_DEAD_BLEND = 13,       ///< fades the source, which goes on by itself, into the target: target now, source
-                                  ///< at the start, source one step before
+  SINEW_OP_INERTIALIZE = 12,      ///< a transition: adds the offset that source and target had at its start, while it
+                                  ///< decays
+  SINEW_OP_DEAD_BLEND = 13,       ///< a transition: fades the source, which goes on by itself, into the target
   SINEW_OP_CACHED = 14            ///< the topmost pose, kept while the operations that make it are the same
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
 #define SINEW_MOST_OPS 255u  ///< of one program
 
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
-/// is the upper pose, in an addition the layer. This struct never grows: its 16 bytes may be stored and sent.
+/// is the upper pose, in an addition the layer. Operands of transitions, the lowest first: the target's pose now, the
+/// source's pose at the start and one step before. SINEW_OP_INERTIALIZE also takes the target's pose at the start and
+/// one step before. This struct never grows: its 16 bytes may be stored and sent.
 typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1]; if the weights sum to less, the rest
-                   ///< pose gets the remainder;  override, procedure: its share in [0, 1];  transitions: progress
+                   ///< pose gets the remainder;  override, procedure: its share in [0, 1].  transitions: their progress
                    ///< in [0, 1]
   float weight;    ///< finite, >= 0
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;
-                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own;  transitions: steps
-                   ///< in the duration, >= 1
+                   ///< additions: 0 to turn joints in their parent's frame, 1 in their own.  transitions: steps
+                   ///< in the duration, >= 1. A step of 0.1 to 1 ms measures velocities well
   uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
                    ///< (sinew_program_inputs.masks) follow those of sinew_needs
   uint8_t kind;    ///< sinew_op_kind

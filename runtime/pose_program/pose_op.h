@@ -20,16 +20,16 @@ enum class PoseOpKind : std::uint8_t {
   add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
   procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
-  inertialize,      ///< adds to the fifth pose from the top how source and target differed: target now, source at the
-                    ///< start, source one step before, target at the start, target one step before
-  dead_blend,       ///< fades the source, which goes on by itself, into the target: target now, source at the start,
-                    ///< source one step before
+  inertialize,      ///< a transition: adds the offset that source and target had at its start, while it decays
+  dead_blend,       ///< a transition: fades the source, which goes on by itself, into the target
   cached,           ///< the topmost pose, which frames keep as long as the operations that make it are the same
 };
 
 /// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
 /// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
-/// Transitions ignore the weights and masks of their operands.
+/// Operands of transitions, the lowest first: the target's pose now, the source's pose at the start and one step
+/// before. `inertialize` also takes the target's pose at the start and one step before. Their weights and masks do not
+/// count.
 struct PoseOp {
   double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share;
                         ///< transitions: progress in [0, 1], the share of the duration that has passed

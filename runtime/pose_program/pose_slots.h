@@ -62,7 +62,7 @@ class PoseSlots {
     return {at<glm::quat>(layout_.model_rotations), 3 * layout_.joints};
   }
 
-  /// What kept operation `index` keeps.
+  /// Memory of the kept operation `index`.
   TransitionNumbers kept(std::size_t index) const noexcept;
 
  private:

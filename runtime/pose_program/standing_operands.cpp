@@ -10,8 +10,8 @@ namespace {
 /// For each kept operation, the first operation of those that make its kept operands.
 using Firsts = std::array<std::uint8_t, kMostPoseOps>;
 
-Firsts find_firsts(PoseProgramSpan program) noexcept {
-  Firsts firsts{};
+/// out  firsts  of kept operations alone
+void find_firsts(PoseProgramSpan program, Firsts& firsts) noexcept {
   std::array<std::uint8_t, kMostPoseOps> starts;  // of the operations behind each pose on the stack
   std::size_t depth = 0;
   for (std::size_t i = 0; i < program.size(); ++i) {
@@ -20,7 +20,6 @@ Firsts find_firsts(PoseProgramSpan program) noexcept {
     if (taken == 0) starts[depth] = static_cast<std::uint8_t>(i);
     depth = depth - taken + 1;
   }
-  return firsts;
 }
 
 /// True if the operation reads a list of the caller.
@@ -40,7 +39,8 @@ bool have_same_operands(PoseProgramSpan ops, const KeptOperands& place, const La
 
 void StandingOperands::find(PoseProgramSpan program, const ReadProperties& properties, const LastProgram& last,
                             std::span<KeptOperands> kept) noexcept {
-  const Firsts firsts = find_firsts(program);
+  Firsts firsts;
+  find_firsts(program, firsts);
   std::bitset<kMostPoseOps> taken, waits;  // places; operations that have none yet
   for (std::size_t i = program.size(); i-- > 0;) {
     if (skipped_[i] || kept_operands_of(program[i]) == 0) continue;
@@ -59,7 +59,7 @@ void StandingOperands::find(PoseProgramSpan program, const ReadProperties& prope
     for (std::size_t o = firsts[i]; stands && o < i; ++o) skipped_[o] = true;
   }
   std::size_t place = 0;
-  for (std::size_t i = 0; i < program.size(); ++i) {
+  for (std::size_t i = 0; waits.any() && i < program.size(); ++i) {
     if (!waits[i]) continue;
     while (taken[place]) ++place;
     places_[i] = static_cast<std::uint8_t>(place);

@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// What a kept operation of an earlier run has left in its place in memory (PoseSlots::kept).
+/// An earlier run's kept operation, whose numbers lie in its place in memory (PoseSlots::kept).
 struct KeptOperands {
   std::uint8_t first = 0, end = 0;  ///< the operations of that run's program which made the operands
   bool has_properties = false;

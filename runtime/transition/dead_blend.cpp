@@ -28,8 +28,9 @@ HWY_INLINE Lanes faded(Lanes source, Lanes velocity, Lanes target, const Fade& f
 HWY_INLINE Rotations faded_rotation(const Rotations& source, const Rotations& turn, const Rotations& target,
                                     const Fade& fade) {
   const Floats d;
-  const Lanes way = hn::Set(d, fade.way);
-  const Rotations from = product(rotation_by(hn::Mul(turn.x, way), hn::Mul(turn.y, way), hn::Mul(turn.z, way)), source);
+  const Lanes way = hn::Set(d, 0.25f * fade.way);
+  const Rotations from =
+      product(rotation_by_quarter(hn::Mul(turn.x, way), hn::Mul(turn.y, way), hn::Mul(turn.z, way)), source);
   const Lanes w = hn::Set(d, fade.w);
   const Lanes side = hn::IfThenElse(hn::Lt(dot4(from, target), hn::Zero(d)), hn::Neg(w), w);
   const Rotations a = scaled(from, hn::Set(d, 1.0f - fade.w)), b = scaled(target, side);

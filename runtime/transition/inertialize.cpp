@@ -20,44 +20,61 @@ struct Offsets {
   Lanes x, y, z;
 };
 
-/// What all joints share at one progress.
+/// Factors that all joints share.
 struct Moment {
   Lanes u, across;
 };
 
-/// Offsets of the joints from `j` on, whose seven planes begin with `plane`.
+/// Offsets of the joints from `j` on, whose eight planes begin with `plane`.
 HWY_INLINE Offsets decayed(const TransitionNumbers& numbers, std::size_t plane, const Moment& moment, std::size_t j) {
   const Floats d;
-  const Lanes one = hn::Set(d, 1.0f), five = hn::Set(d, -5.0f);
+  const Lanes one = hn::Set(d, 1.0f);
   const std::size_t stride = numbers.stride();
   const float* at = numbers.plane(plane) + j;
   const auto load_plane = [&](std::size_t p) HWY_ATTR { return hn::LoadU(d, at + p * stride); };
-  const Lanes k = load_plane(3);
-  const Lanes s = hn::Min(hn::Mul(hn::Max(hn::Mul(k, hn::Set(d, -0.2f)), one), moment.u), one);
+  const Lanes s = hn::Min(hn::Mul(load_plane(3), moment.u), one);
   const Lanes left = hn::Sub(one, s), left2 = hn::Mul(left, left);
-  const Lanes slope = hn::Add(hn::Max(k, five), hn::Set(d, 4.0f));
-  const Lanes p = hn::Mul(hn::Mul(left2, left2), hn::Add(one, hn::Mul(slope, s)));
+  const Lanes p = hn::Mul(hn::Mul(left2, left2), hn::Add(one, hn::Mul(load_plane(4), s)));
   const auto offset = [&](std::size_t c) HWY_ATTR {
-    return hn::Add(hn::Mul(load_plane(c), p), hn::Mul(load_plane(4 + c), moment.across));
+    return hn::Add(hn::Mul(load_plane(c), p), hn::Mul(load_plane(5 + c), moment.across));
   };
   return {offset(0), offset(1), offset(2)};
 }
 
-HWY_INLINE void offset_lanes(const InertializeJob& job, const Moment& moment, std::size_t j) {
-  TransformLanes pose = load(job.pose.pose, j);
-  const Offsets t = decayed(job.numbers, 0, moment, j), r = decayed(job.numbers, 7, moment, j),
-                s = decayed(job.numbers, 14, moment, j);
-  const Rotations q = normalised(product(rotation_by(r.x, r.y, r.z), {pose.rx, pose.ry, pose.rz, pose.rw}));
-  pose = {hn::Add(pose.tx, t.x), hn::Add(pose.ty, t.y), hn::Add(pose.tz, t.z), q.x, q.y, q.z, q.w,
-          hn::Add(pose.sx, s.x), hn::Add(pose.sy, s.y), hn::Add(pose.sz, s.z)};
-  store(pose, job.pose.pose, j);
+/// Adds offsets to three planes of the pose.
+HWY_INLINE void offset_vectors(const InertializeJob& job, std::size_t plane, PoseSpan::Plane to, const Moment& moment,
+                               std::size_t j) {
+  const Floats d;
+  const Offsets by = decayed(job.numbers, plane, moment, j);
+  const std::size_t stride = job.pose.pose.stride;
+  float* const x = job.pose.pose.plane(to) + j;
+  hn::StoreU(hn::Add(hn::LoadU(d, x), by.x), d, x);
+  hn::StoreU(hn::Add(hn::LoadU(d, x + stride), by.y), d, x + stride);
+  hn::StoreU(hn::Add(hn::LoadU(d, x + 2 * stride), by.z), d, x + 2 * stride);
+}
+
+HWY_INLINE void offset_rotations(const InertializeJob& job, const Moment& moment, std::size_t j) {
+  const PoseSpan& pose = job.pose.pose;
+  const Offsets by = decayed(job.numbers, 8, moment, j);
+  const Rotations q = load_rotations(pose.planes, pose.stride, j);
+  store(product(rotation_by_quarter(by.x, by.y, by.z), q), pose.planes, pose.stride, j);  // both are unit
 }
 
 void offset_all(const InertializeJob& job) {
   const Floats d;
+  constexpr std::size_t kBlock = TransitionNumbers::kBlock, kFlags = 24;
   const float left = 1.0f - job.progress, across = job.progress * ((left * left) * (left * left));
   const Moment moment{hn::Set(d, job.progress), hn::Set(d, across)};
-  for (std::size_t j = 0; j < job.numbers.joint_count; j += hn::Lanes(d)) offset_lanes(job, moment, j);
+  for (std::size_t block = 0; block < job.numbers.joint_count; block += kBlock) {
+    const float* const moves = job.numbers.plane(kFlags) + block;
+    const std::size_t end = std::min(block + kBlock, job.numbers.joint_count);
+    if (moves[0] != 0.0f)
+      for (std::size_t j = block; j < end; j += hn::Lanes(d)) offset_vectors(job, 0, PoseSpan::tx, moment, j);
+    if (moves[1] != 0.0f)
+      for (std::size_t j = block; j < end; j += hn::Lanes(d)) offset_rotations(job, moment, j);
+    if (moves[2] != 0.0f)
+      for (std::size_t j = block; j < end; j += hn::Lanes(d)) offset_vectors(job, 16, PoseSpan::sx, moment, j);
+  }
 }
 
 }  // namespace

@@ -18,8 +18,10 @@ struct InertializeStart {
 /// Finds the offset of the source from the target when an inertialization starts, and the offset's velocity.
 /// eq   x = x_source - x_target;  v = steps (x - x_before), its change per duration;  k = v.x / x.x,  r = v - k x
 ///      Rotations: x = 2 log(q_source conj(q_target)) along the short arc, in the parent's space. A rotation that would
-///      grow over half a turn keeps no velocity.
-/// out  numbers  planes of x, k and r: translations in planes 0-6, rotations in 7-13, scales in 14-20
+///      grow over half a turn keeps no velocity; one below 1e-7 counts as 0.
+/// out  numbers  planes of x, c = max(1, -k / 5), max(k, -5) + 4 and r: translations in planes 0-7, quarters of rotations
+///      in 8-15, scales in 16-23. The first three numbers of each block in plane 24 are 0 where none of its joints has an
+///      offset of translation, rotation, scale
 /// cost O(J), with two logarithms for each joint; no allocation. Internal to the runtime
 void make_offsets(const InertializeStart& start, const TransitionNumbers& numbers) noexcept;
 
@@ -30,7 +32,7 @@ void make_offsets(const InertializeStart& start, const TransitionNumbers& number
 /// in   progress  [0, 1] of the duration. From 1 on the pose keeps its bits
 /// out  pose      in place: the target's pose now
 /// err  size_mismatch (planes, numbers), not_a_fraction (progress)
-/// cost O(J), no allocation. The same bits on all instruction sets
+/// cost O(J), but for blocks of 16 joints without an offset; no allocation. The same bits on all instruction sets
 struct InertializeJob {
   TransitionNumbers numbers;
   float progress = 0.0f;

@@ -10,13 +10,18 @@ namespace {
 
 using Vec = Vec3<double>;
 
+constexpr std::size_t kUsedPlanes = 19;
+
 /// Velocity of a joint's rotation per duration.
 Vec turning(const Quat<double>& now, const Quat<double>& before, double steps) noexcept {
   const Quat<double> step = now * quat_conjugate(before);
   const Vec v = quat_log(step.w < 0.0 ? step * -1.0 : step) * (2.0 * steps);
   constexpr double kMostSpeed = 9.2;  // half a turn in all: pi 4 ln 2 / (1 - 1 / 16)
   const double speed = safe_length(v);
-  return speed > kMostSpeed ? v * (kMostSpeed / speed) : v;
+  if (speed < 1e-7) return Vec(0.0);  // as in make_offsets
+  const auto seen = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
+  const Vec turn(seen(v.x), seen(v.y), seen(v.z));
+  return speed > kMostSpeed ? turn * (kMostSpeed / speed) : turn;
 }
 
 void make_number_extrapolation(std::span<const float> now, std::span<const float> before, double steps,
@@ -38,13 +43,13 @@ void make_extrapolation(const DeadBlendStart& start, const TransitionNumbers& nu
               growing = (Vec(now.scale) - Vec(before.scale)) * steps,
               turn = turning(quat_cast<double>(now.rotation), quat_cast<double>(before.rotation), steps);
     const glm::vec3 move(moving), spin(turn), growth(growing);
-    const float values[] = {
-        now.translation.x, now.translation.y, now.translation.z, move.x,   move.y,   move.z, now.rotation.x,
-        now.rotation.y,    now.rotation.z,    now.rotation.w,    spin.x,   spin.y,   spin.z, now.scale.x,
-        now.scale.y,       now.scale.z,       growth.x,          growth.y, growth.z, 0.0f,   0.0f};
-    for (std::size_t p = 0; p < TransitionNumbers::kPlanes; ++p) numbers.plane(p)[j] = values[p];
+    const float values[kUsedPlanes] = {
+        now.translation.x, now.translation.y, now.translation.z, move.x,   move.y,  move.z, now.rotation.x,
+        now.rotation.y,    now.rotation.z,    now.rotation.w,    spin.x,   spin.y,  spin.z, now.scale.x,
+        now.scale.y,       now.scale.z,       growth.x,          growth.y, growth.z};
+    for (std::size_t p = 0; p < kUsedPlanes; ++p) numbers.plane(p)[j] = values[p];
   }
-  for (std::size_t p = 0; p < TransitionNumbers::kPlanes; ++p)  // rotations of the padding stay unit ones
+  for (std::size_t p = 0; p < kUsedPlanes; ++p)  // rotations of the padding stay unit ones
     std::fill(numbers.plane(p) + numbers.joint_count, numbers.plane(p) + numbers.stride(), p == 9 ? 1.0f : 0.0f);
   make_number_extrapolation(start.source.weights, start.source_before.weights, steps, numbers.weights);
   make_number_extrapolation(start.source.properties, start.source_before.properties, steps, numbers.properties);

@@ -10,6 +10,8 @@ namespace {
 
 using Vec = Vec3<double>;
 
+constexpr std::size_t kPlanesOfPart = 8;
+
 /// An offset and its velocity per duration, the velocity along the offset as a ratio.
 template <class V>
 struct Offset {
@@ -55,9 +57,21 @@ Offset<Vec> rotation_offset(const InertializeStart& start, double steps, std::si
   return largest_turn(moving) <= kHalfTurn ? moving : Offset<Vec>{x, 0.0, Vec(0.0)};
 }
 
+/// The kernel's series take a quarter of the rotation. Components that nobody sees become 0, since their squares would
+/// be denormal numbers.
+Offset<Vec> quarter_of(const Offset<Vec>& turn) noexcept {
+  const auto seen = [](const Vec& v) {
+    const auto or_zero = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x * 0.25; };
+    return product(v, v) < 1e-14 ? Vec(0.0) : Vec(or_zero(v.x), or_zero(v.y), or_zero(v.z));
+  };
+  return {seen(turn.x), turn.k, seen(turn.r)};
+}
+
 void set(const TransitionNumbers& numbers, std::size_t plane, std::size_t j, const Offset<Vec>& offset) noexcept {
-  const double values[] = {offset.x.x, offset.x.y, offset.x.z, offset.k, offset.r.x, offset.r.y, offset.r.z};
-  for (std::size_t i = 0; i < 7; ++i) numbers.plane(plane + i)[j] = static_cast<float>(values[i]);
+  const double values[kPlanesOfPart] = {
+      offset.x.x, offset.x.y, offset.x.z, std::max(1.0, offset.k / -5.0), std::max(offset.k, -5.0) + 4.0,
+      offset.r.x, offset.r.y, offset.r.z};
+  for (std::size_t i = 0; i < kPlanesOfPart; ++i) numbers.plane(plane + i)[j] = static_cast<float>(values[i]);
 }
 
 void make_number_offsets(const InertializeStart& start, std::span<float> TransitionPose::*of, double steps,
@@ -75,6 +89,19 @@ void make_number_offsets(const InertializeStart& start, std::span<float> Transit
   }
 }
 
+void find_still_blocks(const TransitionNumbers& numbers) noexcept {
+  constexpr std::size_t kBlock = TransitionNumbers::kBlock, kFlags = 24;
+  for (std::size_t j = 0; j < numbers.stride(); j += kBlock)
+    for (std::size_t part = 0; part < 3; ++part) {
+      bool moves = false;
+      for (const std::size_t p : {0, 1, 2, 5, 6, 7}) {
+        const float* const of = numbers.plane(part * kPlanesOfPart + p) + j;
+        moves |= std::any_of(of, of + kBlock, [](float x) { return x != 0.0f; });
+      }
+      numbers.plane(kFlags)[j + part] = moves ? 1.0f : 0.0f;
+    }
+}
+
 }  // namespace
 
 void make_offsets(const InertializeStart& start, const TransitionNumbers& numbers) noexcept {
@@ -88,11 +115,12 @@ void make_offsets(const InertializeStart& start, const TransitionNumbers& number
       return offset_of(x, (x - between(start.source_before, start.target_before)) * steps);
     };
     set(numbers, 0, j, vector_offset(&Transform::translation));
-    set(numbers, 7, j, rotation_offset(start, steps, j));
-    set(numbers, 14, j, vector_offset(&Transform::scale));
+    set(numbers, 8, j, quarter_of(rotation_offset(start, steps, j)));
+    set(numbers, 16, j, vector_offset(&Transform::scale));
   }
   for (std::size_t p = 0; p < TransitionNumbers::kPlanes; ++p)
     std::fill(numbers.plane(p) + numbers.joint_count, numbers.plane(p) + numbers.stride(), 0.0f);
+  find_still_blocks(numbers);
   make_number_offsets(start, &TransitionPose::weights, steps, numbers.weights);
   make_number_offsets(start, &TransitionPose::properties, steps, numbers.properties);
 }

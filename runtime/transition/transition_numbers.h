@@ -7,11 +7,12 @@
 
 namespace sinew {
 
-/// What stays the same during a transition: numbers of the poses at its start. Its content is private to the two kinds
-/// of transitions; each documents its own planes.
+/// Numbers that stay the same during a transition, made from the poses at its start. Each kind of transition documents
+/// its own planes.
 /// owns  nothing: a view of floats_for(...) floats, 64-byte aligned
 struct TransitionNumbers {
-  static constexpr std::size_t kPlanes = 21;  ///< of joints, as long as those of a pose
+  static constexpr std::size_t kPlanes = 25;  ///< of joints, as long as those of a pose
+  static constexpr std::size_t kBlock = 16;   ///< joints that are skipped together; a plane has whole blocks
   static constexpr std::size_t kParts = 3;    ///< floats for each morph weight and property
 
   float* planes = nullptr;
@@ -22,7 +23,7 @@ struct TransitionNumbers {
   float* plane(std::size_t p) const noexcept { return planes + p * stride(); }
 };
 
-/// A pose with its morph weights and properties. Those of one transition are of equal sizes.
+/// A pose with its morph weights and properties. All poses of one transition have equal sizes.
 struct TransitionPose {
   PoseSpan pose;
   std::span<float> weights, properties;

@@ -21,20 +21,18 @@ HWY_INLINE Lanes polynomial(Lanes x, const float (&coefficients)[kCount]) {
   return sum;
 }
 
-/// The rotation by an angle of |t| about t. It is the square of the rotation by half that angle, so that short Taylor
+/// The rotation by four times |t| about t. It is the square of the rotation by half that angle, so that short Taylor
 /// series reach half a turn.
-/// in   t  [rad] up to half a turn;   acc  2e-7
-HWY_INLINE Rotations rotation_by(Lanes tx, Lanes ty, Lanes tz) {
+/// in   t  [rad] up to an eighth of a turn;   acc  2e-7
+HWY_INLINE Rotations rotation_by_quarter(Lanes x, Lanes y, Lanes z) {
   const Floats d;
   constexpr float kSine[] = {1.0f / 362880, -1.0f / 5040, 1.0f / 120, -1.0f / 6, 1.0f};
-  constexpr float kCosine[] = {-1.0f / 3628800, 1.0f / 40320, -1.0f / 720, 1.0f / 24, -0.5f, 1.0f};
-  const Lanes quarter = hn::Set(d, 0.25f), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-  const Lanes x = hn::Mul(tx, quarter), y = hn::Mul(ty, quarter), z = hn::Mul(tz, quarter);
+  constexpr float kCosine[] = {1.0f / 40320, -1.0f / 720, 1.0f / 24, -0.5f, 1.0f};
   const Lanes angle2 = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
   const Lanes sine = polynomial(angle2, kSine), cosine = polynomial(angle2, kCosine);
-  const Lanes by = hn::Mul(hn::Mul(two, cosine), sine);
-  const Lanes sine2 = hn::Mul(hn::Mul(sine, sine), angle2);
-  return {hn::Mul(x, by), hn::Mul(y, by), hn::Mul(z, by), hn::Sub(one, hn::Mul(two, sine2))};
+  const Lanes twice = hn::Add(sine, sine), by = hn::Mul(cosine, twice);
+  return {hn::Mul(x, by), hn::Mul(y, by), hn::Mul(z, by),
+          hn::Sub(hn::Set(d, 1.0f), hn::Mul(hn::Mul(sine, twice), angle2))};
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -81,7 +81,7 @@ inline Transformd dead_blended(const Transformd& now, const Transformd& source, 
           normalised(went_on * (1.0 - w) + in_hemisphere_of(went_on, now.rotation) * w), faded(&Transformd::scale)};
 }
 
-/// The same for a morph weight or a property.
+/// Inertialization of a morph weight or a property.
 inline double inertialized(double now, double source, double source_before, double target, double target_before,
                            double u, double steps) {
   const double x = source - target, before = source_before - target_before;
