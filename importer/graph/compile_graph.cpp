@@ -118,7 +118,8 @@ class GraphCompiler {
                         .y = parameter_or_none(node.y, {&path, "y"}),
                         .first_point = size_of(t.points),
                         .point_count = size_of(node.points),
-                        .directional = node.directional});
+                        .form = node.form,
+                        .angle_factor = node.angle_factor});
     const JsonPath points(&path, "points");
     for (std::size_t i = 0; i < node.points.size(); ++i) {
       const JsonPath point(&points, std::to_string(i));

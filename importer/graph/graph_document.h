@@ -54,7 +54,8 @@ struct GraphDocument {
     float speed = 1.0f, offset_s = 0.0f;
     bool loop = true, mirror = false;
     std::string x, y;  // blend_space
-    bool directional = false;
+    BlendSpaceKind form = BlendSpaceKind::cartesian;
+    float angle_factor = 1.0f;
     std::vector<Point> points;
     std::string by;  // select
     std::vector<std::string> children;

@@ -22,6 +22,7 @@ constexpr auto words_of(GraphInterruption) {
   return std::array{"none", "source", "target", "source_then_target", "target_then_source"};
 }
 constexpr auto words_of(GraphSync) { return std::array{"none", "start", "locked"}; }
+constexpr auto words_of(BlendSpaceKind) { return std::array{"line", "cartesian", "directional", "radial"}; }
 constexpr auto words_of(GraphLayerKind) { return std::array{"mean", "overlay", "overlay_model", "additive"}; }
 constexpr auto words_of(GraphNodeKind) {
   return std::array{"clip", "blend_space", "select", "layers", "machine", "external"};
@@ -91,7 +92,8 @@ void describe(V& v, D& d, const GraphDocument::Node*) {
     case GraphNodeKind::blend_space:
       v.required("x", d.x, "number");
       v.optional("y", d.y, "number; without it the space is a line");
-      v.optional("directional", d.directional, "in a plane: by angle and distance from the origin");
+      v.optional("form", d.form, "in a plane: how a place becomes weights; points of directional are velocities");
+      v.optional("angle_factor", d.angle_factor, "directional: how much a turn counts beside a change of speed");
       v.required("points", d.points, "clips and their places; on a line x rises");
       return;
     case GraphNodeKind::select:

@@ -103,6 +103,7 @@ class GraphChecker {
     expect(space.point_count > 0 && in_table(t_.points, space.first_point, space.point_count),
            ErrorCode::index_out_of_range, GraphTable::space, s, "it has no points, or they do not exist");
     if (!is_sound()) return;
+    expect(space.form <= BlendSpaceKind::radial, ErrorCode::unsupported, GraphTable::space, s, "its form is unknown");
     expect(space.point_count <= kMostPoints, ErrorCode::too_large, GraphTable::space, s, "it has more than 32 points");
     for (std::size_t i = space.first_point; i < std::size_t{space.first_point} + space.point_count; ++i) {
       const GraphBlendPoint& p = t_.points[i];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/graph/graph_builder.h"
 
+#include "runtime/base/contract.h"
+
 namespace sinew {
 namespace {
 
@@ -70,6 +72,11 @@ GraphIndex GraphBuilder::machine(std::string_view name, GraphMachine settings) {
   tables_.machines.push_back(settings);
   machines_.emplace_back();
   return node(name, GraphNodeKind::machine, machines_.size() - 1);
+}
+
+GraphBuilder::Machine& GraphBuilder::machine_of(GraphIndex node) {
+  CONTRACT(node < tables_.nodes.size() && tables_.nodes[node].kind == GraphNodeKind::machine);
+  return machines_[tables_.nodes[node].settings];
 }
 
 GraphIndex GraphBuilder::state(GraphIndex machine, std::string_view name, GraphIndex node) {

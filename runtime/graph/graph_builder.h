@@ -81,7 +81,7 @@ class SINEW_API GraphBuilder {
   std::uint32_t text(std::string_view name);
   GraphIndex node(std::string_view name, GraphNodeKind kind, std::size_t settings);
   GraphIndex arrow(GraphIndex machine, GraphIndex from, const GraphTransition& settings, Conditions conditions);
-  Machine& machine_of(GraphIndex node) { return machines_.at(tables_.nodes.at(node).settings); }
+  Machine& machine_of(GraphIndex node);
 
   GraphTables tables_;
   std::vector<Machine> machines_;

@@ -101,7 +101,26 @@ tl::expected<GraphDefinition, GraphFault> GraphDefinition::make(GraphTables tabl
   graph.largest_states_ = std::move(layout.largest_states);
   graph.slot_bytes_ = std::move(layout.slot_bytes);
   graph.tables_ = std::move(tables);
+  std::size_t space = 0;
+  if (const ErrorCode code = graph.prepare_spaces(space); code != ErrorCode::ok)
+    return tl::make_unexpected(GraphFault{code, GraphTable::space, static_cast<std::uint32_t>(space), kNoGraphIndex,
+                                          "its points or its angle factor are beyond the range of blend spaces"});
   return graph;
+}
+
+ErrorCode GraphDefinition::prepare_spaces(std::size_t& space) {
+  for (const GraphBlendPoint& point : tables_.points) places_.emplace_back(point.x, point.y);
+  for (space = 0; space < tables_.spaces.size(); ++space) {
+    const GraphBlendSpace& s = tables_.spaces[space];
+    const std::size_t first = numbers_.size();
+    first_numbers_.push_back(first);
+    numbers_.resize(first + blend_space_numbers(form_of(s), s.point_count));
+    const ErrorCode code =
+        prepare_blend_space(form_of(s), std::span<const glm::vec2>(places_).subspan(s.first_point, s.point_count),
+                            s.angle_factor, std::span(numbers_).subspan(first));
+    if (code != ErrorCode::ok) return code;
+  }
+  return ErrorCode::ok;
 }
 
 GraphIndex GraphDefinition::find_parameter(std::string_view name) const noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -95,6 +96,13 @@ class SINEW_API GraphDefinition {
   /// Differs between graphs whose states differ in meaning.
   std::uint32_t signature() const noexcept { return signature_; }
 
+  /// A blend space, prepared.
+  BlendSpace blend_space(GraphIndex space) const noexcept {
+    const GraphBlendSpace& s = tables_.spaces[space];
+    return {form_of(s), std::span(places_).subspan(s.first_point, s.point_count),
+            std::span(numbers_).subspan(first_numbers_[space]), s.angle_factor};
+  }
+
   /// Offset of a node's state from the start of the memory in which it lies. This is the character's, or that of the
   /// nearest machine state or choice of a select above it.
   std::uint32_t offset_of(GraphIndex node) const noexcept { return offsets_[node]; }
@@ -108,9 +116,17 @@ class SINEW_API GraphDefinition {
   GraphIndex find_node(std::string_view name) const noexcept;
 
  private:
+  static BlendSpaceKind form_of(const GraphBlendSpace& space) noexcept {
+    return space.y == kNoGraphIndex ? BlendSpaceKind::line : space.form;
+  }
+  ErrorCode prepare_spaces(std::size_t& space);
+
   GraphTables tables_;
   std::vector<std::uint32_t> offsets_, largest_states_, slot_bytes_;
   std::size_t state_bytes_ = 0;
+  std::vector<glm::vec2> places_;           // [points]
+  std::vector<double> numbers_;             // of all spaces
+  std::vector<std::size_t> first_numbers_;  // [spaces]
   PoseProgramRoom room_;
   std::uint32_t signature_ = 0;
 };

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "runtime/blend_space/blend_space.h"
+
 namespace sinew {
 
 /// Index into a table of a graph.
@@ -54,7 +56,8 @@ struct GraphBlendSpace {
   GraphIndex x = kNoGraphIndex;
   GraphIndex y = kNoGraphIndex;  ///< none: the space is a line
   GraphIndex first_point = 0, point_count = 0;
-  bool directional = false;  ///< in a plane: by angle and distance from the origin
+  BlendSpaceKind form = BlendSpaceKind::cartesian;  ///< in a plane; on a line it does not count
+  float angle_factor = 1.0f;                        ///< as BlendSpace::angle_factor
 };
 
 struct GraphBlendPoint {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "runtime/graph/fade_share.h"
-#include "runtime/graph/space_weights.h"
 
 namespace sinew {
 namespace {
@@ -106,9 +105,9 @@ std::uint16_t LiveGraph::open_clip(GraphIndex node, std::byte* base) noexcept {
 std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
   const GraphBlendSpace& space = tables_.spaces[tables_.nodes[node].settings];
   const std::span points = std::span(tables_.points).subspan(space.first_point, space.point_count);
-  std::array<float, kMostSpacePoints> weights;
-  space_weights(space, points, value_of(space.x), space.y == kNoGraphIndex ? 0.0f : value_of(space.y),
-                std::span(weights).first(points.size()));
+  std::array<float, kMostBlendPoints> weights;
+  blend_space_weights(graph_.blend_space(tables_.nodes[node].settings), value_of(space.x),
+                      space.y == kNoGraphIndex ? 0.0f : value_of(space.y), std::span(weights).first(points.size()));
   LiveMotion& motion = motions_[motion_count_];
   motion.first_sample = static_cast<std::uint16_t>(sample_count_);
   double length = 0.0, moving = 0.0, direction = 0.0;

@@ -97,7 +97,7 @@ class LiveGraph {
   bool is_cut(const SlotState& slot) const noexcept {
     return slot.whole == 0 && kind_of(tables_.transitions[slot.transition]) != GraphTransitionKind::cross_fade;
   }
-  /// The first slot that plays of the slots [0, end): the uppermost cut. Those below it stand still.
+  /// The first slot that plays of the slots [0, end): the uppermost cut. All below it stand still.
   std::size_t first_playing(const MachineSlots& slots, std::size_t end) const noexcept;
   /// Time of the fade or transition of a slot that is not whole.
   GraphTicks duration_of(const SlotState& slot) const noexcept {

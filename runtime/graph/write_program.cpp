@@ -99,8 +99,8 @@ class ProgramWriter {
     return t_.states[t_.machines[t_.nodes[machine].settings].first_state + slot.state].node;
   }
 
-  /// The slots [0, end) of a machine. Cuts add what is left of the poses before them to the mix of those that play, the
-  /// newest first, so each compares only the states that it left with the one that it entered.
+  /// The slots [0, end) of a machine. Cuts add what is left of the poses before them to the mix of those that play.
+  /// The newest comes first, so each compares only the states that it left with the one that it entered.
   std::size_t write_slots(GraphIndex machine, std::byte* base, std::size_t end, float weight) noexcept {
     const MachineSlots slots = live_.slots_of(machine, base);
     const std::size_t first = live_.first_playing(slots, end);

@@ -46,6 +46,31 @@ TEST(graph_nodes, a_line_mixes_two_neighbours_in_one_phase_of_the_mean_length) {
   EXPECT_EQ(p.ops().size(), 1u) << "the last point alone";
 }
 
+TEST(graph_nodes, a_plane_mixes_by_its_form) {
+  for (const BlendSpaceKind form : {BlendSpaceKind::cartesian, BlendSpaceKind::directional, BlendSpaceKind::radial}) {
+    GraphBuilder b;
+    const GraphIndex x = b.number("x"), y = b.number("y");
+    const std::vector<GraphBlendPoint> points = {
+        {0, 0, b.clip("idle")}, {0, 1, b.clip("ahead")}, {0, -1, b.clip("back")}, {1, 0, b.clip("aside")}};
+    GraphPlayer p(b, b.blend_space("gaits", {.x = x, .y = y, .form = form}, points),
+                  {{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}});
+    for (const GraphBlendPoint& point : points) {
+      p.set(x, point.x);
+      p.set(y, point.y);
+      p.advance(0.0);
+      ASSERT_EQ(p.ops().size(), 1u);
+      EXPECT_EQ(p.ops()[0].index, point.node - points[0].node);
+    }
+    p.set(x, 0.4f);
+    p.set(y, 0.3f);
+    p.advance(0.1);
+    EXPECT_GT(p.ops().size(), 3u);
+    float sum = 0.0f;
+    for (const PoseOp& op : p.ops().first(p.ops().size() - 1)) sum += op.weight;
+    EXPECT_NEAR(sum, 1.0f, 1e-6f);
+  }
+}
+
 TEST(graph_nodes, events_of_a_blend_space_come_from_all_clips_with_their_weights) {
   GraphBuilder b;
   const GraphIndex speed = b.number("speed", 0.25f);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/graph/move_root.h"
 #include "runtime/graph/rigid_exponential.h"
 #include "runtime/math/axis_angle.h"
 #include "tests/graph/graph_player.h"
