@@ -22,7 +22,10 @@ GraphTicks until_played(const LiveMotion& motion, double rounds, GraphTicks hori
   if (motion.loop) {
     const double whole = std::floor(rounds);
     double played = motion.state->rounds, phase = static_cast<double>(motion.state->position);
-    if (motion.step < 0) played = -played, phase = -phase;
+    if (motion.step < 0) {
+      played = -played;
+      phase = -phase;
+    }
     left = (whole - played) * static_cast<double>(motion.period) +
            (std::round((rounds - whole) * static_cast<double>(motion.period)) - phase);
   } else {

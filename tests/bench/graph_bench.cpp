@@ -33,6 +33,8 @@ class Walker {
       if (code != ErrorCode::ok) state.SkipWithError("refused");
       benchmark::DoNotOptimize(program_.ops().data());
     }
+    state.counters["per_item"] =
+        benchmark::Counter(1.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["bytes"] = static_cast<double>(graph_.state_bytes());
     state.counters["ops"] = static_cast<double>(program_.ops().size());
   }
