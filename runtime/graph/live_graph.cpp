@@ -12,6 +12,9 @@ namespace {
 /// Rounds take this long at least: then eight of them stay below the range of positions, and steps are bounded.
 constexpr double kShortestRound = 0.001 * static_cast<double>(kTicksPerSecond);
 
+/// Points of a blend space that weigh less are left out: rounding leaves such weights beside a point's own place.
+constexpr float kLeastShare = 1e-6f;
+
 }  // namespace
 
 double LiveMotion::time_s(const LiveSample& sample, std::int64_t position) const noexcept {
@@ -112,7 +115,7 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
   motion.first_sample = static_cast<std::uint16_t>(sample_count_);
   double length = 0.0, moving = 0.0, direction = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(weights[i] > 0.0f)) continue;
+    if (!(weights[i] > kLeastShare)) continue;
     const GraphClipNode& clip = tables_.clips[tables_.nodes[points[i].node].settings];
     const GraphClipSet::Entry& entry = clips_.entries()[clip.clip];
     samples_[sample_count_++] = {&entry, weights[i], clip.clip, clip.mirror};
