@@ -122,6 +122,13 @@ TEST(graph_time, results_do_not_depend_on_how_time_is_cut) {
   }
 }
 
+TEST(graph_time, steps_shorter_than_a_tick_add_up) {
+  GraphBuilder b;
+  GraphPlayer player(b, b.clip("walk"), {{0, 1.0}});
+  player.advance(0.4 / static_cast<double>(kTicksPerSecond), 1000);
+  EXPECT_NEAR(player.ops()[0].time_s * static_cast<double>(kTicksPerSecond), 400.0, 1.0);
+}
+
 TEST(graph_time, an_update_allocates_nothing) {
   const Busy busy;
   GraphPlayer player = busy.player();

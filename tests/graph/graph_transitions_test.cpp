@@ -173,6 +173,26 @@ TEST(graph_transitions, name_what_stands_still_with_the_same_bytes_each_frame) {
   EXPECT_LE(room_of(player.ops()).kept, player.graph().room().kept);
 }
 
+TEST(graph_transitions, keep_the_parameters_of_the_moment_when_they_began) {
+  GraphBuilder b;
+  const GraphIndex speed = b.number("speed", 0.25f), go = b.trigger("go");
+  const std::vector<GraphBlendPoint> points = {{0, 0, b.clip("idle")}, {1, 0, b.clip("walk")}};
+  const GraphIndex m = b.machine("m");
+  b.state(m, "gaits", b.blend_space("gaits", {.x = speed}, points));
+  const GraphIndex jump = b.state(m, "jump", b.clip("jump"));
+  b.transition(m, 0, {.duration_s = 0.5f, .to = jump, .kind = GraphTransitionKind::dead_blend}, {when_triggered(go)});
+  GraphPlayer player(b, m, {{0, 1.0}, {1, 0.8}, {2, 1.0}});
+  player.advance(0.3);
+  player.trigger(go);
+  player.advance(0.0);
+  const std::vector<PoseOp> first(player.ops().begin(), player.ops().end());
+  player.set(speed, 0.75f);
+  player.advance(0.1);
+  ASSERT_EQ(first.size(), 8u);
+  ASSERT_EQ(player.ops().size(), 8u);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_EQ(first[i], player.ops()[i]) << i;
+}
+
 TEST(graph_transitions, do_not_depend_on_how_time_is_cut) {
   for (const GraphTransitionKind kind : kKinds) {
     GraphBuilder b;
