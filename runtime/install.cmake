@@ -82,7 +82,7 @@ function(sinew_component name)
   string(APPEND SINEW_NEEDS "set(sinew_components_of_${name} ${components})\nset(sinew_packages_of_${name} ${packages})\n")
   set(SINEW_NEEDS "${SINEW_NEEDS}" PARENT_SCOPE)
 endfunction()
-foreach(name IN ITEMS runtime threads compress lod procedures springs geometry_cache asset_file c c_assets c_geometry)  # those that others link come before them
+foreach(name IN ITEMS runtime threads compress lod graph procedures springs geometry_cache asset_file c c_assets c_geometry)  # those that others link come before them
   sinew_component(${name})
 endforeach()
 if(SINEW_IMPORTER)

@@ -16,6 +16,7 @@ set(sinew_public_headers
   frame_hash.h      runtime/public/frame_hash.h
   fwd.h             runtime/public/fwd.h
   geometry_cache.h  runtime/public/geometry_cache.h
+  graph.h           runtime/public/graph.h
   hold_feet.h       runtime/public/hold_feet.h
   job_thread.h      runtime/threads/job_thread.h
   lod.h             runtime/public/lod.h

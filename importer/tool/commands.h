@@ -16,6 +16,7 @@ Command retarget_command();
 Command compile_command();
 Command simulate_command();
 Command bake_command();
+Command graph_command();
 Command bake_ao_command();  ///< In builds with Embree.
 Command cost_command();     ///< In builds with SINEW_COST.
 

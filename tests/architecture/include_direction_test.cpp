@@ -42,8 +42,8 @@ std::string part_of(const std::string& path) {
   for (auto row = runtime_rows().rbegin(); row != runtime_rows().rend(); ++row)  // subfolders before their folder
     if (starts(row->first)) return row->first;
   for (const char* part :
-       {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "importer/formats", "viewer/app",
-        "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
+       {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "importer/formats",
+        "importer/graph", "viewer/app", "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -58,6 +58,7 @@ bool sees(const std::string& from, const std::string& to) {
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
   if (from == "importer/formats") return to == from || to == "importer" || kAssets.contains(to);
+  if (from == "importer/graph") return to == from || to == "runtime/base" || to == "runtime/graph";
   if (from == "importer") return to == "importer" || kAssets.contains(to) || to.starts_with("runtime/procedures/");
   if (from == "viewer/light")
     return to == from || to == "runtime/base" || to == "runtime/math" || to == "runtime/threads";
@@ -80,7 +81,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"GLFW/", {"viewer", "viewer/app", "tests"}},
     {"imgui", {"viewer/app", "tests"}},
     {"CLI/", {"importer/tool", "viewer/app", "tests"}},
-    {"nlohmann/", {"importer", "importer/tool", "tests"}},
+    {"nlohmann/", {"importer", "importer/graph", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
       "runtime/transition", "importer/tool", "tests"}},

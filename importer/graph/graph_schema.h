@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <string_view>
+
+#include "importer/graph/graph_document.h"
+
+// The one description of graph files. Reader, writer and the table in README.md walk over these members; each is
+// described as (key, member, text). `required` members must be there, others keep their defaults.
+namespace sinew::graph_schema {
+
+inline constexpr int kVersion = 1;
+
+/// Words of enumerations, in the order of their values.
+constexpr auto words_of(GraphParameterKind) { return std::array{"number", "flag", "trigger"}; }
+constexpr auto words_of(GraphConditionKind) {
+  return std::array{"above", "below", "equal", "not_equal", "on", "off", "trigger", "time_in_state", "played", "phase"};
+}
+constexpr auto words_of(GraphTransitionKind) { return std::array{"cross_fade", "inertialize", "dead_blend"}; }
+constexpr auto words_of(GraphFade) { return std::array{"linear", "smooth", "smoother", "ease_in", "ease_out"}; }
+constexpr auto words_of(GraphInterruption) {
+  return std::array{"none", "source", "target", "source_then_target", "target_then_source"};
+}
+constexpr auto words_of(GraphSync) { return std::array{"none", "start", "locked"}; }
+constexpr auto words_of(BlendSpaceKind) { return std::array{"line", "cartesian", "directional", "radial"}; }
+constexpr auto words_of(GraphLayerKind) { return std::array{"mean", "overlay", "overlay_model", "additive"}; }
+constexpr auto words_of(GraphNodeKind) {
+  return std::array{"clip", "blend_space", "select", "layers", "machine", "external"};
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Parameter*) {
+  v.required("kind", d.kind, "a number, a flag (0 or 1), or a trigger that a transition uses up");
+  v.optional("initial", d.initial, "value at the start");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Condition*) {
+  v.required("kind", d.kind, "how a parameter compares with the value, or a time of the state");
+  v.optional("parameter", d.parameter, "the parameter; not for time_in_state, played and phase");
+  v.optional("value", d.value, "what a number is compared with; seconds; rounds of the main clip; phase in [0, 1)");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Transition*) {
+  v.required("to", d.to, "state of the machine");
+  v.optional("when", d.when, "conditions, which must all hold");
+  v.optional("duration_s", d.duration_s, "seconds of the fade; 0 cuts");
+  v.optional("priority", d.priority, "the smallest wins, then the last in the list");
+  v.optional("kind", d.kind, "how the pose gets over; a cross-fade where clips move the character");
+  v.optional("fade", d.fade, "curve of the fade");
+  v.optional("interruption", d.interruption, "the transitions that may interrupt the fade");
+  v.optional("ordered", d.ordered, "only smaller priorities of the source interrupt");
+  v.optional("sync", d.sync, "start at the phase of the old state; locked: and play in step while fading");
+  v.optional("to_self", d.to_self, "from any state: may start the active state anew");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::State*) {
+  v.required("node", d.node, "the node that plays");
+  v.optional("transitions", d.transitions, "ways out");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Point*) {
+  v.required("x", d.x, "place");
+  v.optional("y", d.y, "place in a plane");
+  v.required("node", d.node, "a clip node");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Layer*) {
+  v.required("node", d.node, "the node above");
+  v.optional("kind", d.kind, "how it joins what lies below");
+  v.optional("weight", d.weight, "share");
+  v.optional("weight_by", d.weight_by, "number that multiplies the weight");
+  v.optional("mask", d.mask, "name of a mask; without it all joints");
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument::Node*) {
+  v.required("kind", d.kind, "kind of the node; other members depend on it");
+  switch (d.kind) {
+    case GraphNodeKind::clip:
+      v.required("clip", d.clip, "name of the clip");
+      v.optional("speed", d.speed, "times as fast; below 0 backwards");
+      v.optional("speed_by", d.speed_by, "number that multiplies the speed");
+      v.optional("offset_s", d.offset_s, "seconds where it starts");
+      v.optional("loop", d.loop, "false: it stays at its end");
+      v.optional("mirror", d.mirror, "left and right exchanged");
+      return;
+    case GraphNodeKind::blend_space:
+      v.required("x", d.x, "number");
+      v.optional("y", d.y, "number; without it the space is a line");
+      v.optional("form", d.form, "in a plane: how a place becomes weights; points of directional are velocities");
+      v.optional("angle_factor", d.angle_factor, "directional: how much a turn counts beside a change of speed");
+      v.required("points", d.points, "clips and their places; on a line x rises");
+      return;
+    case GraphNodeKind::select:
+      v.required("by", d.by, "number, rounded: 0 is the first child");
+      v.required("children", d.children, "nodes");
+      return;
+    case GraphNodeKind::layers:
+      v.required("base", d.base, "the lowest node");
+      v.optional("layers", d.layers, "nodes above it, from below");
+      return;
+    case GraphNodeKind::machine:
+      v.required("initial", d.initial, "first state, where no entry rule holds");
+      v.optional("fades", d.fades, "fades at once, at most 8");
+      v.required("states", d.states, "states by name");
+      v.optional("any", d.any, "transitions from any state");
+      v.optional("entry", d.entry, "rules that choose the first state");
+      return;
+    case GraphNodeKind::external: v.required("pose", d.pose, "index of the caller's pose"); return;
+  }
+}
+
+template <class V, class D>
+void describe(V& v, D& d, const GraphDocument*) {
+  v.required("root", d.root, "the node that makes the pose");
+  v.optional("parameters", d.parameters, "by name");
+  v.optional("masks", d.masks, "lists of joints by name; each joint counts with all below it");
+  v.required("nodes", d.nodes, "by name; each is used once");
+}
+
+}  // namespace sinew::graph_schema

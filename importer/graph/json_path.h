@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <utility>
+
+namespace sinew {
+
+/// A place in a document, as a chain up to its root.
+struct JsonPath {
+  const JsonPath* parent = nullptr;
+  std::string key;
+
+  JsonPath() = default;
+  JsonPath(const JsonPath* above, std::string name) : parent(above), key(std::move(name)) {}
+
+  /// RFC 6901.
+  std::string text() const {
+    if (parent == nullptr) return {};
+    std::string out = parent->text();
+    out += '/';
+    for (const char c : key) {
+      if (c == '~')
+        out += "~0";
+      else if (c == '/')
+        out += "~1";
+      else
+        out += c;
+    }
+    return out;
+  }
+};
+
+}  // namespace sinew

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/base/api.h"
+#include "runtime/graph/graph_machine.h"
+#include "runtime/graph/graph_nodes.h"
+#include "runtime/pose_program/pose_program.h"
+
+namespace sinew {
+
+/// A graph as plain tables, which name each other by index. GraphBuilder fills them; anybody may. Names are offsets
+/// into `names`, where each ends with a zero.
+struct GraphTables {
+  std::string names;
+  std::vector<std::uint32_t> clip_names;  ///< [clips] a GraphClipSet gives each a clip
+  std::vector<GraphParameter> parameters;
+  std::vector<GraphNode> nodes;
+  GraphIndex root = 0;  ///< node
+
+  std::vector<GraphClipNode> clips;
+  std::vector<GraphBlendSpace> spaces;
+  std::vector<GraphBlendPoint> points;
+  std::vector<GraphSelect> selects;
+  std::vector<GraphIndex> children;  ///< nodes, of selects
+  std::vector<GraphLayers> layers;
+  std::vector<GraphLayer> layer_list;
+  std::vector<GraphMachine> machines;
+  std::vector<GraphMachineState> states;
+  std::vector<GraphTransition> transitions;
+  std::vector<GraphCondition> conditions;
+
+  std::string_view name_at(std::uint32_t offset) const noexcept {
+    return offset < names.size() ? std::string_view(names.c_str() + offset) : std::string_view();
+  }
+};
+
+/// The kind of thing that breaks a rule.
+enum class GraphTable : std::uint8_t {
+  graph,
+  parameter,
+  node,
+  clip,
+  space,
+  point,
+  select,
+  child,
+  layers,
+  layer,
+  machine,
+  state,
+  transition,
+  condition
+};
+
+/// The first rule that a graph breaks, and the table and entry that break it.
+struct GraphFault {
+  ErrorCode code = ErrorCode::ok;
+  GraphTable table = GraphTable::graph;
+  std::uint32_t index = 0;
+  GraphIndex node = kNoGraphIndex;  ///< the node that it belongs to
+  const char* rule = "";            ///< in words
+};
+
+/// Checks everything that a graph promises.
+/// err  index_out_of_range, not_finite, negative_weight, not_a_fraction, too_large, times_not_increasing (points of a
+///      line), unsupported (an unknown kind; a cycle; a node with two users or none; a state that nothing leads to;
+///      more live operations than a program has room for)
+/// cost O(tables), allocates
+SINEW_API GraphFault find_fault(const GraphTables& tables);
+
+/// "transition 2 (node locomotion): its target is no state of the machine". Empty without a fault.
+SINEW_API std::string describe(const GraphFault& fault, const GraphTables& tables);
+
+/// A checked graph: immutable, and shared by all characters that use it. It knows how large the state of a character is
+/// and where everything lies in it.
+class SINEW_API GraphDefinition {
+ public:
+  static tl::expected<GraphDefinition, GraphFault> make(GraphTables tables);
+
+  const GraphTables& tables() const noexcept { return tables_; }
+
+  /// Bytes of a character's state, a multiple of 8.
+  std::size_t state_bytes() const noexcept { return state_bytes_; }
+
+  /// Room that the programs of this graph need at most.
+  const PoseProgramRoom& room() const noexcept { return room_; }
+
+  /// Differs between graphs whose states differ in meaning.
+  std::uint32_t signature() const noexcept { return signature_; }
+
+  /// A blend space, prepared.
+  BlendSpace blend_space(GraphIndex space) const noexcept {
+    const GraphBlendSpace& s = tables_.spaces[space];
+    return {form_of(s), std::span(places_).subspan(s.first_point, s.point_count),
+            std::span(numbers_).subspan(first_numbers_[space]), s.angle_factor};
+  }
+
+  /// Offset of a node's state from the start of the memory in which it lies. This is the character's, or that of the
+  /// nearest machine state or choice of a select above it.
+  std::uint32_t offset_of(GraphIndex node) const noexcept { return offsets_[node]; }
+  /// Bytes of the largest state of a machine, with all that lies below it.
+  std::uint32_t largest_state(GraphIndex machine) const noexcept { return largest_states_[machine]; }
+  /// Bytes of a slot of a machine: a state that plays or fades.
+  std::uint32_t slot_bytes(GraphIndex machine) const noexcept { return slot_bytes_[machine]; }
+
+  /// kNoGraphIndex if there is none.
+  GraphIndex find_parameter(std::string_view name) const noexcept;
+  GraphIndex find_node(std::string_view name) const noexcept;
+
+ private:
+  static BlendSpaceKind form_of(const GraphBlendSpace& space) noexcept {
+    return space.y == kNoGraphIndex ? BlendSpaceKind::line : space.form;
+  }
+  ErrorCode prepare_spaces(std::size_t& space);
+
+  GraphTables tables_;
+  std::vector<std::uint32_t> offsets_, largest_states_, slot_bytes_;
+  std::size_t state_bytes_ = 0;
+  std::vector<glm::vec2> places_;           // [points]
+  std::vector<double> numbers_;             // of all spaces
+  std::vector<std::size_t> first_numbers_;  // [spaces]
+  PoseProgramRoom room_;
+  std::uint32_t signature_ = 0;
+};
+
+}  // namespace sinew

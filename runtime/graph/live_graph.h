@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "runtime/graph/graph_clips.h"
+#include "runtime/graph/graph_definition.h"
+#include "runtime/graph/graph_layout.h"
+#include "runtime/graph/graph_time.h"
+#include "runtime/graph/state_blocks.h"
+
+namespace sinew {
+
+inline constexpr std::uint16_t kNoMotion = 0xFFFF;
+
+/// A clip that plays, with its share of the motion that plays it.
+struct LiveSample {
+  const GraphClipSet::Entry* entry;
+  float share;
+  GraphIndex name;  ///< of the graph's clip names
+  bool mirror;
+};
+
+/// A clip node or blend space that plays.
+struct LiveMotion {
+  MotionState* state;
+  std::int64_t period;    ///< of state->position; 0 stands still
+  std::int64_t step;      ///< of position, a tick
+  std::int64_t own_step;  ///< without synchronisation
+  double length;          ///< ticks of a round at own_step; 0 stands still
+  std::uint16_t first_sample, sample_count;
+  GraphIndex node;
+  bool loop, is_space;
+  bool moves_root;            ///< it is no part of a layer that leaves the root alone
+  float weight, root_weight;  ///< of its pose and its root motion in those of the graph, when last weighed
+
+  /// Clip time of a sample at a position.
+  double time_s(const LiveSample& sample, std::int64_t position) const noexcept;
+  /// Position `ahead` ticks from now, or before.
+  std::int64_t position_at(GraphTicks ahead) const noexcept;
+};
+
+/// A machine that plays, and what its transitions do next.
+struct LiveMachine {
+  const GraphMachine* machine;
+  MachineSlots slots;
+  GraphIndex node;
+  std::size_t first;  ///< slot that plays; those below stand still in a transition without a cross-fade
+  std::array<std::uint16_t, kMostGraphFades + 1> driver;  ///< main motion of each slot, or kNoMotion
+};
+
+/// The part of a graph that plays, as flat lists. They stand until a state is entered or left. All else is
+/// never looked at. Internal to graph/.
+class LiveGraph {
+ public:
+  /// Keeps the references.
+  LiveGraph(const GraphDefinition& graph, const GraphClipSet& clips, std::span<const float> parameters,
+            std::byte* state) noexcept
+      : graph_(graph), tables_(graph.tables()), clips_(clips), parameters_(parameters), state_(state) {}
+
+  /// Makes the lists anew.
+  void open() noexcept;
+  /// Makes lists of a node alone, or of the slots [0, end) of a machine.
+  void open_only(GraphIndex node, std::byte* base) noexcept;
+  void open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept;
+  /// Weighs all motions as they are `ahead` ticks from now.
+  void weigh(GraphTicks ahead) noexcept;
+  /// Steps of motions that play in step, by their weights `ahead` ticks from now.
+  void match_lengths(GraphTicks ahead) noexcept;
+
+  std::span<LiveMotion> motions() noexcept { return {motions_.data(), motion_count_}; }
+  std::span<LiveMachine> machines() noexcept { return {machines_.data(), machine_count_}; }
+  std::span<const LiveSample> samples_of(const LiveMotion& motion) const noexcept {
+    return {samples_.data() + motion.first_sample, motion.sample_count};
+  }
+  bool plays_in_step() const noexcept { return plays_in_step_; }       ///< some motions do, while states fade
+  std::size_t root_samples() const noexcept { return root_samples_; }  ///< of motions that move the root
+
+  const GraphDefinition& graph() const noexcept { return graph_; }
+  const GraphTables& tables() const noexcept { return tables_; }
+  const GraphClipSet& clips() const noexcept { return clips_; }
+  std::byte* state() const noexcept { return state_; }
+  GraphHeader& header() const noexcept { return block_at<GraphHeader>(state_); }
+  float value_of(GraphIndex parameter) const noexcept { return parameters_[parameter]; }
+
+  MachineSlots slots_of(GraphIndex node, std::byte* base) const noexcept {
+    const GraphIndex machine = tables_.nodes[node].settings;
+    return {base + graph_.offset_of(node), graph_.slot_bytes(machine), graph_.largest_state(machine)};
+  }
+  GraphIndex choice_of(const GraphSelect& select) const noexcept;
+  float weight_of(const GraphLayer& layer) const noexcept;
+  GraphTransitionKind kind_of(const GraphTransition& transition) const noexcept {
+    return clips_.any_root() ? GraphTransitionKind::cross_fade : transition.kind;
+  }
+  bool is_cut(const SlotState& slot) const noexcept {
+    return slot.whole == 0 && kind_of(tables_.transitions[slot.transition]) != GraphTransitionKind::cross_fade;
+  }
+  /// The first slot that plays of the slots [0, end): the uppermost cut. All below it stand still.
+  std::size_t first_playing(const MachineSlots& slots, std::size_t end) const noexcept;
+  /// Time of the fade or transition of a slot that is not whole.
+  GraphTicks duration_of(const SlotState& slot) const noexcept {
+    return ticks_of(decimal_of(tables_.transitions[slot.transition].duration_s));
+  }
+  /// Share of the slot's state in the mix of it and those below.
+  float fade_of(const SlotState& slot, GraphTicks ahead) const noexcept;
+
+ private:
+  std::uint16_t open_node(GraphIndex node, std::byte* base) noexcept;
+  std::uint16_t open_clip(GraphIndex node, std::byte* base) noexcept;
+  std::uint16_t open_space(GraphIndex node, std::byte* base) noexcept;
+  std::uint16_t open_machine(GraphIndex node, std::byte* base, std::size_t end) noexcept;
+  void clear() noexcept;
+  void weigh_node(GraphIndex node, std::byte* base, float weight, float root_weight) noexcept;
+  double speed_of(const GraphClipNode& clip) const noexcept;
+
+  const GraphDefinition& graph_;
+  const GraphTables& tables_;
+  const GraphClipSet& clips_;
+  std::span<const float> parameters_;
+  std::byte* state_;
+
+  std::size_t motion_count_ = 0, sample_count_ = 0, machine_count_ = 0;
+  std::size_t weighed_ = 0;  // motions, in a walk that weighs
+  GraphTicks ahead_ = 0;     // of that walk
+  std::size_t root_samples_ = 0;
+  bool plays_in_step_ = false, moves_root_ = true;
+  // Written as far as the counts say.
+  std::array<LiveMotion, kMostPoseOps> motions_;
+  std::array<LiveSample, kMostPoseOps> samples_;
+  std::array<LiveMachine, kMostLiveMachines> machines_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/graph/live_graph.h"
+#include "runtime/graph/update_graph.h"
+
+namespace sinew {
+
+/// Writes events as far as there is room. Internal to graph/.
+class GraphEventLog {
+ public:
+  GraphEventLog(std::span<GraphEvent> room, GraphStep& step) noexcept : room_(room), step_(step) {}
+  void add(const GraphEvent& event) noexcept {
+    if (step_.event_count < room_.size())
+      room_[step_.event_count++] = event;
+    else
+      ++step_.events_left_out;
+  }
+  void leave_out(std::uint64_t count) noexcept { step_.events_left_out += count; }
+  std::size_t count() const noexcept { return step_.event_count; }
+  /// Puts events from `first` on in the order of time.
+  void sort_from(std::size_t first, bool backwards) noexcept;
+
+ private:
+  std::span<GraphEvent> room_;
+  GraphStep& step_;
+};
+
+/// Moves all motions on, and logs the events that they pass. An event belongs to the piece that ends on it; a motion
+/// that starts tells one at its start, too.
+/// in   ticks  not 0; negative plays backwards. |ticks * step| of each motion stays below 2^61
+void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcept;
+
+/// Longest piece of a step that play_motions takes.
+GraphTicks longest_piece(LiveGraph& live) noexcept;
+
+}  // namespace sinew
