@@ -175,6 +175,24 @@ class TileWriter {
   TileWriter(const SortedInfluences& influences, const VertexInput& in, VertexTiles& out)
       : influences_(influences), in_(in), out_(out) {}
 
+  /// Allocates what all sets need, and no more.
+  void reserve(std::span<const JointSet> sets) {
+    std::size_t joints = 0, tiles = 0, weights = 0;
+    for (const JointSet& set : sets) {
+      const std::size_t of_set = (set.lanes.size() + VertexTiles::kLanes - 1) / VertexTiles::kLanes;
+      joints += set.joints.size();
+      tiles += of_set;
+      weights += of_set * (set.joints.size() - 1);
+    }
+    out_.runs.reserve(sets.size());
+    out_.joints.reserve(joints);
+    out_.positions.reserve(3 * tiles + weights);
+    out_.normals.reserve(in_.normals.empty() ? 0 : 3 * tiles);
+    out_.tangents.reserve(in_.tangents.empty() ? 0 : 4 * tiles);
+    out_.vertices.reserve(VertexTiles::kLanes * tiles);
+    out_.fours.reserve(VertexTiles::kLanes / 4 * tiles);
+  }
+
   void add(const JointSet& set) {
     TileRun run{.first_tile = static_cast<std::uint32_t>(out_.tile_count()),
                 .lane_count = static_cast<std::uint32_t>(set.lanes.size()),
@@ -257,6 +275,7 @@ VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput&
   VertexTiles tiles;
   tiles.vertex_count = sorted.vertex_count();
   TileWriter writer(sorted, vertices, tiles);
+  writer.reserve(sets);
   for (const JointSet& set : sets) writer.add(set);
   return tiles;
 }
