@@ -105,8 +105,8 @@ SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexce
 /// caller keeps (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
 ///      needs   must have no fault (find_fault in check_needs.h). One breaks a contract, whose text names the rule
-/// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
-///      skins
+/// cost O(size of the scene), allocates the plan, with a sorted copy of the vertices of meshes that are skinned
+///      linearly (VertexTiles); where joints are left out also reduced copies of skeleton, clips and skins
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
 
 /// Same, for a scene that only this plan has.
