@@ -105,15 +105,18 @@ SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexce
 /// caller keeps (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
 ///      needs   must have no fault (find_fault in check_needs.h). One breaks a contract, whose text names the rule
+///      beside  another plan of this very scene, such as that of a finer level of detail. Tables of meshes that both
+///              need are shared
 /// cost O(size of the scene), allocates the plan, with a sorted copy of the vertices of meshes that are skinned
 ///      linearly (VertexTiles); where joints are left out also reduced copies of skeleton, clips and skins
-SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs, const Plan& beside = {});
 
 /// Same, for a scene that only this plan has.
 inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_plan(share(std::move(scene)), needs); }
 
 /// Same, for clips of a library (library/clip_library.h) in place of the scene's own. Layers name them by index.
 /// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so that the array may go
-SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs,
+                            const Plan& beside = {});
 
 }  // namespace sinew

@@ -85,11 +85,23 @@ class NeverShown {
   std::unique_ptr<bool[]> hidden_;
 };
 
+/// Calls `body(primitive, index)` for all primitives of a plan; null has none.
+template <class Body>
+void for_each_primitive(const CompiledPlan* plan, const Body& body) {
+  for (std::size_t p = 0; plan != nullptr && p < plan->primitives.size(); ++p)
+    body(primitive_of(*plan, plan->primitives[p]), p);
+}
+
 /// Chooses how the vertices of a primitive follow their joints linearly, once for all instances of one skin: in tiles,
 /// with combined influences, both or neither. All instances of a primitive want the same attributes.
 class LinearSkinningOfPlan {
  public:
-  explicit LinearSkinningOfPlan(CompiledPlan& plan) : plan_(plan) {}
+  LinearSkinningOfPlan(CompiledPlan& plan, const CompiledPlan* beside) : plan_(plan) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      const PrimitiveSkinning& skinning = beside->primitive_skinning[p];
+      if (skinning.tiles != nullptr && skinning.combined == kNone) beside_[&primitive] = skinning.tiles;
+    });
+  }
 
   const PrimitiveSkinning& of(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
     const auto [at, is_new] = known_.try_emplace({&primitive, skin});
@@ -120,11 +132,16 @@ class LinearSkinningOfPlan {
   /// The tiles of a primitive, which skins share.
   Tiles tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
     const auto [at, is_new] = tiles_.try_emplace(&primitive);
-    if (is_new) at->second = make_tiles(primitive.influences, primitive, planned);
+    if (!is_new) return at->second;
+    const auto made = beside_.find(&primitive);
+    const bool serves = made != beside_.end() && !planned.morph.any() &&
+                        (!planned.skin.normals || !made->second->normals.empty()) &&
+                        (!planned.skin.tangents || !made->second->tangents.empty());
+    at->second = serves ? made->second : make_tiles(primitive.influences, primitive, planned);
     return at->second;
   }
 
-  /// Null where SkinLinearJob is faster. Morphed vertices do not stay those of the tiles.
+  /// Null where SkinLinearJob is faster. Moving morphed vertices into tiles takes as long as tiles save.
   static Tiles make_tiles(const VertexInfluences& influences, const Primitive& primitive,
                           const PrimitivePlan& planned) {
     if (planned.morph.any()) return nullptr;
@@ -138,12 +155,17 @@ class LinearSkinningOfPlan {
 
   CompiledPlan& plan_;
   std::map<std::pair<const Primitive*, std::uint32_t>, PrimitiveSkinning> known_;
-  std::map<const Primitive*, Tiles> tiles_;
+  std::map<const Primitive*, Tiles> tiles_, beside_;
 };
 
 /// Sorts the triangles of primitives with flat normals, once for all instances of a mesh.
 class FlatFacesOfPlan {
  public:
+  explicit FlatFacesOfPlan(const CompiledPlan* beside) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      if (beside->flat_faces[p] != nullptr) known_[&primitive] = beside->flat_faces[p];
+    });
+  }
   std::shared_ptr<const FlatFaces> of(const Primitive& primitive) {
     std::shared_ptr<const FlatFaces>& faces = known_[&primitive];
     if (!faces) faces = std::make_shared<const FlatFaces>(sort_flat_faces(primitive.indices, primitive.vertex_count()));
@@ -157,6 +179,11 @@ class FlatFacesOfPlan {
 /// Joins the triangles of primitives that may play, once for all instances of a mesh.
 class SurfacesOfPlan {
  public:
+  explicit SurfacesOfPlan(const CompiledPlan* beside) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      if (beside->surface_faces[p] != nullptr) known_[&primitive] = beside->surface_faces[p];
+    });
+  }
   std::shared_ptr<const SurfaceFaces> of(const Primitive& primitive, bool with_tangents) {
     std::shared_ptr<const SurfaceFaces>& faces = known_[&primitive];
     if (!faces || (with_tangents && faces->tangents.empty()))
@@ -217,16 +244,16 @@ void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t
 
 }  // namespace
 
-void plan_primitives(CompiledPlan& plan) {
+void plan_primitives(CompiledPlan& plan, const CompiledPlan* beside) {
   const Scene& scene = *plan.scene;
   plan.palette.resize(scene.skins.size());
   plan.split.resize(scene.skins.size());
   plan.combined.resize(scene.skins.size());
   const NeverShown never_shown(plan);
   const Needs nothing = {.out = {.positions = false, .normals = false, .tangents = false}};
-  LinearSkinningOfPlan linear(plan);
-  FlatFacesOfPlan flat_faces;
-  SurfacesOfPlan surfaces;
+  LinearSkinningOfPlan linear(plan, beside);
+  FlatFacesOfPlan flat_faces(beside);
+  SurfacesOfPlan surfaces(beside);
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];

@@ -60,6 +60,40 @@ TEST(tiles_in_frames, are_made_once_for_all_instances_and_skins_of_a_mesh) {
   EXPECT_LT(tables.size(), tiled_primitives(plan));
 }
 
+TEST(tiles_in_frames, are_those_of_the_plan_beside_where_they_have_what_is_needed) {
+  RandomSceneOptions options;
+  options.flat_normals = true;
+  const Scene scene = tiled_scene(3, options);
+  Needs of_far_ones;
+  of_far_ones.out.tangents = false;
+  const Plan near_plan = compile_plan(lend(scene), {});
+  const Plan far_plan = compile_plan(lend(scene), of_far_ones, near_plan);
+  const CompiledPlan &near_ones = *near_plan.compiled(), &far_ones = *far_plan.compiled();
+  ASSERT_GT(tiled_primitives(far_plan), 0u);
+  for (std::size_t p = 0; p < near_ones.primitives.size(); ++p) {
+    EXPECT_EQ(near_ones.primitive_skinning[p].tiles, far_ones.primitive_skinning[p].tiles) << p;
+    EXPECT_EQ(near_ones.flat_faces[p], far_ones.flat_faces[p]) << p;
+  }
+  const Plan lone_plan = compile_plan(lend(scene), of_far_ones);
+  FrameBuffer shared(far_plan), alone(lone_plan);
+  ASSERT_EQ(run_plan(far_plan, {}, shared), ErrorCode::ok);
+  ASSERT_EQ(run_plan(lone_plan, {}, alone), ErrorCode::ok);
+  EXPECT_EQ(hash_vertices(shared.result()), hash_vertices(alone.result()));
+}
+
+TEST(tiles_in_frames, are_made_anew_beside_a_plan_whose_tiles_lack_an_attribute) {
+  const Scene scene = tiled_scene(3);
+  Needs fewer;
+  fewer.out.normals = false;
+  const Plan beside = compile_plan(lend(scene), fewer), plan = compile_plan(lend(scene), {}, beside);
+  ASSERT_GT(tiled_primitives(plan), 0u);
+  for (std::size_t p = 0; p < plan.primitives().size(); ++p)
+    if (const VertexTiles* tiles = plan.compiled()->primitive_skinning[p].tiles.get(); tiles != nullptr) {
+      EXPECT_NE(tiles, beside.compiled()->primitive_skinning[p].tiles.get());
+      EXPECT_FALSE(tiles->normals.empty());
+    }
+}
+
 TEST(tiles_in_frames, hold_the_attributes_that_the_needs_ask_for) {
   const Scene scene = tiled_scene(3);
   for (const bool normals : {false, true})
