@@ -101,6 +101,7 @@ Json work_json(const WorkCounters& work) {
           {"morph_deltas", work.morph_deltas},
           {"vertices_morphed", work.vertices_morphed},
           {"vertices_skinned_linear", work.vertices_skinned_linear},
+          {"vertices_skinned_in_tiles", work.vertices_skinned_in_tiles},
           {"vertices_skinned_dual_quaternion", work.vertices_skinned_dual_quaternion},
           {"vertices_skinned_center_of_rotation", work.vertices_skinned_center_of_rotation},
           {"cache_frames_decoded", work.cache_frames_decoded},

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -30,11 +31,22 @@ struct sinew_scene {
   sinew::Scene scene;
   mutable std::atomic<std::size_t> plan_count{0};  // plans of this scene that exist; they refer to its clips
   sinew::ClipBoxes clip_boxes = {};                // boxes of the file; empty if it has none
+
+  // Plans share the tables of the scene's meshes: each is compiled beside the one before, if that one still exists.
+  sinew::Plan compile(std::span<const sinew::Clip> clips, const sinew::Needs& needs) const {
+    const std::lock_guard lock(plan_mutex);
+    const sinew::Plan beside(last_plan.lock());
+    sinew::Plan plan = compile_plan(lend(scene), clips, needs, beside);
+    last_plan = plan.compiled();
+    return plan;
+  }
+  mutable std::mutex plan_mutex = {};
+  mutable std::weak_ptr<const sinew::CompiledPlan> last_plan = {};
 };
 
 struct sinew_plan {
   sinew_plan(const sinew_scene& of, std::span<const sinew::Clip> clips, const sinew::Needs& needs)
-      : scene(&of), plan(compile_plan(lend(of.scene), clips, needs)) {
+      : scene(&of), plan(of.compile(clips, needs)) {
     ++scene->plan_count;
   }
   ~sinew_plan() { --scene->plan_count; }

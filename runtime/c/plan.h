@@ -61,7 +61,8 @@ typedef struct sinew_needs {
 /// of each kind, no programs, linear skinning and all joints; struct_size is set.
 SINEW_API sinew_needs sinew_default_needs(void);
 
-/// The stages that a scene needs. Shared by all characters that show the scene.
+/// The stages that a scene needs. Shared by all characters that show the scene. Plans of one scene share the tables
+/// that they derive from its meshes.
 typedef struct sinew_plan sinew_plan;
 
 /// Compiles the plan of a scene.

@@ -125,10 +125,13 @@ struct SkinRow {
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
   const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
-  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    if constexpr (count != 1)
-      for_each_row<count>(job.influences, group, job.vertices, job.out,
-                          SkinRow<count, stretched>{job, copies, one_hemisphere});
+  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto each_count, auto stretched) {
+    constexpr int kEach = each_count;
+    constexpr bool kRare = stretched && kEach == 8;
+    constexpr int kCount = kKernelCount<kEach, kRare>;
+    if constexpr (kCount != 1)
+      for_each_row<kCount>(job.influences, group, job.vertices, job.out,
+                           SkinRow<kCount, stretched>{job, copies, one_hemisphere});
   });
 }
 

@@ -84,9 +84,12 @@ struct SkinRow {
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
-  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    if (count == 1 && !job.palette.empty()) return;
-    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_hemisphere});
+  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto each_count, auto stretched) {
+    if (each_count == 1 && !job.palette.empty()) return;
+    constexpr int kEach = each_count == 1 ? 0 : static_cast<int>(each_count);  // few jobs have no palette
+    constexpr bool kRare = stretched && kEach == 8;
+    constexpr int kCount = kKernelCount<kEach, kRare>;
+    for_each_row<kCount>(job.influences, group, job.vertices, job.out, SkinRow<kCount, stretched>{job, one_hemisphere});
   });
 }
 

@@ -308,10 +308,9 @@ void skin_linear(const SkinLinearJob& job) {
   const NonTemporalStores streamed(job.out, wanted, job.past_caches);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto each_count) {
-      // Rare combinations have one kernel for all counts of two and more: each kernel is half a second of compile time.
-      // A single influence has its own, which does not multiply by the weight.
+      constexpr int kEach = each_count;
       constexpr bool kRare = cofactor || (tangents && !normals);
-      constexpr int kCount = kRare && each_count != 1 ? 0 : each_count;
+      constexpr int kCount = kKernelCount<kEach, kRare>;
       for_each_row<kCount>(job.influences, group, job.vertices, job.out,
                            SkinRow<kCount, normals, tangents, cofactor>{PaletteBases(job.palette.data())}, streamed);
     });

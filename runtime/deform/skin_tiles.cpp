@@ -124,7 +124,7 @@ struct SkinRun {
       const bool sound = skin_lanes(matrices, positions + 3, in_tile, {positions, normals, tangents}, positions_out,
                                     normals_out, tangents_out);
       if (HWY_UNLIKELY(!is_direct))
-        kept.store(s, {vertices + lane, fours + lane / 4, lane < row_lanes}, kNormals, kTangents);
+        kept.store(s, {vertices + lane, fours + lane / 4, lane_count - lane, lane < row_lanes}, kNormals, kTangents);
       if constexpr (kNormals || kTangents)
         if (HWY_UNLIKELY(!sound))
           write_careful(s, run, lane, TileInputs{positions, normals, tangents}, kNormals, kTangents, kCofactor);

@@ -65,19 +65,18 @@ class SortedInfluences {
 
 /// The vertices that follow one set of joints.
 struct JointSet {
-  std::vector<std::uint16_t> joints;                           ///< rising
-  std::size_t base = 0;                                        ///< the joint whose weight is left out
+  std::vector<std::uint16_t> joints;                           ///< rising; the weight of the first is left out
   std::vector<std::uint32_t> lanes;                            ///< vertices in the order of the run
   std::uint32_t in_fours = 0, in_eights = 0, in_sixteens = 0;  ///< as in TileRun
 
   std::uint32_t leftover() const noexcept { return static_cast<std::uint32_t>(lanes.size() % kVector); }
   std::uint32_t free() const noexcept { return (kVector - leftover()) % kVector; }
 
-  /// Rounding grows with the matrix of `base`, so a vertex must follow it.
+  /// Vertices must follow the first joint: rounding grows with its matrix. Terms of weight 0 change no bit, so vertices
+  /// have the bits that they would have in a run of their own set.
   bool may_take(const JointSet& other) const noexcept {
-    return other.joints.size() < joints.size() &&
-           std::includes(joints.begin(), joints.end(), other.joints.begin(), other.joints.end()) &&
-           std::binary_search(other.joints.begin(), other.joints.end(), joints[base]);
+    return other.joints[0] == joints[0] && other.joints.size() < joints.size() &&
+           std::includes(joints.begin(), joints.end(), other.joints.begin(), other.joints.end());
   }
 };
 
@@ -107,14 +106,6 @@ std::vector<Piece> pieces_of(std::span<const std::uint32_t> vertices) {
   return pieces;
 }
 
-/// The joint with the largest sum of weights: differences from it have the smallest factors.
-std::size_t heaviest_joint(const SortedInfluences& influences, std::span<const std::uint32_t> vertices) {
-  std::vector<double> sums(influences.of(vertices[0]).size());
-  for (const std::uint32_t v : vertices)
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += double{influences.of(v)[i].weight};
-  return static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-}
-
 std::vector<JointSet> find_sets(const SortedInfluences& influences) {
   std::vector<std::uint32_t> order(influences.vertex_count());
   std::iota(order.begin(), order.end(), 0u);
@@ -128,7 +119,6 @@ std::vector<JointSet> find_sets(const SortedInfluences& influences) {
     const auto vertices = std::span(order).subspan(begin, end - begin);
     JointSet& set = sets.emplace_back();
     for (const Influence& influence : influences.of(vertices[0])) set.joints.push_back(influence.joint);
-    set.base = heaviest_joint(influences, vertices);
     for (const Piece& piece : pieces_of(vertices)) {
       set.in_sixteens += piece.count == 16 ? 16 : 0;
       set.in_eights += piece.count >= 8 ? piece.count : 0;
@@ -141,19 +131,19 @@ std::vector<JointSet> find_sets(const SortedInfluences& influences) {
 
 /// Moves the vertices of sets that fill no whole vector to free lanes of larger sets, where all of them find a place.
 void move_leftovers(std::vector<JointSet>& sets) {
-  std::vector<std::vector<std::size_t>> with_joint;
-  for (std::size_t s = 0; s < sets.size(); ++s)
-    for (const std::uint16_t joint : sets[s].joints) {
-      if (joint >= with_joint.size()) with_joint.resize(joint + 1u);
-      with_joint[joint].push_back(s);
-    }
+  std::vector<std::vector<std::size_t>> of_first;  // sets by their first joint
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const std::uint16_t joint = sets[s].joints[0];
+    if (joint >= of_first.size()) of_first.resize(joint + 1u);
+    of_first[joint].push_back(s);
+  }
   for (auto largest = sets.rbegin(); largest != sets.rend(); ++largest) {  // so that no vertex moves twice
     JointSet& set = *largest;
     if (set.leftover() == 0) continue;
     std::vector<std::size_t> takers;
     std::uint32_t room = 0;
     std::size_t tried = 0;
-    for (const std::size_t s : with_joint[set.joints[set.base]]) {
+    for (const std::size_t s : of_first[set.joints[0]]) {
       if (room >= set.leftover() || ++tried > kMostTried) break;
       if (sets[s].free() == 0 || !sets[s].may_take(set)) continue;
       takers.push_back(s);
@@ -175,6 +165,24 @@ class TileWriter {
   TileWriter(const SortedInfluences& influences, const VertexInput& in, VertexTiles& out)
       : influences_(influences), in_(in), out_(out) {}
 
+  /// Allocates what all sets need, and no more.
+  void reserve(std::span<const JointSet> sets) {
+    std::size_t joints = 0, tiles = 0, weights = 0;
+    for (const JointSet& set : sets) {
+      const std::size_t of_set = (set.lanes.size() + VertexTiles::kLanes - 1) / VertexTiles::kLanes;
+      joints += set.joints.size();
+      tiles += of_set;
+      weights += of_set * (set.joints.size() - 1);
+    }
+    out_.runs.reserve(sets.size());
+    out_.joints.reserve(joints);
+    out_.positions.reserve(3 * tiles + weights);
+    out_.normals.reserve(in_.normals.empty() ? 0 : 3 * tiles);
+    out_.tangents.reserve(in_.tangents.empty() ? 0 : 4 * tiles);
+    out_.vertices.reserve(VertexTiles::kLanes * tiles);
+    out_.fours.reserve(VertexTiles::kLanes / 4 * tiles);
+  }
+
   void add(const JointSet& set) {
     TileRun run{.first_tile = static_cast<std::uint32_t>(out_.tile_count()),
                 .lane_count = static_cast<std::uint32_t>(set.lanes.size()),
@@ -184,9 +192,8 @@ class TileWriter {
                 .in_fours = set.in_fours,
                 .in_eights = set.in_eights,
                 .in_sixteens = set.in_sixteens};
-    for (std::size_t i = 0; i < set.joints.size(); ++i)
-      if (i != set.base) out_.joints.push_back(set.joints[i]);
-    out_.joints.push_back(set.joints[set.base]);
+    out_.joints.insert(out_.joints.end(), set.joints.begin() + 1, set.joints.end());
+    out_.joints.push_back(set.joints[0]);
     out_.joint_count = std::max(out_.joint_count, set.joints.back() + 1u);
     for (std::size_t lane = 0; lane < set.lanes.size(); lane += VertexTiles::kLanes) {
       const std::size_t own = std::min<std::size_t>(set.lanes.size() - lane, VertexTiles::kLanes);
@@ -257,6 +264,7 @@ VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput&
   VertexTiles tiles;
   tiles.vertex_count = sorted.vertex_count();
   TileWriter writer(sorted, vertices, tiles);
+  writer.reserve(sets);
   for (const JointSet& set : sets) writer.add(set);
   return tiles;
 }

@@ -34,7 +34,8 @@ struct TileRun {
 ///
 /// Vertices are sorted by the set of their joints, whose order does not matter. If the last ones of a set
 /// fill no vector, they take free lanes of larger sets, with weight 0 for all other joints. The weights of a vertex
-/// are divided by their sum. Then the last weight is 1 minus the others, and is not stored.
+/// are divided by their sum. Then the weight of its first joint is 1 minus the others, and is not stored.
+/// Vertices that are equal have equal bits afterwards, also those of two primitives: seams stay closed.
 struct VertexTiles {
   static constexpr std::uint32_t kLanes = 16;
   static constexpr std::uint32_t kNotInARow = 0x7fffffff;

@@ -63,6 +63,11 @@ std::size_t bytes_of_faces(const SurfaceFaces& faces) {
   return sizeof faces + bytes_of(faces.corners) + bytes_of(faces.point_of_vertex) + bytes_of(faces.tangents);
 }
 
+std::size_t bytes_of_tiles(const VertexTiles& tiles) {
+  return sizeof tiles + bytes_of(tiles.runs) + bytes_of(tiles.joints) + bytes_of(tiles.positions) +
+         bytes_of(tiles.normals) + bytes_of(tiles.tangents) + bytes_of(tiles.vertices) + bytes_of(tiles.fours);
+}
+
 }  // namespace
 
 MemoryCount& MemoryCount::add(const Plan& handle) {
@@ -78,6 +83,8 @@ MemoryCount& MemoryCount::add(const Plan& handle) {
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
   for (const auto& faces : plan.surface_faces)
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
+  for (const PrimitiveSkinning& skinning : plan.primitive_skinning)
+    if (is_new(skinning.tiles.get())) bytes_.plans += bytes_of_tiles(*skinning.tiles);
   for (const Clip& clip : assets.clips) add(clip);
   if (!assets.leaves_out()) return *this;
   add(*assets.skeleton);  // reduced by the skeleton LOD

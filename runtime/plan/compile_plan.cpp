@@ -169,16 +169,18 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
 
 }  // namespace
 
-Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs) {
+Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs, const Plan& beside) {
   CONTRACT(scene != nullptr && "a plan needs a scene");
   const std::span<const Clip> clips = scene->clips;
-  return compile_plan(std::move(scene), clips, needs);
+  return compile_plan(std::move(scene), clips, needs, beside);
 }
 
-Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> clips, const Needs& needs) {
+Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> clips, const Needs& needs,
+                  const Plan& beside) {
   CONTRACT(shared != nullptr && "a plan needs a scene");
   const Scene& scene = *shared;
   CONTRACT(has_valid_indices(scene) && "a scene has passed check(Scene) before it is compiled");
+  CONTRACT((!beside.is_compiled() || &beside.scene() == &scene) && "plans share tables of one scene");
   CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
   if (const Refusal fault = find_fault(needs, scene); fault.error != ErrorCode::ok)
     detail::contract_failed(text_of(fault).c_str(), __FILE__, __LINE__);
@@ -197,7 +199,7 @@ Plan compile_plan(std::shared_ptr<const Scene> shared, std::span<const Clip> cli
   choose_pose_stages(plan);
   if (plan.mirror) plan.mirror_tables = make_mirror_tables(plan.assets.mirror->joints);
   plan.joint_scales = places_joints(needs.in) ? any_scales(plan.assets) : joint_scales(plan.assets, adds(plan));
-  plan_primitives(plan);
+  plan_primitives(plan, beside.compiled().get());
   const bool morphs = std::any_of(plan.primitives.begin(), plan.primitives.end(),
                                   [](const PrimitivePlan& p) { return p.morph.any() || p.morph_colors; });
   plan.correctives = !scene.correctives.empty() && (needs.out.weights || morphs);

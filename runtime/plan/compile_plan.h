@@ -104,10 +104,12 @@ SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexce
 /// Compiles the plan of a scene. share(std::move(scene)) makes a scene that plans keep alive; with lend(scene) the
 /// caller keeps it alive (model/scene.h).
 /// in   scene   must have passed check(Scene). Indices out of range break a contract
-/// in   needs must have no fault (find_fault in check_needs.h). A fault breaks a contract, whose text names the rule
-/// cost O(size of the scene), allocates the plan. If joints are left out, also reduced copies of skeleton, clips and
-///      skins
-SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs);
+/// in   needs   must have no fault (find_fault in check_needs.h). A fault breaks a contract, whose text names the rule
+///      beside  another plan of the same scene, for example of a finer level of detail. Both plans share the tables of
+///              meshes that both need
+/// cost O(size of the scene), allocates the plan, with a sorted copy of the vertices of meshes that are skinned
+///      linearly (VertexTiles). If joints are left out, also reduced copies of skeleton, clips and skins
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs, const Plan& beside = {});
 
 /// Same, for a scene that only this plan uses.
 inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_plan(share(std::move(scene)), needs); }
@@ -115,6 +117,7 @@ inline Plan compile_plan(Scene&& scene, const Needs& needs) { return compile_pla
 /// Same, for clips of a library (library/clip_library.h) in place of the scene's own. Layers name them by index.
 /// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so the array may be
 ///      destroyed
-SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs);
+SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, std::span<const Clip> clips, const Needs& needs,
+                            const Plan& beside = {});
 
 }  // namespace sinew

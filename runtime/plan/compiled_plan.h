@@ -9,6 +9,7 @@
 #include "runtime/deform/combine_influences.h"
 #include "runtime/deform/flat_faces.h"
 #include "runtime/deform/surface_normals.h"
+#include "runtime/deform/vertex_tiles.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_layout.h"
 #include "runtime/plan/joint_scales.h"
@@ -20,8 +21,9 @@ namespace sinew {
 
 /// How a primitive of a mesh instance is skinned, in addition to PrimitivePlan.
 struct PrimitiveSkinning {
-  std::vector<JointPair> pairs;    ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
-  std::uint32_t combined = kNone;  ///< index into CompiledPlan::combined of its skin; kNone = not used
+  std::vector<JointPair> pairs;              ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
+  std::uint32_t combined = kNone;            ///< index into CompiledPlan::combined of its skin; kNone = not used
+  std::shared_ptr<const VertexTiles> tiles;  ///< of the influences, or of the combined ones; null = SkinLinearJob skins
 };
 
 /// The content of a Plan: everything that run_plan reads beside the input. Internal to plan/ and its tests.

@@ -61,7 +61,8 @@ struct WorkCounters : PoseProgramWork {
   std::uint64_t morph_deltas = 0;
   std::uint64_t vertices_morphed = 0;
   std::uint64_t vertices_skinned_linear = 0;
-  std::uint64_t normals_by_cofactors = 0;  ///< linearly skinned vertices whose normals use the cofactor matrix
+  std::uint64_t vertices_skinned_in_tiles = 0;  ///< linearly skinned vertices that VertexTiles hold
+  std::uint64_t normals_by_cofactors = 0;       ///< linearly skinned vertices whose normals use the cofactor matrix
   std::uint64_t vertices_skinned_dual_quaternion = 0;
   std::uint64_t vertices_skinned_center_of_rotation = 0;
   std::uint64_t windings_tested = 0;  ///< mesh instances whose determinant was computed, since its sign can change

@@ -85,27 +85,87 @@ class NeverShown {
   std::unique_ptr<bool[]> hidden_;
 };
 
-/// Combines the influences of primitives, once for all instances of one skin.
-class CombinationsOfPlan {
- public:
-  explicit CombinationsOfPlan(CompiledPlan& plan) : plan_(plan) {}
+/// Calls `body(primitive, index)` for all primitives of a plan; null has none.
+template <class Body>
+void for_each_primitive(const CompiledPlan* plan, const Body& body) {
+  for (std::size_t p = 0; plan != nullptr && p < plan->primitives.size(); ++p)
+    body(primitive_of(*plan, plan->primitives[p]), p);
+}
 
-  /// Index into CompiledPlan::combined of the skin; kNone if each vertex blends its own matrices.
-  std::uint32_t of(const Primitive& primitive, std::uint32_t skin) {
-    std::vector<CombinedInfluences>& all = plan_.combined[skin];
-    const auto [at, is_new] = known_.try_emplace({&primitive, skin}, static_cast<std::uint32_t>(all.size()));
-    if (is_new) all.push_back(combine_influences(primitive.influences, matrix_count(plan_, skin)));
-    return all[at->second].used() ? at->second : kNone;
+/// Chooses how the vertices of a primitive follow their joints linearly, once for all instances of one skin: in tiles,
+/// with combined influences, both or neither. All instances of a primitive want the same attributes.
+class LinearSkinningOfPlan {
+ public:
+  LinearSkinningOfPlan(CompiledPlan& plan, const CompiledPlan* beside) : plan_(plan) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      const PrimitiveSkinning& skinning = beside->primitive_skinning[p];
+      if (skinning.tiles != nullptr && skinning.combined == kNone) beside_[&primitive] = skinning.tiles;
+    });
+  }
+
+  const PrimitiveSkinning& of(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
+    const auto [at, is_new] = known_.try_emplace({&primitive, skin});
+    if (is_new) at->second = choose(primitive, skin, planned);
+    return at->second;
   }
 
  private:
+  using Tiles = std::shared_ptr<const VertexTiles>;
+
+  PrimitiveSkinning choose(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
+    PrimitiveSkinning chosen;
+    chosen.tiles = tiles_of(primitive, planned);
+    CombinedInfluences combined = combine_influences(primitive.influences, matrix_count(plan_, skin));
+    if (combined.used()) {
+      // A vector takes less time with one matrix a vertex, so combinations win if they need no more vectors.
+      const Tiles tiles = make_tiles(combined.vertices, primitive, planned);
+      if (tiles != nullptr && (chosen.tiles == nullptr || tiles->relative_cost() <= chosen.tiles->relative_cost()))
+        chosen.tiles = tiles;
+      else if (chosen.tiles != nullptr)
+        combined.combinations = combined.vertices = {};
+    }
+    if (combined.used()) chosen.combined = static_cast<std::uint32_t>(plan_.combined[skin].size());
+    plan_.combined[skin].push_back(std::move(combined));
+    return chosen;
+  }
+
+  /// The tiles of a primitive, which skins share.
+  Tiles tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
+    const auto [at, is_new] = tiles_.try_emplace(&primitive);
+    if (!is_new) return at->second;
+    const auto made = beside_.find(&primitive);
+    const bool serves = made != beside_.end() && !planned.morph.any() &&
+                        (!planned.skin.normals || !made->second->normals.empty()) &&
+                        (!planned.skin.tangents || !made->second->tangents.empty());
+    at->second = serves ? made->second : make_tiles(primitive.influences, primitive, planned);
+    return at->second;
+  }
+
+  /// Null where SkinLinearJob is faster. Moving morphed vertices into tiles takes as long as tiles save.
+  static Tiles make_tiles(const VertexInfluences& influences, const Primitive& primitive,
+                          const PrimitivePlan& planned) {
+    if (planned.morph.any()) return nullptr;
+    VertexInput in{.positions = primitive.positions, .normals = {}, .tangents = {}};
+    if (planned.skin.normals) in.normals = primitive.normals;
+    if (planned.skin.tangents) in.tangents = primitive.tangents;
+    VertexTiles tiles = tile_vertices(influences, in);
+    if (tiles.relative_cost() > VertexTiles::kMostCost) return nullptr;
+    return std::make_shared<const VertexTiles>(std::move(tiles));
+  }
+
   CompiledPlan& plan_;
-  std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
+  std::map<std::pair<const Primitive*, std::uint32_t>, PrimitiveSkinning> known_;
+  std::map<const Primitive*, Tiles> tiles_, beside_;
 };
 
 /// Sorts the triangles of primitives with flat normals, once for all instances of a mesh.
 class FlatFacesOfPlan {
  public:
+  explicit FlatFacesOfPlan(const CompiledPlan* beside) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      if (beside->flat_faces[p] != nullptr) known_[&primitive] = beside->flat_faces[p];
+    });
+  }
   std::shared_ptr<const FlatFaces> of(const Primitive& primitive) {
     std::shared_ptr<const FlatFaces>& faces = known_[&primitive];
     if (!faces) faces = std::make_shared<const FlatFaces>(sort_flat_faces(primitive.indices, primitive.vertex_count()));
@@ -119,6 +179,11 @@ class FlatFacesOfPlan {
 /// Joins the triangles of primitives that a source may play, once for all instances of a mesh.
 class SurfacesOfPlan {
  public:
+  explicit SurfacesOfPlan(const CompiledPlan* beside) {
+    for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
+      if (beside->surface_faces[p] != nullptr) known_[&primitive] = beside->surface_faces[p];
+    });
+  }
   std::shared_ptr<const SurfaceFaces> of(const Primitive& primitive, bool with_tangents) {
     std::shared_ptr<const SurfaceFaces>& faces = known_[&primitive];
     if (!faces || (with_tangents && faces->tangents.empty()))
@@ -164,7 +229,7 @@ JointScale scale_of_instance(const CompiledPlan& plan, std::size_t i) {
 }
 
 /// Plans the matrices that a skinned primitive needs of its skin.
-void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, CombinationsOfPlan& combinations,
+void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, LinearSkinningOfPlan& linear,
                    PrimitivePlan& planned, PrimitiveSkinning& skinning) {
   plan.palette[skin] = true;
   if (planned.skinning != Skinning::linear) {
@@ -172,23 +237,23 @@ void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t
     skinning.pairs = joint_pairs_of_vertices(primitive.influences, plan.scene->skins[skin].joints.size());
     return;
   }
-  skinning.combined = combinations.of(primitive, skin);
+  skinning = linear.of(primitive, skin, planned);
   planned.cofactors = plan.needs.skin.normal_rule == NormalRule::cofactor && planned.skin.normals &&
                       has_uneven_normals(plan, primitive, *plan.assets.skins[skin]);
 }
 
 }  // namespace
 
-void plan_primitives(CompiledPlan& plan) {
+void plan_primitives(CompiledPlan& plan, const CompiledPlan* beside) {
   const Scene& scene = *plan.scene;
   plan.palette.resize(scene.skins.size());
   plan.split.resize(scene.skins.size());
   plan.combined.resize(scene.skins.size());
   const NeverShown never_shown(plan);
   const Needs nothing = {.out = {.positions = false, .normals = false, .tangents = false}};
-  CombinationsOfPlan combinations(plan);
-  FlatFacesOfPlan flat_faces;
-  SurfacesOfPlan surfaces;
+  LinearSkinningOfPlan linear(plan, beside);
+  FlatFacesOfPlan flat_faces(beside);
+  SurfacesOfPlan surfaces(beside);
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
@@ -204,7 +269,7 @@ void plan_primitives(CompiledPlan& plan) {
       planned.primitive = p;
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       PrimitiveSkinning skinning;
-      if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, combinations, planned, skinning);
+      if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, linear, planned, skinning);
       plan.flat_faces.push_back(planned.flat_normals ? flat_faces.of(primitives[p]) : nullptr);
       plan.surface_faces.push_back(
           has_surface(planned, primitives[p]) ? surfaces.of(primitives[p], planned.cached.tangents) : nullptr);

@@ -193,7 +193,7 @@ PlanStage describe_combinations(const CompiledPlan& plan) {
   for (const std::vector<CombinedInfluences>& of_skin : plan.combined)
     for (const CombinedInfluences& combined : of_skin)
       if (combined.used() || combined.blended_vertices > 0) (combined.used() ? used : unused).add(combined);
-  const std::string left_out = "too little is shared in " + primitives(unused.primitives) + ": " + unused.text();
+  const std::string left_out = "sharing does not pay in " + primitives(unused.primitives) + ": " + unused.text();
   if (used.primitives == 0)
     return {"combinations", false, unused.primitives > 0 ? left_out : "no vertex blends the matrices of several joints",
             0, 0};
@@ -280,20 +280,23 @@ std::string describe_cofactors(const CompiledPlan& plan) {
 
 PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kind) {
   PlanStage stage{std::move(name), false, "", 0, 0};
-  std::uint64_t skinned = 0, skinned_otherwise = 0;
-  for (const PrimitivePlan& p : plan.primitives) {
+  std::uint64_t skinned = 0, skinned_otherwise = 0, in_tiles = 0;
+  for (std::size_t i = 0; i < plan.primitives.size(); ++i) {
+    const PrimitivePlan& p = plan.primitives[i];
     if (!p.skin.any()) continue;
     if (p.skinning != kind) {
       ++skinned_otherwise;
       continue;
     }
     ++skinned;
+    in_tiles += plan.primitive_skinning[i].tiles != nullptr;
     stage.count += primitive_of(plan, p).vertex_count();
     stage.bytes += attribute_bytes(p.skin, primitive_of(plan, p).vertex_count());
   }
   stage.runs = skinned > 0;
   if (stage.runs)
-    stage.reason = primitives(skinned) + " with joints and weights";
+    stage.reason = primitives(skinned) + " with joints and weights" +
+                   (in_tiles > 0 ? "; vertices of " + std::to_string(in_tiles) + " sorted by joints" : "");
   else if (skinned_otherwise > 0)
     stage.reason = why_other_skinning(plan, kind);
   else

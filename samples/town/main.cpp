@@ -72,7 +72,7 @@ struct Kind {
   explicit Kind(Scene made) : scene(std::make_shared<const Scene>(std::move(made))) {
     Needs of_far_ones;
     of_far_ones.out.normals = of_far_ones.out.tangents = false;
-    far_plan = compile_plan(scene, of_far_ones);
+    far_plan = compile_plan(scene, of_far_ones, near_plan);
   }
   std::shared_ptr<const Scene> scene;
   Plan near_plan = compile_plan(scene, Needs{}), far_plan;

@@ -15,7 +15,7 @@ namespace {
 /// True for our own cases whose instruction count is reproducible. Cases with several threads are not.
 bool is_counted(const Case& c) {
   const auto says = [&](const char* part) { return c.name.find(part) != std::string::npos; };
-  const bool own = says("/sinew/") || says("/packed/") || says("/unpacked/");
+  const bool own = says("/sinew/") || says("/tiles/") || says("/packed/") || says("/unpacked/");
   const bool threaded = says("threads") && !says("/1threads");
   return own && !threaded && c.item_count <= 100'000 && !c.name.starts_with("import/");
 }

@@ -176,7 +176,7 @@ TEST(combinations_in_frames, the_plan_says_how_many_and_why) {
       << runs.reason;
   const PlanStage left_out = stage(compile_plan(random_scene(2), {}), "combinations");
   EXPECT_FALSE(left_out.runs);
-  EXPECT_NE(left_out.reason.find("too little is shared in 4 primitives: "), std::string::npos) << left_out.reason;
+  EXPECT_NE(left_out.reason.find("sharing does not pay in 4 primitives: "), std::string::npos) << left_out.reason;
 }
 
 TEST(combinations_in_frames, P19_follow_the_palette_through_buffers_that_take_turns_and_allocate_nothing) {

@@ -217,6 +217,41 @@ TEST(skin_vertex_tiles, nothing_is_written_beyond_the_vertices) {
   }
 }
 
+/// Where two primitives meet, their vertices are equal. In one of them they take lanes beside vertices of more joints.
+TEST(skin_vertex_tiles, equal_vertices_of_two_meshes_have_equal_bits) {
+  test::FixedRandom random(11);
+  test::SkinnedVertices seam, body;
+  seam.influences.groups = {{0, 5, 2, 0}};
+  for (int v = 0; v < 5; ++v) {
+    const auto weight = static_cast<float>(random.in(0.02, 0.98));
+    seam.influences.joints.insert(seam.influences.joints.end(), {6, 2});
+    seam.influences.weights.insert(seam.influences.weights.end(), {weight, 1.0f - weight});
+    seam.positions.push_back(random.vec3());
+  }
+  body = seam;
+  body.influences.groups.push_back({5, 3, 3, 10});
+  for (int v = 0; v < 3; ++v) {
+    body.influences.joints.insert(body.influences.joints.end(), {9, 6, 2});
+    body.influences.weights.insert(body.influences.weights.end(), {0.9f, 0.05f, 0.05f});
+    body.positions.push_back(random.vec3());
+  }
+  seam.out_positions.resize(5);
+  body.out_positions.resize(8);
+  std::vector<JointMatrix> palette;
+  for (int j = 0; j < 10; ++j) palette.push_back(joint_matrix_from(affine_from_transform(random.transform())));
+  const VertexTiles of_seam = tile_vertices(seam.influences, seam.in()),
+                    of_body = tile_vertices(body.influences, body.in());
+  ASSERT_EQ(of_body.runs.size(), 1u) << "the seam fills up the run of three joints";
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    EXPECT_EQ(run(SkinTilesJob{.tiles = &of_seam, .palette = palette, .out = seam.out()}), ErrorCode::ok);
+    EXPECT_EQ(run(SkinTilesJob{.tiles = &of_body, .palette = palette, .out = body.out()}), ErrorCode::ok);
+    body.out_positions.resize(5);
+    EXPECT_EQ(seam.out_positions, body.out_positions) << test::simd_name(target);
+    body.out_positions.resize(8);
+  }
+}
+
 /// Vertices of joint 1 alone take lanes beside those that also follow joint 4.
 TEST(skin_vertex_tiles, a_joint_far_away_does_not_reach_the_vertices_that_do_not_follow_it) {
   test::SkinnedVertices s;

@@ -172,21 +172,13 @@ TEST(vertex_tiles, vertices_left_over_are_not_in_a_row_any_more) {
   EXPECT_EQ(tiles.runs[0].in_fours, 8u);
 }
 
-/// Joint 1 is the base of the first two sets, joint 4 that of the largest.
-TEST(vertex_tiles, vertices_left_over_move_once) {
+TEST(vertex_tiles, vertices_left_over_of_several_sets_share_a_run) {
   std::vector<std::vector<std::uint16_t>> joints(2, {1});
   joints.resize(5, {1, 4});
   joints.resize(8, {1, 4, 5});
-  VertexInfluences influences = even_shares(joints);
-  for (std::size_t i = 8; i < influences.weights.size(); i += 3) {
-    influences.weights[i] = influences.weights[i + 2] = 0.25f;
-    influences.weights[i + 1] = 0.5f;  // of joint 4
-  }
-  const std::vector<glm::vec3> positions(joints.size());
-  const VertexTiles tiles = tile_vertices(influences, {.positions = positions, .normals = {}, .tangents = {}});
-  ASSERT_EQ(tiles.runs.size(), 2u);
-  EXPECT_EQ(tiles.runs[0].lane_count, 2u);
-  EXPECT_EQ(tiles.runs[1].lane_count, 6u);
+  const VertexTiles tiles = tiles_of(joints);
+  ASSERT_EQ(tiles.runs.size(), 1u);
+  EXPECT_EQ(tiles.runs[0].lane_count, 8u);
 }
 
 TEST(vertex_tiles, long_stretches_end_where_their_set_ends) {
@@ -205,13 +197,7 @@ TEST(vertex_tiles, long_stretches_end_where_their_set_ends) {
 TEST(vertex_tiles, vertices_left_over_follow_the_last_joint_of_their_new_run) {
   std::vector<std::vector<std::uint16_t>> joints(3, {7});
   joints.resize(8, {1, 7});
-  VertexInfluences influences = even_shares(joints);
-  for (std::size_t i = 3; i < influences.weights.size(); i += 2) {
-    influences.weights[i] = 0.75f;  // of joint 1
-    influences.weights[i + 1] = 0.25f;
-  }
-  const std::vector<glm::vec3> positions(joints.size());
-  EXPECT_EQ(tile_vertices(influences, {.positions = positions, .normals = {}, .tangents = {}}).runs.size(), 2u);
+  EXPECT_EQ(tiles_of(joints).runs.size(), 2u);
 }
 
 TEST(vertex_tiles, weights_are_divided_by_their_sum) {

@@ -7,6 +7,7 @@
 #include "tests/scenes/random_scene.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/skinned_surface.h"
+#include "tests/scenes/stretches.h"
 #include "tests/scenes/swinging.h"
 
 namespace sinew::test {
@@ -101,6 +102,13 @@ Scene collapsing_scene() {
   return scene;
 }
 
+/// Vertices that share joints, which plans sort into tiles.
+Scene sharing_scene() {
+  Scene scene = random_scene(11, {.joints = 16, .targets = 0, .triangles = 120, .flat_normals = true});
+  share_joints_in_stretches(scene, 21);
+  return scene;
+}
+
 }  // namespace
 
 std::vector<GoldenScene> golden_scenes() {
@@ -113,6 +121,8 @@ std::vector<GoldenScene> golden_scenes() {
   add("random-1", random_scene(1, {.joints = 33, .targets = 7, .mirrored_joints = true}));
   add("random-2", random_scene(2, {.flat_normals = true}));
   add("collapsing", collapsing_scene());
+  add("sharing", sharing_scene());
+  add("limb-4", swinging_scene(scenes::long_chain(9), 612, 4));
   return all;
 }
 

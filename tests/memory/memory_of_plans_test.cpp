@@ -148,6 +148,22 @@ TEST_F(MemoryOfPlans, what_several_share_counts_once) {
               plan.surface_faces = {shared_surface, shared_surface};
             }) + plan_.surface_faces.size() * sizeof(shared_surface),
             2 * sizeof(shared_surface) + sizeof surface + 9 * sizeof(std::uint32_t) + 3 * sizeof(glm::vec2));
+  VertexTiles tiles;
+  tiles.runs.resize(2);
+  tiles.joints.resize(3);
+  tiles.positions.resize(5);
+  tiles.normals.resize(3);
+  tiles.tangents.resize(4);
+  tiles.vertices.resize(16);
+  tiles.fours.resize(4);
+  const auto shared_tiles = std::make_shared<const VertexTiles>(tiles);
+  EXPECT_EQ(added_by([&](CompiledPlan& plan) {
+              PrimitiveSkinning skinning;
+              skinning.tiles = shared_tiles;
+              plan.primitive_skinning = {skinning, {}, skinning};
+            }) + plan_.primitive_skinning.size() * sizeof(PrimitiveSkinning),
+            3 * sizeof(PrimitiveSkinning) + sizeof tiles + 2 * sizeof(TileRun) + 3 * sizeof(std::uint16_t) +
+                12 * sizeof(TilePlane) + 20 * sizeof(std::uint32_t));
   MirrorMap map;
   map.joints.resize(2);
   map.unpaired.resize(3);

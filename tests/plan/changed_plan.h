@@ -19,7 +19,17 @@ Plan changed(const Plan& plan, const Change& change) {
 inline Plan without_combinations(const Plan& plan) {
   return changed(plan, [](CompiledPlan& copy) {
     for (std::vector<CombinedInfluences>& of_skin : copy.combined) of_skin.clear();
-    for (PrimitiveSkinning& skinning : copy.primitive_skinning) skinning.combined = kNone;
+    for (PrimitiveSkinning& skinning : copy.primitive_skinning) {
+      if (skinning.combined != kNone) skinning.tiles = nullptr;
+      skinning.combined = kNone;
+    }
+  });
+}
+
+/// A copy of the plan whose vertices keep the order of the mesh.
+inline Plan without_tiles(const Plan& plan) {
+  return changed(plan, [](CompiledPlan& copy) {
+    for (PrimitiveSkinning& skinning : copy.primitive_skinning) skinning.tiles = nullptr;
   });
 }
 

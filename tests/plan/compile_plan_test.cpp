@@ -68,7 +68,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
             "+ local_to_model [3, 144 B]: joints are asked for; 2 of 3 are moved by no clip: composed once; no scale\n"
             "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
-            "- combinations [0, 0 B]: too little is shared in 1 primitive: 1 combination of joints and weights for 2 "
+            "- combinations [0, 0 B]: sharing does not pay in 1 primitive: 1 combination of joints and weights for 2 "
             "vertices\n"
             "- winding [0, 0 B]: no scale can change its sign: known beforehand\n"
             "- morph [0, 0 B]: no mesh instance has morph targets\n"

@@ -7,6 +7,7 @@
 #include "tests/plan/slow_frame.h"
 #include "tests/scenes/random_inputs.h"
 #include "tests/scenes/random_scene.h"
+#include "tests/scenes/stretches.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
@@ -59,6 +60,7 @@ struct Case {
   Skinning skinning;
   NormalRule rule;
   bool flat, mirrored;
+  bool in_tiles = false;  ///< vertices share joints, so that plans sort them
 };
 
 class SlowAgreement : public ::testing::TestWithParam<Case> {};
@@ -73,7 +75,12 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
     options.flat_normals = c.flat;
     options.mirrored_joints = c.mirrored;
     options.centers = c.skinning == Skinning::center_of_rotation;
-    const Scene scene = random_scene(seed, options);
+    if (c.in_tiles) {
+      options.targets = 0;
+      options.triangles = 150;
+    }
+    Scene scene = random_scene(seed, options);
+    if (c.in_tiles) share_joints_in_stretches(scene, 32);
     Needs needs;
     needs.skin.kind = c.skinning;
     needs.skin.normal_rule = c.rule;
@@ -84,6 +91,7 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
       FrameInput input{.layers = std::span(layers, count), .weights = {}, .root = {}};
       input.root.row[1].w = 2.0f;
       ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      EXPECT_EQ(frame.result().work.vertices_skinned_in_tiles > 0, c.in_tiles);
       const SlowFrame slow = evaluate_slowly(scene, needs, input);
       const Errors e = compare(frame.result(), slow);
       EXPECT_LE(e.model, 3e-6) << "seed " << seed << " layers " << count;
@@ -104,6 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"linear", Skinning::linear, NormalRule::linear, false, false},
         Case{"linear_cofactor_mirrored", Skinning::linear, NormalRule::cofactor, false, true},
         Case{"linear_G46_flat_G48_mirrored", Skinning::linear, NormalRule::linear, true, true},
+        Case{"linear_in_tiles", Skinning::linear, NormalRule::linear, false, false, true},
+        Case{"linear_in_tiles_cofactor_G46_flat_mirrored", Skinning::linear, NormalRule::cofactor, true, true, true},
         Case{"linear_cofactor_G46_flat_mirrored", Skinning::linear, NormalRule::cofactor, true, true},
         Case{"dual_quaternion", Skinning::dual_quaternion, NormalRule::linear, false, false},
         Case{"center_of_rotation_N21", Skinning::center_of_rotation, NormalRule::linear, false, false},

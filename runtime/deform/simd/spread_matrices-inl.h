@@ -13,17 +13,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// A base and differences from it. Products can read one operand from memory: on x86 below AVX-512 the numbers are
-/// broadcast to memory once a run, while AVX-512 broadcasts as it reads.
-/// eq   M = B + sum(w_i (M_i - B)), B the matrix of the last joint
-/// in   kCount  joints of the run; 0 = known at run time only, and blended slowly
-template <int kCount>
-class SpreadMatrices {
+/// A base and differences from it, of up to `kRoom` matrices. Products can read one operand from memory: on x86 below
+/// AVX-512 the numbers are broadcast to memory once a run, while AVX-512 broadcasts as it reads.
+template <std::size_t kRoom>
+class KeptMatrices {
  public:
-  HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t) {
-    const JointMatrix& base = palette[joints[kCount - 1]];
+  /// in   joints[count]  the base is the last one, and becomes entry 0
+  HWY_INLINE void fill(const JointMatrix* palette, const std::uint16_t* joints, std::size_t count) {
+    const JointMatrix& base = palette[joints[count - 1]];
     keep(0, base);
-    for (std::size_t i = 1; i < kCount; ++i) {
+    for (std::size_t i = 1; i < count; ++i) {
       const JointMatrix& joint = palette[joints[i - 1]];
       JointMatrix difference;
       const hn::CappedTag<float, 4> d;
@@ -37,9 +36,9 @@ class SpreadMatrices {
   }
 
   /// Column `c` of the blend of every vertex.
-  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
+  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane, std::size_t count) const {
     Lanes3 sum = column_of(0, c);
-    for (std::size_t i = 1; i < kCount; ++i)
+    for (std::size_t i = 1; i < count; ++i)
       sum = plus_product(sum, column_of(i, c), hn::Load(TileTag(), weights[i - 1].lane.data() + lane));
     return sum;
   }
@@ -66,18 +65,38 @@ class SpreadMatrices {
     }
   }
 
-  JointMatrix matrices_[kSpread ? 1 : kCount];
-  HWY_ALIGN float spread_[kSpread ? kCount : 1][4][3][kTileSize];
+  JointMatrix matrices_[kSpread ? 1 : kRoom];
+  HWY_ALIGN float spread_[kSpread ? kRoom : 1][4][3][kTileSize];
 };
 
-/// Any number of joints, with the same bits.
+/// The matrices of a run.
+/// eq   M = B + sum(w_i (M_i - B)), B the matrix of the last joint
+/// in   kCount  joints of the run; 0 = known at run time only
+template <int kCount>
+class SpreadMatrices {
+ public:
+  HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t) {
+    kept_.fill(palette, joints, kCount);
+  }
+  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
+    return kept_.column(c, weights, lane, kCount);
+  }
+
+ private:
+  KeptMatrices<kCount> kept_;
+};
+
+/// Any number of joints, with the same bits. Differences of more than kRoom are made anew for each vector.
 template <>
 class SpreadMatrices<0> {
  public:
   HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t count)
-      : palette_(palette), joints_(joints), count_(count) {}
+      : palette_(palette), joints_(joints), count_(count) {
+    if (count <= kRoom) kept_.fill(palette, joints, count);
+  }
 
   HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
+    if (HWY_LIKELY(count_ <= kRoom)) return kept_.column(c, weights, lane, count_);
     const TileTag d;
     const auto spread = [&](const glm::vec4& of) HWY_ATTR {
       return Lanes3{hn::Set(d, of.x), hn::Set(d, of.y), hn::Set(d, of.z)};
@@ -91,9 +110,12 @@ class SpreadMatrices<0> {
   }
 
  private:
+  static constexpr std::size_t kRoom = 8;
+
   const JointMatrix* palette_;
   const std::uint16_t* joints_;
   std::size_t count_;
+  KeptMatrices<kRoom> kept_;
 };
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -65,6 +65,7 @@ HWY_INLINE void pack(const Lanes4& v, glm::vec4* to) { hn::StoreInterleaved4(v.x
 struct LaneVertices {
   const std::uint32_t* vertices;  ///< [kTileSize]
   const std::uint32_t* fours;     ///< [kTileSize / 4]
+  std::size_t count;              ///< later lanes are copies, unless the run goes on
   bool in_a_row;
 };
 
@@ -92,6 +93,14 @@ HWY_INLINE void copy_four(const V* packed, const std::uint32_t* vertices, V* all
   (copy(std::integral_constant<std::size_t, kFirst + kLanes>()), ...);
 }
 
+/// Same, for four vertices in a row.
+template <class V>
+HWY_INLINE void copy_row(const V* packed, V* to) {
+  const hn::CappedTag<float, 4> d;
+  for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(V::length()); i += 4)
+    hn::StoreU(hn::Load(d, &packed->x + i), d, &to->x + i);
+}
+
 /// Copies packed attributes to where their vertices lie.
 /// in   past_caches  bypass the caches where vertices in a row are aligned to vectors
 template <class V>
@@ -104,9 +113,10 @@ void scatter(const V* packed, const LaneVertices& at, bool past_caches, V* all) 
     return;
   }
   const auto store_four = [&](auto first) {
+    if (first >= at.count) return;
     const std::uint32_t four = at.fours[first / 4];
     if (four != VertexTiles::kNotInARow)
-      std::memcpy(all + four, packed + first, 4 * sizeof(V));
+      copy_row(packed + first, all + four);
     else
       copy_four<first>(packed, at.vertices, all, std::make_index_sequence<4>());
   };

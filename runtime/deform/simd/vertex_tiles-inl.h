@@ -47,12 +47,37 @@ struct TileRow {
   HWY_INLINE glm::vec4* tangents_out(std::size_t tile) const { return all_out.tangents + tile * kTileSize; }
 };
 
-/// Calls `skin(TileRow)` for all vertices of a group. Vertices after the last whole tile form a tile that ends with the
+/// Influences that a kernel is compiled for; 0 = any number. Each kernel takes a third of a second to compile. Rare
+/// ones, and all of the scalar target, have one for two influences and more.
+template <int kCount, bool kRare>
+constexpr int kKernelCount = kCount != 1 && (kRare || HWY_TARGET == HWY_SCALAR) ? 0 : kCount;
+
+/// A kernel for rows and its context. All kernels of one number of influences share for_each_row(), which is longer
+/// than most of them.
+template <int kCount>
+struct RowKernel {
+  const void* context;
+  void (*call)(const void* context, const TileRow<kCount>& row);
+};
+
+/// Works on copies that no store can change, so that loops over tiles keep them in registers. Kernels for any number of
+/// influences have no registers left for them.
+template <int kCount, class Skin>
+void skin_row(const void* context, const TileRow<kCount>& row) {
+  const Skin skin = *static_cast<const Skin*>(context);
+  if constexpr (kCount > 0)
+    skin(TileRow<kCount>(row));
+  else
+    skin(row);
+}
+
+/// Calls the kernel for all vertices of a group. Vertices after the last whole tile form a tile that ends with the
 /// group; it skins some vertices again, with the same result. With non-temporal stores, vertices before the first
 /// aligned one are handled the same way. A group smaller than a tile goes through copies.
-template <int kCount, class Row>
+template <int kCount>
 HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
-                               const VertexOutput& out, Row skin, const NonTemporalStores& streamed = {}) {
+                               const VertexOutput& out, const RowKernel<kCount>& kernel,
+                               const NonTemporalStores& streamed) {
   const AttributesPresent wanted = present(in, out);
   const bool is_wide = influences.is_wide();
   const std::size_t stride = group.influence_count;
@@ -83,24 +108,21 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
       joints = copies.load(joints.first, done);
       from = copies.load(from, done);
     }
-    // A copy that no store can change, so that loops over tiles keep it in registers.
-    const TileRow<kCount> row{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from,
-                              whole ? to : copies.in_place_of(to)};
-    skin(row);
+    kernel.call(kernel.context, {{at, std::min(done, kTileSize), whole},
+                                 tiles,
+                                 past_caches,
+                                 joints,
+                                 from,
+                                 whole ? to : copies.in_place_of(to)});
     if (!whole) copies.store(to, done);
   }
 }
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. Inlining is left to the
-/// compiler: forced inlining makes the long kernels of center-of-rotation skinning slower.
-template <int kCount, class Tile>
-void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
-                   const VertexOutput& out, const Tile& tile) {
-  for_each_row<kCount>(influences, group, in, out, [&tile](const TileRow<kCount>& row) HWY_ATTR {
-    TilePlace place = row.place;
-    for (std::size_t t = 0; t < row.tile_count; ++t, place.first_vertex += kTileSize)
-      tile(place, row.joints(t), row.in(t), row.out(t));
-  });
+/// Same, for a function object `skin(TileRow)`.
+template <int kCount, class Skin>
+void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
+                  const VertexOutput& out, const Skin& skin, const NonTemporalStores& streamed = {}) {
+  for_each_row<kCount>(influences, group, in, out, RowKernel<kCount>{&skin, &skin_row<kCount, Skin>}, streamed);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

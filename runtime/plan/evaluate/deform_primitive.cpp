@@ -9,6 +9,7 @@
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
+#include "runtime/deform/skin_tiles.h"
 
 namespace sinew {
 namespace {
@@ -89,15 +90,25 @@ struct Deformation {
   }
 
   void skin_linear(const VertexOutput& out, bool cofactors, bool past_caches) noexcept {
+    const NormalRule rule = cofactors ? NormalRule::cofactor : NormalRule::linear;
+    if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
+    if (skinning.tiles != nullptr) {
+      work.vertices_skinned_in_tiles += primitive.vertex_count();
+      const SkinTilesJob job{.tiles = skinning.tiles.get(),
+                             .palette = palette(),
+                             .out = out,
+                             .normal_rule = rule,
+                             .past_caches = past_caches};
+      return run_counted(job, work.vertices_skinned_linear, Stage::skin_linear);
+    }
     const bool combined = skinning.combined != kNone;
     const SkinLinearJob job{
         .influences = combined ? &plan.combined[skin_index()][skinning.combined].vertices : &primitive.influences,
         .palette = palette(),
         .vertices = now,
         .out = out,
-        .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear,
+        .normal_rule = rule,
         .past_caches = past_caches};
-    if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
     run_counted(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
 
