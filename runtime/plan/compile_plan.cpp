@@ -123,7 +123,9 @@ void choose_pose_stages(CompiledPlan& plan) {
   const bool has_programs = needs.in.program.ops > 0 || needs.in.cut;
   plan.properties = (has_clips || has_programs) &&
                     ((needs.out.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
-  plan.poses = (has_clips || has_programs) && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
+  const bool shows_local = needs.out.local_pose && scene.skeleton.joint_count() > 0;
+  plan.poses = (has_clips || has_programs) &&
+               (plan.local_to_model || shows_local || scene.weight_count() > 0 || plan.properties);
   plan.sample = plan.poses && has_clips;
   plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty());
   plan.mirror = plan.poses && needs.in.mirror != nullptr;

@@ -13,6 +13,7 @@
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/pose_memory.h"
 #include "tests/plan/frame_equality.h"
+#include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
@@ -188,6 +189,20 @@ TEST(pose_programs, frames_whose_local_pose_nobody_needs_have_the_same_bits) {
       EXPECT_NE(shown.result().local.planes, nullptr);
     }
   }
+}
+
+TEST(pose_programs, a_plan_for_the_local_pose_alone_plays_clips) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(lend(scene), {.out = {.joints = false,
+                                                       .positions = false,
+                                                       .normals = false,
+                                                       .tangents = false,
+                                                       .weights = false,
+                                                       .properties = false}});
+  FrameBuffer frame(plan);
+  const ClipLayer layers[] = {{0, 1.0}};
+  ASSERT_EQ(run_plan(plan, {.layers = layers}, frame), ErrorCode::ok);
+  EXPECT_EQ(frame.result().local.get(2).rotation, scene.animations[0].bones[0].rotation.values[1]);
 }
 
 TEST(pose_programs, a_pose_and_a_joint_of_the_caller_reach_matrices_weights_and_vertices) {
