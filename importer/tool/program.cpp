@@ -18,7 +18,6 @@ constexpr const char* kEnding =
     "  sinew convert fox.gltf fox.glb --budget 0.1mm       with as few keys as keep every vertex there\n"
     "  sinew compile fox.glb -o fox.sinew --budget 0.01%   clips for playback, within a budget\n"
     "  sinew bake fox.glb --clip Walk -o walk.sgeo         every vertex of every frame\n"
-    "  sinew graph new fox.glb fox.graph.json              a first motion graph of its clips\n"
     "  sinew cost fox.glb -o costs/                        what accuracy costs in time, with charts\n\n"
     "Results go to stdout, messages to stderr.\n\n"
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something, "
