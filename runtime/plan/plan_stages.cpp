@@ -49,7 +49,7 @@ std::string describe_tracks(const Clip& clip) {
 PlanStage describe_sample(const CompiledPlan& plan) {
   const std::size_t clips = plan.assets.clips.size();
   if (clips == 0) return {"sample", false, "no clips: the rest pose is written once", 0, 0};
-  if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
+  if (!plan.sample) return {"sample", false, "no joints, local pose, vertices or morph weights are asked for", 0, 0};
   const auto tracks_of = [](const ClipTracks& clip) { return clip.joints + clip.weights; };
   const auto most =
       std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
@@ -89,7 +89,7 @@ PlanStage describe_add(const CompiledPlan& plan) {
 PlanStage describe_programs(const CompiledPlan& plan) {
   const PoseProgramRoom& room = plan.needs.in.program;
   if (room.ops == 0) return {"pose_program", false, "no pose programs are asked for", 0, 0};
-  if (!plan.poses) return {"pose_program", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
+  if (!plan.poses) return {"pose_program", false, "no joints, local pose, vertices or morph weights are asked for", 0, 0};
   std::string reason = "programs of up to " + counted(room.ops, "operation", "operations") + " on " +
                        counted(room.slots, "pose", "poses") + " at once are asked for";
   const auto add = [&](std::uint32_t count, const char* one, const char* many) {

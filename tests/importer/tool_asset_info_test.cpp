@@ -62,7 +62,9 @@ TEST(tool_asset_info, of_compiled_clips_alone) {
                 {"joints", 9},
                 {"weights", of.weight_count()},
                 {"properties", of.property_count()},
-                {"bytes", of.byte_size()}};
+                {"bytes", of.byte_size()},
+                {"events", Json::array()},
+                {"curves", Json::array()}};
   };
   Json with = clip(first), without = clip(scene.clips[1]);
   without["certificate"] = nullptr;

@@ -78,7 +78,8 @@ TEST(tool_plan, each_need_alone_is_that_need_of_the_library) {
       {"tangents", out<&Outputs::tangents>},       {"palettes", out<&Outputs::palettes>},
       {"bounds", out<&Outputs::bounds>},           {"properties", out<&Outputs::properties>},
       {"additive", in<&Inputs::additive>},         {"hidden-meshes", out<&Outputs::hidden_meshes>},
-      {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>}};
+      {"stage-times", out<&Outputs::stage_times>}, {"between-updates", in<&Inputs::between_updates>},
+      {"local-pose", out<&Outputs::local_pose>}};
   for (const auto& [name, flag] : flags) {
     Needs needs;
     for (const auto& [other, member] : flags) member(needs) = false;

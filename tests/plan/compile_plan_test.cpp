@@ -291,12 +291,13 @@ TEST(compile_plan, P05_tracks_are_told_by_the_way_they_take_between_keys) {
 
 TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
   Needs needs;
-  needs.out.joints = needs.out.positions = needs.out.normals = needs.out.tangents = false;
+  needs.out.joints = needs.out.local_pose = false;
+  needs.out.positions = needs.out.normals = needs.out.tangents = false;
   const Scene face = face_scene(), arm = arm_scene();
   EXPECT_TRUE(compile_plan(lend(face), needs).runs(Stage::sample));
   const Plan plan = compile_plan(lend(arm), needs);
   for (const PlanStage& stage : plan.stages()) EXPECT_FALSE(stage.runs) << stage.stage;
-  EXPECT_EQ(stage(plan, "sample").reason, "neither joints nor vertices nor morph weights are asked for");
+  EXPECT_EQ(stage(plan, "sample").reason, "no joints, local pose, vertices or morph weights are asked for");
   EXPECT_EQ(stage(plan, "skin_linear").reason, "no vertices are asked for");
 }
 
