@@ -43,7 +43,7 @@ std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::spa
   return at_rest;
 }
 
-/// Sorts triangles of which no two share a vertex.
+/// Sorts triangles into streams, `corners` and `alone`. No two triangles share a vertex.
 void sort_disjoint(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
   const auto has_last_vertex = [&](const Triangle& triangle) {
     return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();

@@ -63,7 +63,7 @@ template <int kCount>
 HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
-  // One by one: compilers keep copies of structs of four vectors in memory.
+  // Copied member by member: compilers keep whole-struct copies in memory instead of registers.
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
   DualQuatLanes out;

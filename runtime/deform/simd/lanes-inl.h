@@ -44,8 +44,8 @@ HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) {
   return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)};
 }
 
-/// Normalises vectors, with an exact square root and division. Returns the lanes whose squared length is in the range
-/// in which float keeps its digits; the others need the scalar path.
+/// Normalises vectors, with an exact square root and division. Returns the lanes whose squared length lies where float
+/// keeps its digits. All other lanes need the scalar path.
 HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
   const TileTag d;
   const Wide squared = dot(v, v);
