@@ -7,10 +7,10 @@
 namespace sinew {
 namespace {
 
-/// For each kept operation, the first operation of those that make its kept operands.
+/// For each kept operation: index of the first operation that contributes to its kept operands.
 using Firsts = std::array<std::uint8_t, kMostPoseOps>;
 
-/// out  firsts  of kept operations alone
+/// out  firsts  set for kept operations only
 void find_firsts(PoseProgramSpan program, Firsts& firsts) noexcept {
   std::array<std::uint8_t, kMostPoseOps> starts;  // of the operations behind each pose on the stack
   std::size_t depth = 0;
