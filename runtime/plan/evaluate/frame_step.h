@@ -6,11 +6,11 @@
 
 namespace sinew {
 
-/// A frame under evaluation.
+/// Memory and tables of a frame that is being evaluated.
 struct FrameStep {
   FrameMemory memory;
   const Reuse& reuse;
-  const FrameTables& tables;  ///< of `memory`
+  const FrameTables& tables;  ///< tables in `memory`
   bool past_caches = false;   ///< FrameBuffer::write_past_caches
 };
 
