@@ -142,7 +142,7 @@ typedef struct sinew_program_inputs {
   size_t mask_count;
   const sinew_page* const*
       pages;  ///< [operations] the page with the keys of the operation's clip and time; null if the clip itself
-              ///< has the keys (the whole list may be null). Must not change while frames use it
+              ///< has the keys. The list itself may be null. Must not change while frames use it
 } sinew_program_inputs;
 
 #ifdef __cplusplus
