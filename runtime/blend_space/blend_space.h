@@ -27,8 +27,7 @@ struct BlendSpace {
   BlendSpaceKind kind = BlendSpaceKind::line;
   std::span<const glm::vec2> points;
   std::span<const double> numbers;  ///< filled by prepare_blend_space
-  float angle_factor = 1.0f;  ///< directional: a radian counts this many times as much as a speed difference equal to
-                              ///< the mean speed
+  float angle_factor = 1.0f;        ///< directional: a radian counts as this many speed differences of the mean speed
 };
 
 /// Length of BlendSpace::numbers for a space with this number of points.
@@ -36,7 +35,8 @@ SINEW_API std::size_t blend_space_numbers(BlendSpaceKind kind, std::size_t point
 
 /// Computes the numbers of a space. Points may lie anywhere: on a line, at the origin, several at the same place.
 /// in   points  [1, kMostBlendPoints]
-/// err  size_mismatch (no points, too many, numbers), not_finite, too_large (above 1e9), not_a_fraction (angle_factor <= 0)
+/// err  size_mismatch (no points, too many, wrong length of `numbers`), not_finite, too_large (above 1e9),
+///      not_a_fraction (angle_factor <= 0)
 /// cost O(points^2), radial O(points^3) and allocates
 SINEW_API ErrorCode prepare_blend_space(BlendSpaceKind kind, std::span<const glm::vec2> points, float angle_factor,
                                         std::span<double> numbers);

@@ -18,8 +18,7 @@ typedef struct sinew_ik sinew_ik;
 typedef enum sinew_ik_status {
   SINEW_IK_IDLE = 0,     ///< it has not run, or its weight is 0
   SINEW_IK_REACHED = 1,  ///< the remaining error is within the tolerance
-  SINEW_IK_LIMITED = 2,  ///< the bones are long enough, but a limit, the weight or the number of iterations stopped
-                         ///< it
+  SINEW_IK_LIMITED = 2,  ///< the goal is in reach, but a limit, the weight or the iterations ended it
   SINEW_IK_UNREACHABLE = 3
 } sinew_ik_status;
 

@@ -19,8 +19,7 @@ typedef enum sinew_pole_kind {
   SINEW_POLE_NONE = 0,       ///< the limb stays in the plane in which the pose bends it
   SINEW_POLE_DIRECTION = 1,  ///< the middle joint points in this direction
   SINEW_POLE_POINT = 2,      ///< the middle joint points towards this place
-  SINEW_POLE_TIP_AXIS = 3    ///< the middle joint points along a direction in the space of the tip, for example where
-                             ///< the foot points
+  SINEW_POLE_TIP_AXIS = 3    ///< the middle joint points along a direction in the space of the tip, as of a foot
 } sinew_pole_kind;
 
 typedef enum sinew_end_rotation {
@@ -49,8 +48,7 @@ typedef struct sinew_two_bone_goal {
   uint32_t blend;           ///< sinew_ik_blend
   uint32_t end;             ///< sinew_end_rotation
   sinew_vec4 end_rotation;  ///< unit quaternion x y z w
-  sinew_vec3 middle_axis;   ///< axis of the hinge in the space of the middle joint; zero: the axis about which the
-                            ///< pose bends
+  sinew_vec3 middle_axis;   ///< hinge in the space of the middle joint; zero: the axis about which the pose bends
   float twist_rad, weight;  ///< weight: [0, 1]
   float soft_reach;         ///< [0, 1) share of the limb's length over which it straightens smoothly; 0 = off
   float most_stretch;       ///< >= 1: factor by which bones may lengthen; 1 = off
@@ -82,8 +80,7 @@ typedef struct sinew_aim_goal {
   const sinew_joint_limit* limits;  ///< copied
   size_t limit_count;
   sinew_point target;
-  sinew_vec3 forward, up, offset;  ///< in the space of the last joint: direction that aims, direction up, start of
-                                   ///< the line
+  sinew_vec3 forward, up, offset;  ///< line that aims, its up direction and start, in the last joint's space
   sinew_point pole;                ///< direction in model space to which `up` turns; zero = the joints do not roll
   float twist_rad, weight, pole_fade, tolerance_rad;
 } sinew_aim_goal;

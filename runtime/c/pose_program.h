@@ -42,10 +42,10 @@ typedef struct sinew_pose_op {
   float weight;    ///< finite, >= 0
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;  additions:
                    ///< 0 = turn joints in their parent's frame, 1 = in their own.  Transitions: steps in the duration,
-                   ///< >= 1, of which 0.1 to 1 ms measures velocities well
-  uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
-                   ///< (sinew_program_inputs.masks) follow those of sinew_needs
-  uint8_t kind;    ///< a value of sinew_op_kind
+                   ///< >= 1; steps of 0.1 to 1 ms measure velocities well
+  uint8_t mask;  ///< index of joint weights that multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
+                 ///< (sinew_program_inputs.masks) follow those of sinew_needs
+  uint8_t kind;  ///< a value of sinew_op_kind
 } sinew_pose_op;
 
 /// An operation of weight 1 without a mask: `index` is 0, and the threshold or share is 1. A transition has one step.
@@ -69,9 +69,9 @@ SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_
 /// Raises each number of `room` to at least that of `other`.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
-// Operations refer to entries of the lists below by index. Each entry has a version: equal versions promise the same
-// content as in the frame before, 0 promises nothing. Joints are those of poses: the scene's own, or those that
-// sinew_pose_joint returns if sinew_needs.skeleton_lod leaves joints out. The structs of entries never grow.
+// Operations refer to entries of the lists below by index. Equal versions of an entry promise the content of the frame
+// before; version 0 promises nothing. Joint indices are those of the scene. If sinew_needs.skeleton_lod leaves joints
+// out, they are those that sinew_pose_joint returns. The structs of entries never grow.
 
 /// A pose of the caller.
 typedef struct sinew_external_pose {

@@ -34,7 +34,7 @@ void fill_vectors(std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 0; corners.size() < count; ++i) corners.push_back(corners[i]);
 }
 
-/// The vertices of no triangle, and those of the triangles in `alone`.
+/// Vertices without a triangle, and vertices of the triangles in `alone`.
 std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::span<const std::uint32_t> alone) {
   for (const std::uint32_t vertex : alone) has_face[vertex] = false;
   std::vector<std::uint32_t> at_rest;

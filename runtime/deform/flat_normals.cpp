@@ -47,7 +47,7 @@ struct Edges {
   Lanes3 u, v;
 };
 
-/// Where the corners of a FlatStream lie, and where their normals go.
+/// Pointers to the three runs of corners of a FlatStream, and to the runs of their normals.
 struct FaceStream {
   const glm::vec3 *a, *b, *c;
   glm::vec3 *na, *nb, *nc;

@@ -86,7 +86,7 @@ void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto each_count, auto stretched) {
     if (each_count == 1 && !job.palette.empty()) return;
-    // Without a palette, which is rare, single influences use the general kernel
+    // Without a palette, which is rare, single influences use the general kernel.
     constexpr int kEach = each_count == 1 ? 0 : static_cast<int>(each_count);
     constexpr bool kRare = stretched && kEach == 8;
     constexpr int kCount = kKernelCount<kEach, kRare>;

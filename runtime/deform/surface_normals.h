@@ -43,7 +43,8 @@ constexpr std::size_t surface_sums(const SurfaceFaces& faces) noexcept {
 /// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned`
 ///      The sum weights triangles by area. It does not depend on how the ring around the point is cut into triangles.
 ///      Small triangles, which the quantisation step of a geometry cache disturbs most, count least.
-/// in   faces        of the mesh (join_surface);   positions[V];   turned  the triangles wind the other way round
+/// in   faces        of the mesh (join_surface);   positions[V];   turned  true: the skin mirrors, so windings are
+///      reversed
 ///      rest_normals[V]  kept by points without area
 ///      sums[surface_sums(faces)]  scratch
 /// out  normals[V]   unit, from float edges and sums. For edges of 1e-9 to 1e9 m the error in radians is at most 8 u

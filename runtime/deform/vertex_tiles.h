@@ -23,8 +23,7 @@ struct TileRun {
   std::uint32_t lane_count = 0;   ///< number of vertices; later lanes of the last tile repeat the last vertex
   std::uint32_t first_plane = 0;  ///< into VertexTiles::positions
   std::uint32_t first_joint = 0;  ///< into VertexTiles::joints
-  std::uint32_t joint_count = 0;  ///< each joint but the last has a plane of weights; the weight of the last is 1
-                                  ///< minus their sum
+  std::uint32_t joint_count = 0;  ///< each but the last has a plane of weights; the last weighs 1 minus their sum
   std::uint32_t in_fours = 0, in_eights = 0,
                 in_sixteens = 0;  ///< number of first lanes that form groups of 4, 8 and 16 consecutive vertices
 
@@ -49,8 +48,7 @@ struct VertexTiles {
   std::vector<TilePlane> normals;       ///< for each tile: x, y, z; empty = the mesh has none
   std::vector<TilePlane> tangents;      ///< for each tile: x, y, z, w; empty = the mesh has none
   std::vector<std::uint32_t> vertices;  ///< [tiles * kLanes] the vertex of each lane
-  std::vector<std::uint32_t> fours;     ///< [tiles * 4] first vertex of every four lanes if they hold consecutive
-                                        ///< vertices, else kNotInARow
+  std::vector<std::uint32_t> fours;     ///< [tiles * 4] first of four consecutive vertices in four lanes, or kNotInARow
   std::uint32_t vertex_count = 0;
   std::uint32_t joint_count = 0;  ///< 1 + the largest of `joints`
 

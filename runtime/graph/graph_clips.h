@@ -41,8 +41,7 @@ class SINEW_API GraphClipSet {
   static Result<GraphClipSet> make(std::span<const GraphClip> clips, const Vec3<double>& mirror_normal = {1, 0, 0});
 
   std::span<const Entry> entries() const noexcept { return entries_; }
-  std::span<const std::int64_t> events_of(const Entry& entry) const noexcept {  ///< in the unit of
-                                                                                ///< MotionState::position
+  std::span<const std::int64_t> events_of(const Entry& entry) const noexcept {  ///< position units
     return std::span(events_).subspan(entry.first_event, entry.event_count);
   }
   bool any_root() const noexcept { return any_root_; }

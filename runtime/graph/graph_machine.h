@@ -90,8 +90,7 @@ struct GraphMachine {
   GraphIndex first_any = 0, any_count = 0;      ///< transitions from any state
   GraphIndex first_entry = 0, entry_count = 0;  ///< transitions
   GraphIndex initial = 0;                       ///< state of the machine
-  std::uint8_t fades = 4;  ///< fades at once, 0 to kMostGraphFades; a further fade drops the state with the smallest
-                           ///< weight
+  std::uint8_t fades = 4;  ///< fades at once, 0 to kMostGraphFades; a further fade drops the lightest state
 };
 inline constexpr std::uint8_t kMostGraphFades = 8;
 

@@ -47,8 +47,7 @@ struct LiveMachine {
   const GraphMachine* machine;
   MachineSlots slots;
   GraphIndex node;
-  std::size_t first;  ///< first slot that plays; slots below it are frozen by a transition without a cross-fade (a
-                      ///< cut)
+  std::size_t first;  ///< first slot that plays; slots below are frozen by a cut (inertialize or dead_blend)
   std::array<std::uint16_t, kMostGraphFades + 1> driver;  ///< main motion of each slot, or kNoMotion
 };
 

@@ -18,7 +18,7 @@ GraphTicks to_cell_middle(GraphTicks now, bool backwards) noexcept;
 ///      several: exp(f sum w x / sum w). x is the logarithm of a clip's motion over the whole cell, f the fraction of
 ///      the cell that the piece covers, and w the weights in the middle of the cell. The pieces of a cell multiply to
 ///      the motion over the cell.
-/// in   ticks  negative plays backwards; with several clips the piece lies in one cell
+/// in   ticks  negative plays backwards; with several clips, the piece must not cross the end of a cell
 DualQuatd move_root(LiveGraph& live, GraphTicks ticks) noexcept;
 
 /// Root placement that is still contained in the pose: the weighted mean of the clips' root transforms. Internal to

@@ -8,8 +8,7 @@ namespace sinew {
 /// The next transition of a machine, if its parameters stay as they are.
 struct NextTransition {
   GraphTicks in = kNever;                 ///< ticks from now
-  GraphIndex transition = kNoGraphIndex;  ///< kNoGraphIndex: request_state asked for a state that no transition leads
-                                          ///< to
+  GraphIndex transition = kNoGraphIndex;  ///< kNoGraphIndex: request_state without a transition to that state
   GraphIndex from = kNoGraphIndex;        ///< index of the state that it leaves
   GraphIndex to = kNoGraphIndex;
 };

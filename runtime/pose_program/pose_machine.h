@@ -11,8 +11,7 @@ class PoseMachine {
  public:
   /// Settings for one operation beyond the fields of PoseOp.
   struct Step {
-    std::uint32_t clip = kNone;   ///< replaces PoseOp::index, whose 16 bits are too few for the clips of layers; kNone
-                                  ///< = use PoseOp::index
+    std::uint32_t clip = kNone;   ///< if not kNone, replaces PoseOp::index, whose 16 bits are too few for layers
     const Clip* page = nullptr;   ///< the part of the clip with its keys, as in PoseProgramInputs::pages
     bool with_properties = true;  ///< a later operation reads the properties of the result
     bool holds_clip = false;      ///< as PoseProgramJob::holds_clip

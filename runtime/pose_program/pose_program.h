@@ -92,7 +92,7 @@ class PoseProgram {
   PoseProgram& external(std::uint32_t pose, float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
     return push({.weight = weight, .index = index_of(pose), .mask = mask, .kind = PoseOpKind::external});
   }
-  /// in   threshold  in (0, 1]: weights that sum to less are filled up with the rest pose, others are normalised
+  /// in   threshold  in (0, 1]: smaller sums of weights are filled up with the rest pose, larger sums are normalised
   PoseProgram& mean(std::size_t operands, float weight = 1.0f, double threshold = 1.0,
                     std::uint8_t mask = PoseOp::kNoMask) noexcept {
     return push({threshold, weight, index_of(operands), mask, PoseOpKind::mean});

@@ -15,8 +15,7 @@ struct PoseProgramWork {
   std::uint64_t poses_added = 0;
   std::uint64_t joints_overridden = 0;
   std::uint64_t procedures_run = 0;
-  std::uint64_t transitions_started = 0;  ///< transitions whose start was evaluated; later frames reuse the start
-                                          ///< until the transition ends
+  std::uint64_t transitions_started = 0;  ///< counted when the start is evaluated, not in later frames
   std::uint64_t poses_in_transition = 0;
 
   friend bool operator==(const PoseProgramWork&, const PoseProgramWork&) = default;

@@ -27,8 +27,7 @@ struct PoseProgramAssets {
   std::span<const float> rest_properties;                      ///< [P]
   std::span<const std::span<const float>> masks;               ///< [any][J] joint weights, finite and >= 0
   const MirrorTables* mirror = nullptr;                        ///< null: nothing is mirrored
-  std::span<const std::uint32_t> mirrored_weight_source = {};  ///< [W] MirrorMap::weight_source; empty = mirroring
-                                                               ///< keeps weights
+  std::span<const std::uint32_t> mirrored_weight_source = {};  ///< [W] MirrorMap::weight_source; empty = weights stay
   std::span<const ClipTracks> clip_tracks = {};                ///< [clips] or empty; only to count work
 };
 
@@ -56,9 +55,9 @@ struct PosePhaseClock {
 SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const PoseProgramRoom& room) noexcept;
 
 /// Runs a program: one pose remains, with its morph weights and properties.
-/// eq   mean      t = (sum w t + r rest) / (sum w + r), r = max(0, threshold - sum w), per joint by its masks; rotations
-///                and scales as in BlendPosesJob
-///      overlay   x = mean of (1 - w) below and w above, w = min(1, weight * mask): at w = 1 the bits of the upper pose
+/// eq   mean      t = (sum w t + r rest) / (sum w + r), r = max(0, threshold - sum w), w with the joint's masks;
+///                rotations and scales as in BlendPosesJob
+///      overlay   (1 - w) below + w above, w = min(1, weight * mask). At w = 1 the bits of the upper pose
 ///      overlay_model   rotations: G = slerp(G_below, G_above, w) along the short arc, where G are rotations in model
 ///                space; then q = conj(G_parent) G with the parent's new G. Translations and scales as overlay.
 ///      add       AddPoseJob;   override_joints   mix of the pose's local transform and the given one, brought to the

@@ -27,7 +27,7 @@ struct AimGoal {
   std::span<const JointLimit> limits = {};
   Vec3<double> target{0.0};  ///< in model space
 
-  // In the space of the last joint: the line starts at `offset` and runs along `forward`. `up` is any other direction.
+  // In the space of the last joint: the line starts at `offset` and runs along `forward`. `up` is not parallel to it.
   Vec3<float> forward{0.0f, 0.0f, 1.0f}, up{0.0f, 1.0f, 0.0f}, offset{0.0f};
 
   Vec3<double> pole{0.0};       ///< direction in model space to which `up` turns; zero: the joints do not roll

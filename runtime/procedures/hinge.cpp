@@ -140,8 +140,7 @@ Reach reach_of(const Bones& bones, const Hinge& hinge, double least_bend, double
     reach.least = std::min(reach.most, even_distance(bones, hinge, most_bend));
     return reach;
   }
-  constexpr double kAside = 0.8;  // uneven scale moves the extremes away from straight and folded, but seldom farther
-                                  // than this
+  constexpr double kAside = 0.8;  // uneven scale seldom moves extremes farther from straight and folded
   if (least_bend == 0.0) reach.least_bend = extremum(bones, hinge, -kAside, kAside, 1.0);
   if (most_bend >= std::numbers::pi - 1e-6)
     reach.most_bend = extremum(bones, hinge, std::numbers::pi - kAside, std::numbers::pi + kAside, -1.0);

@@ -39,8 +39,7 @@ struct TwoBoneGoal {
   Vec3<float> middle_axis{0.0f};
   float twist_rad = 0.0f;     ///< turns the limb about the line from root to target
   float weight = 1.0f;        ///< [0, 1]; 0 keeps every bit of the pose
-  float soft_reach = 0.0f;    ///< [0, 1) share of the length over which the limb straightens smoothly (kSoftReach); 0 =
-                              ///< off
+  float soft_reach = 0.0f;    ///< [0, 1) share of the length that straightens smoothly (kSoftReach); 0 = off
   float most_stretch = 1.0f;  ///< >= 1: factor by which bones may lengthen; 1 = off
   float least_bend_rad = 0.0f, most_bend_rad = 3.14159265f;  ///< [0, pi]; 0 = straight, pi = folded
   float pole_fade = kPoleFade;  ///< [0, 1) 0 follows the pole up to the line through it, and snaps there

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// A motion that plays in step with others.
+/// A motion of a group that plays in step.
 struct SyncMember {
   SyncTrack track;
   double weight = 1.0;           ///< finite, >= 0

@@ -20,8 +20,7 @@ struct SyncBeat {
 struct SyncTrack {
   std::span<const SyncBeat> beats;                     ///< phases increase; empty = one beat, the whole cycle
   double length_s = 1.0;                               ///< of one cycle, > 0
-  std::span<const std::uint32_t> mirrored_names = {};  ///< [names] name of each foot in the mirrored motion; empty =
-                                                       ///< not mirrored
+  std::span<const std::uint32_t> mirrored_names = {};  ///< [names] the mirrored name of each; empty = not mirrored
 };
 
 /// A place in the beats of a motion, counted over all rounds. Beat 0 is the first beat of round 0.

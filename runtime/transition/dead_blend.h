@@ -17,7 +17,8 @@ struct DeadBlendStart {
 /// Finds the source's pose and velocity when a dead blending starts.
 /// eq   v = steps (x - x_before), the change per duration; for rotations 2 log(q conj(q_before)) along the short arc,
 ///      in the parent's space. Faster rotations are slowed down so that they turn half a turn in all.
-/// out  numbers  translations and their v in planes 0-5, rotations in 6-9, their v in 10-12, scales and their v in 13-18
+/// out  numbers  translations in planes 0-2 and their v in 3-5, rotations in 6-9 and their v in 10-12, scales in 13-15
+///      and their v in 16-18
 /// cost O(J), with a logarithm for each joint; no allocation. Internal to the runtime
 void make_extrapolation(const DeadBlendStart& start, const TransitionNumbers& numbers) noexcept;
 

@@ -19,6 +19,7 @@ struct Lanes3 {
 
 using Lanes4 = FourVectors<Wide>;
 
+/// Dot product.
 /// eq   a.x b.x + a.y b.y + a.z b.z, summed in that order
 HWY_INLINE Wide dot(const Lanes3& a, const Lanes3& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));

@@ -20,8 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< outputs from this size on exceed one core's share
-                                                              ///< of the last-level cache
+constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< exceeds a core's share of last-level cache
 
 /// Finds the vertices at which non-temporal stores may begin to write a tile. These stores write whole aligned vectors.
 class NonTemporalStores {

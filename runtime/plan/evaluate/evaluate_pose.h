@@ -14,8 +14,7 @@ namespace sinew {
 struct PoseStep {
   std::span<const float> given_weights = {};  ///< [W] replace the clips' morph weights; empty = the clips' own
   FrameMemory memory = {};
-  bool has_base = false;  ///< the memory holds an earlier pose of the only clip that plays, so only its tracks are
-                          ///< sampled
+  bool has_base = false;  ///< the memory holds a pose of the only clip that plays, so only its tracks are sampled
   std::size_t first = 0, end = kMostPoseOps;  ///< operations of a program to run, as in PoseProgramJob
 };
 

@@ -18,7 +18,7 @@ struct EvaluatedPose {
 
 /// Runs the stages winding, morph, skin, geometry_cache, flat normals and bounds for all mesh instances. Vertices that
 /// are still valid from an earlier frame are kept.
-/// in   step  its palettes are those of this frame
+/// in   step  its palettes are already computed for this frame
 /// out  step.tables  instances and primitives
 /// cost the sum over visible instances, no allocation. Internal to plan/
 void show_instances(const CompiledPlan& plan, const EvaluatedPose& pose, const FrameStep& step,

@@ -21,7 +21,7 @@ class Reuse {
     const LastInput& input;
   };
 
-  /// For a frame that runs as a whole: compares its input with those of earlier frames.
+  /// For a frame that runs as a whole: compares its input with the inputs of earlier frames.
   /// in   tables  of the frame's memory, which are kept by reference
   ///      last    run into the frame's memory;   before  the character's last run, perhaps the same
   ///      had_it  had_same_input of the last run
@@ -94,7 +94,7 @@ class Reuse {
   const FrameTables& before_;
   std::uint64_t number_;
   WhatStands stands_;
-  const LastInput* last_input_ = nullptr;  // null: nothing stands by comparing inputs
+  const LastInput* last_input_ = nullptr;  // null: inputs were not compared
 };
 
 }  // namespace sinew

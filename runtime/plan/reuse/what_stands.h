@@ -11,7 +11,7 @@ namespace sinew {
 /// World matrices of the last run into the memory that are still valid for this frame.
 enum class StandingMatrices : std::uint8_t {
   none,
-  of_unmoved_joints,  ///< only those of joints that no clip moves
+  of_unmoved_joints,  ///< only matrices of joints that no clip moves
   all
 };
 

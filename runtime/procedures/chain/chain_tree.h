@@ -26,8 +26,7 @@ struct ChainNode {
 /// The remaining error of an effector.
 struct ChainError {
   Vec3<double> way{0.0};                  ///< from its place to its target, in model space
-  Quat<double> turn{1.0, 0.0, 0.0, 0.0};  ///< in model space, to the wanted rotation; the identity if no rotation is
-                                          ///< wanted
+  Quat<double> turn{1.0, 0.0, 0.0, 0.0};  ///< in model space, to the wanted rotation; identity if none is wanted
 };
 
 /// The largest errors of all effectors, and the weighted sum of their squares.

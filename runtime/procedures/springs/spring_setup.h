@@ -58,8 +58,7 @@ struct SpringSetup {
 
 /// Settings of the simulation. Results depend on `tick_s`, but not on the frame rate.
 struct SpringSettings {
-  double tick_s = 1.0 / 60.0;      ///< seconds per tick, > 0. VRM's equation depends on it, and characters are tuned at
-                                   ///< 1/60 s.
+  double tick_s = 1.0 / 60.0;      ///< > 0. VRM's equation depends on it, and characters are tuned at 1/60 s.
   std::uint32_t max_ticks = 8;     ///< >= 1: most ticks in one frame; time beyond is dropped
   double sleep_rad_per_s = 1e-4;   ///< slower joints count as quiet; 0 = springs never sleep
   std::uint32_t sleep_ticks = 15;  ///< quiet ticks without a change of input after which springs sleep
