@@ -14,7 +14,7 @@ namespace sinew {
 enum class BlendSpaceKind : std::uint8_t {
   line,         ///< linear between neighbours along x; y is ignored
   cartesian,    ///< gradient bands (Johansen 2009, chapter 6)
-  directional,  ///< gradient bands in polar form: points are velocities, and differ by speed and direction
+  directional,  ///< gradient bands in polar form: points are velocities, compared by speed and direction
   radial,       ///< radial basis functions of the distance: no triangles and no bands, smooth between points
 };
 

@@ -66,7 +66,7 @@ void prepare_directional(Points points, double factor, std::span<double> numbers
 /// equal parts of one row.
 void prepare_radial(Points points, std::span<double> numbers) {
   const std::size_t count = points.size();
-  std::vector<std::size_t> firsts, place(count);  // points that are the first ones at their place
+  std::vector<std::size_t> firsts, place(count);  // first point at each place; index into `firsts` for each point
   std::vector<double> sharers;
   for (std::size_t i = 0; i < count; ++i) {
     const auto first =

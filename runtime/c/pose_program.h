@@ -13,20 +13,20 @@ extern "C" {
 // bytes.
 
 typedef enum sinew_op_kind {
-  SINEW_OP_REST = 0,              ///< pushes the rest pose
-  SINEW_OP_SAMPLE = 1,            ///< pushes clip `index` at `time_s`
-  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< as SINEW_OP_SAMPLE, with left and right exchanged
-  SINEW_OP_REST_MIRRORED = 3,     ///< pushes the rest pose with left and right exchanged
-  SINEW_OP_EXTERNAL = 4,          ///< pushes pose `index` of the caller: a ragdoll, the network
-  SINEW_OP_MEAN = 5,              ///< weighted mean of the `index` topmost poses; no operands give the rest pose
-  SINEW_OP_OVERLAY = 6,           ///< lays the topmost pose over the one below, by weight and mask
-  SINEW_OP_OVERLAY_MODEL = 7,     ///< SINEW_OP_OVERLAY, but rotations are mixed in model space
-  SINEW_OP_ADD_TO_REST = 8,       ///< adds the difference of the topmost pose from the rest pose to the pose below
-  SINEW_OP_ADD = 9,               ///< adds the difference of the second pose from the topmost to the third
+  SINEW_OP_REST = 0,             ///< pushes the rest pose
+  SINEW_OP_SAMPLE = 1,           ///< pushes clip `index` at `time_s`
+  SINEW_OP_SAMPLE_MIRRORED = 2,  ///< as SINEW_OP_SAMPLE, with left and right exchanged
+  SINEW_OP_REST_MIRRORED = 3,    ///< pushes the rest pose with left and right exchanged
+  SINEW_OP_EXTERNAL = 4,         ///< pushes pose `index` of the caller: a ragdoll, the network
+  SINEW_OP_MEAN = 5,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
+  SINEW_OP_OVERLAY = 6,          ///< lays the topmost pose over the pose below it, by weight and mask
+  SINEW_OP_OVERLAY_MODEL = 7,    ///< as SINEW_OP_OVERLAY, but rotations are mixed in model space
+  SINEW_OP_ADD_TO_REST = 8,      ///< adds the topmost pose minus the rest pose to the pose below
+  SINEW_OP_ADD = 9,  ///< adds layer minus reference to base: third, second and topmost are base, layer, reference
   SINEW_OP_OVERRIDE_JOINTS = 10,  ///< sets joints of the topmost pose to the transforms of override `index`
   SINEW_OP_PROCEDURE = 11,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs
-  SINEW_OP_INERTIALIZE = 12,      ///< a transition: adds the source's offset from the target, which decays
-  SINEW_OP_DEAD_BLEND = 13,       ///< a transition: fades the source, which goes on by itself, into the target
+  SINEW_OP_INERTIALIZE = 12,      ///< transition: adds the source's offset from the target at the start, which decays
+  SINEW_OP_DEAD_BLEND = 13,       ///< transition: fades the source, which moves on by its velocity, into the target
   SINEW_OP_CACHED = 14  ///< keeps the topmost pose for later frames while the operations that make it are the same
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u

@@ -90,7 +90,7 @@ struct SkinRow {
 
  private:
   static constexpr std::size_t kKept =
-      kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
+      kTangents ? 2 : 8;  ///< tiles per batch; fewer with tangents, since stores then alternate between more arrays
 
   /// Consecutive vertices with one and the same joint are moved by its matrix directly. Shorter runs do not pay for
   /// twelve broadcasts and a mispredicted branch. The importer orders such vertices one after another.
@@ -128,7 +128,7 @@ struct SkinRow {
   }
   static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
     constexpr bool kPays =
-        kCount == 1 && (kTileSize > 4 || kNormals);  // without normals it would take 19 instructions instead of 17
+        kCount == 1 && (kTileSize > 4 || kNormals);  // four lanes without normals: 19 instructions instead of 17
     if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kMinFollowers / kTileSize) return false;
     const std::uint16_t* joints = row.joints(t).first.joints;
     return joints[0] == joints[kMinFollowers - 1] && have_one_joint(joints, kMinFollowers);

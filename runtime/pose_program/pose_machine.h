@@ -68,7 +68,7 @@ class PoseMachine {
   PoseSlots slots_;
   PoseProgramWork& work_;
   PosePhaseClock clock_;
-  Step step_;              // of the operation at hand
+  Step step_;              // settings of the current operation
   std::size_t depth_ = 0;  // poses on the stack
 };
 

@@ -14,14 +14,14 @@ enum class PoseOpKind : std::uint8_t {
   rest_mirrored,    ///< pushes the rest pose with left and right exchanged, the reference of a mirrored additive clip
   external,         ///< pushes pose `index` of the caller: a ragdoll, the network, another skeleton's motion
   mean,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
-  overlay,          ///< lays the topmost pose over the one below, by weight and mask
-  overlay_model,    ///< overlay, but rotations are mixed in model space: an aim stays level while the hips sway
-  add_to_rest,      ///< adds the difference of the topmost pose from the rest pose to the pose below
-  add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
+  overlay,          ///< lays the topmost pose over the pose below it, by weight and mask
+  overlay_model,    ///< as overlay, but rotations are mixed in model space: an aim stays level while the hips sway
+  add_to_rest,      ///< adds the topmost pose minus the rest pose to the pose below
+  add,              ///< adds layer minus reference to base; the stack holds base, layer, reference (topmost)
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
   procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
-  inertialize,      ///< a transition: adds the offset that source and target had at its start, while it decays
-  dead_blend,       ///< a transition: fades the source, which goes on by itself, into the target
+  inertialize,      ///< transition: adds the source's offset from the target at the start, which decays
+  dead_blend,       ///< transition: fades the source, which moves on by its velocity, into the target
   cached,  ///< keeps the topmost pose: later frames reuse it as long as the operations that make it are the same
 };
 

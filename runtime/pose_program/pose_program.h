@@ -31,7 +31,7 @@ struct PoseProgramRoom {
   std::uint32_t ops = 0;
   std::uint32_t slots = 0;                                                ///< poses on the stack at once
   std::uint32_t externals = 0, overrides = 0, masks = 0, procedures = 0;  ///< of the caller
-  std::uint32_t overridden_joints = 0;                                    ///< of all overrides together
+  std::uint32_t overridden_joints = 0;                                    ///< in all overrides together
   bool overlays_in_model_space = false;
   std::uint32_t kept = 0;  ///< transitions and `cached` operations, which keep numbers of their operands
 

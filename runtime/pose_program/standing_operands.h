@@ -47,7 +47,7 @@ class StandingOperands {
             std::span<KeptOperands> kept) noexcept;
 
   std::bitset<kMostPoseOps> skipped_, standing_;
-  std::array<std::uint8_t, kMostPoseOps> places_;  // of kept operations that run
+  std::array<std::uint8_t, kMostPoseOps> places_;  // memory places of kept operations that run
 };
 
 }  // namespace sinew

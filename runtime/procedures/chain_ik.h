@@ -45,7 +45,7 @@ struct ChainGoal {
   float most_turn_rad = 0.0f;     ///< largest turn of a joint in one iteration; 0: the solver's own bound
   float tolerance = 1e-4f;        ///< metres that count as reached
   float tolerance_rad = 1e-3f;
-  float weight = 1.0f;  ///< [0, 1] mixes the rotations before and after; 0 keeps every bit of the pose
+  float weight = 1.0f;  ///< [0, 1] mixes the pose before and after; 0 keeps every bit of the pose
 };
 
 /// Bytes of memory that a job with this goal needs, a multiple of 64.

@@ -13,7 +13,7 @@ enum class PoleKind : std::uint8_t {
   none,       ///< the limb stays in the plane in which the input pose bends it
   direction,  ///< a direction in model space
   point,      ///< a place in model space; the direction runs from the first joint to it
-  tip_axis,   ///< a direction in the space of the last joint, for example where the foot points
+  tip_axis,   ///< a direction in the space of the limb's tip, for example where the foot points
 };
 
 /// Sine of the angle between pole and target below which the pole fades. A target that crosses the line of the pole

@@ -42,7 +42,7 @@ struct TwoBoneGoal {
   float soft_reach = 0.0f;    ///< [0, 1) share of the length that straightens smoothly (kSoftReach); 0 = off
   float most_stretch = 1.0f;  ///< >= 1: factor by which bones may lengthen; 1 = off
   float least_bend_rad = 0.0f, most_bend_rad = 3.14159265f;  ///< [0, pi]; 0 = straight, pi = folded
-  float pole_fade = kPoleFade;  ///< [0, 1) 0 follows the pole up to the line through it, and snaps there
+  float pole_fade = kPoleFade;  ///< [0, 1) as kPoleFade; 0: no fade, so the limb snaps at the pole
   float tolerance = 1e-5f;      ///< share of the length that counts as reached
 };
 

@@ -56,7 +56,7 @@ HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileIn
 struct DualQuatLanes {
   Lanes4 real, dual;
   Wide twice_over_square;   ///< 2 / |real|^2
-  hn::Mask<TileTag> sound;  ///< the blend did not cancel
+  hn::Mask<TileTag> sound;  ///< lanes whose blend did not cancel
 };
 
 template <int kCount>

@@ -40,7 +40,7 @@ class Pivot {
     const auto products = hn::Mul(real_, hn::LoadDup128(d, real));
     const auto pairs = hn::Add(products, hn::Shuffle2301(products));
     const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)),
-                             hn::Zero(d));  // adding 0 turns -0 into +0, which counts as positive
+                             hn::Zero(d));  // adding 0 turns -0 into +0, so that it counts as positive
     return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
   }
 

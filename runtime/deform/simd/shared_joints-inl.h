@@ -26,7 +26,7 @@ constexpr bool kMayShareJoints = kCount >= 2 && kCount <= 4;
 template <int kCount, std::size_t kVertices = kTileSize>
 HWY_INLINE bool share_joints(const std::uint16_t* joints) {
   constexpr std::size_t kCompared = (kVertices - 1) * kCount;
-  if (joints[0] != joints[kCompared]) return false;  // most tiles that do not share end here
+  if (joints[0] != joints[kCompared]) return false;  // quick test, which rejects most tiles
   constexpr std::size_t kLanes = std::min(std::bit_floor(kCompared), 2 * kTileSize);
   const hn::CappedTag<std::uint16_t, kLanes> d;
   const auto same = [&](std::size_t at)

@@ -11,7 +11,7 @@ struct FrameStep {
   FrameMemory memory;
   const Reuse& reuse;
   const FrameTables& tables;  ///< tables in `memory`
-  bool past_caches = false;   ///< FrameBuffer::write_past_caches
+  bool past_caches = false;   ///< as FrameBuffer::write_past_caches
 };
 
 }  // namespace sinew

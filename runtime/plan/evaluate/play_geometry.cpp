@@ -60,7 +60,7 @@ struct Mover {
   }
 
   const Affine& matrix;
-  const Mat3<double> cofactors;  ///< with the sign of the determinant
+  const Mat3<double> cofactors;  ///< cofactor matrix times the sign of the determinant
 };
 
 /// Blends vertices of the pose with vertices of a source.

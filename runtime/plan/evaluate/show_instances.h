@@ -13,7 +13,7 @@ struct EvaluatedPose {
   std::span<const float> weights;  ///< [W] morph weights, after correctives
   const Affine& root;
   const Visibility& visibility;
-  std::span<const GeometryInput> geometry;  ///< [cached instances] or empty; `shown` of the tables is theirs
+  std::span<const GeometryInput> geometry;  ///< [cached instances] or empty; FrameTables::shown has their vertices
 };
 
 /// Runs the stages winding, morph, skin, geometry_cache, flat normals and bounds for all mesh instances. Vertices that

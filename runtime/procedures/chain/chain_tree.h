@@ -37,13 +37,13 @@ struct ChainErrors {
 struct ChainTree {
   const ChainIkJob& job;
   std::span<ChainNode> nodes;
-  std::span<std::uint32_t> moving;     ///< [goal.joints] nodes
-  std::span<std::uint32_t> effectors;  ///< [goal.effectors] nodes
+  std::span<std::uint32_t> moving;     ///< [goal.joints] index of the node of each joint
+  std::span<std::uint32_t> effectors;  ///< [goal.effectors] index of the node of each effector
   std::span<Transformd> saved;         ///< [goal.joints] backup, for a solver that undoes an iteration
   std::span<JointLimiter> limiters;    ///< [goal.limits]
   std::span<Vec3<double>> points;      ///< [nodes] places that fabrik computes
   std::span<double> numbers;           ///< matrices of `damped`
-  double length = 0.0;                 ///< of the longest way from a moving joint to an effector
+  double length = 0.0;                 ///< length of the longest chain of bones from a moving joint to an effector
 
   const ChainGoal& goal() const noexcept { return job.goal; }
   const ChainIkJoint& part(const ChainNode& node) const noexcept { return goal().joints[node.part]; }

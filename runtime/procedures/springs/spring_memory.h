@@ -60,8 +60,8 @@ struct SpringMemory {
 
   std::span<Affined> ancestors;            ///< [ancestors]
   std::span<springs::InputFrame> now;      ///< [frames] of this frame
-  std::span<springs::MatrixFrame> frames;  ///< [frames] at the time of a tick
-  std::span<springs::MatrixFrame> joints;  ///< [records] at the time of a tick
+  std::span<springs::MatrixFrame> frames;  ///< [frames] input frames, interpolated to the time of a tick
+  std::span<springs::MatrixFrame> joints;  ///< [records] transforms of the joints at the time of a tick
   std::span<springs::WorldShape> shapes;   ///< [colliders]
   std::span<springs::JointInput> inputs;   ///< [records]
   std::span<springs::NextTail> next;       ///< [records] tails after a tick

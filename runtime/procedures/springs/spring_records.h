@@ -74,7 +74,7 @@ struct SpringTables {
   std::vector<std::uint32_t> collider_lists;
   bool has_carried = false;                      ///< some records are carried along
   std::vector<Transform> rest;                   ///< [records]
-  std::vector<springs::JointInput> rest_inputs;  ///< [records] of joints at rest
+  std::vector<springs::JointInput> rest_inputs;  ///< [records] inputs of the joints at rest
   bool is_rest_uniform = true;                   ///< no scale at rest shears joints
 };
 
