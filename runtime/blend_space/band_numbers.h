@@ -4,20 +4,20 @@
 
 namespace sinew {
 
-/// Kept numbers of the directional form for a pair of points. The way from the first point towards the second is a sum:
-/// angle * turn + |angle| * turn_of_opposite + (speed - own speed) * rise. All are 0 where one of both is the origin,
-/// and for points on each other. Internal to blend_space/
+/// Precomputed numbers of the directional form for a pair of points. The share of the way from the first point to the
+/// second is a sum: angle * turn + |angle| * turn_of_opposite + (speed - speed of the first) * rise. All are 0 if a
+/// point is the origin, or if both are at the same place. Internal to blend_space/
 struct BandPair {
   double turn = 0.0, turn_of_opposite = 0.0, rise = 0.0;
 };
 
-/// Kept numbers of a point of the directional form.
+/// Precomputed polar coordinates of a point, for the directional form.
 struct BandPoint {
   double angle_rad = 0.0, speed = 0.0;
 };
 
 inline constexpr double kPi = 3.14159265358979323846;
-/// Points further apart count as opposite ones: no side of them is the nearer one.
+/// Directions further apart than this count as opposite: neither way round is the shorter one.
 inline constexpr double kOpposite_rad = 0.99 * kPi;
 
 /// The angle from one direction to another, in [-pi, pi].

@@ -22,7 +22,7 @@ void weigh_line(std::span<const glm::vec2> points, float x, Influences& h) noexc
   }
   if (below < least) below = above = least;
   if (above > most) below = above = most;
-  double at_below = 0.0, at_above = 0.0;  // points that share the place
+  double at_below = 0.0, at_above = 0.0;  // numbers of points at the same place
   for (const glm::vec2& point : points) {
     at_below += double{point.x} == below ? 1.0 : 0.0;
     at_above += double{point.x} == above ? 1.0 : 0.0;
@@ -39,7 +39,7 @@ void weigh_cartesian(const BlendSpace& space, double x, double y, Influences& h)
   const double* pair = space.numbers.data();
   for (std::size_t i = 0; i < count; ++i) {
     const double dx = x - double{space.points[i].x}, dy = y - double{space.points[i].y};
-    double most = 0.0;  // how far the place lies towards any other point
+    double most = 0.0;  // largest share of the way to another point
     for (std::size_t j = 0; j < count; ++j, pair += 2) most = std::max(most, dx * pair[0] + dy * pair[1]);
     h[i] = std::max(1.0 - most, 0.0);
   }
@@ -95,7 +95,7 @@ void weigh_radial(const BlendSpace& space, double x, double y, Influences& h) no
   }
 }
 
-/// The nearest point alone, where no point has an influence.
+/// Gives all weight to the nearest point. Used where no point has an influence.
 void weigh_nearest(std::span<const glm::vec2> points, double x, double y, Influences& h) noexcept {
   const auto distance2 = [&](const glm::vec2& p) {
     const double dx = x - double{p.x}, dy = y - double{p.y};

@@ -62,10 +62,11 @@ void prepare_directional(Points points, double factor, std::span<double> numbers
     }
 }
 
-/// Rows of the inverse of A for points that lie alone. Points on each other get equal parts of one row.
+/// Rows of the inverse of A (blend_space_weights), computed without duplicate points. Points at the same place get
+/// equal parts of one row.
 void prepare_radial(Points points, std::span<double> numbers) {
   const std::size_t count = points.size();
-  std::vector<std::size_t> firsts, place(count);  // points that are the first ones at their place
+  std::vector<std::size_t> firsts, place(count);  // first point at each place; index into `firsts` for each point
   std::vector<double> sharers;
   for (std::size_t i = 0; i < count; ++i) {
     const auto first =

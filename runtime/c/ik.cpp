@@ -50,7 +50,7 @@ inline constexpr auto kEnum<IkStatus> = enum_values<IkStatus, sinew_ik_status>({
 
 }  // namespace sinew::c
 
-/// One goal, with the lists that it refers to.
+/// A goal of one kind, with copies of the lists that it refers to.
 struct sinew_ik {
   enum class Kind { none, two_bone, aim, chain };
 

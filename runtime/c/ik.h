@@ -17,8 +17,8 @@ typedef struct sinew_ik sinew_ik;
 
 typedef enum sinew_ik_status {
   SINEW_IK_IDLE = 0,     ///< it has not run, or its weight is 0
-  SINEW_IK_REACHED = 1,  ///< what is left is within the tolerance
-  SINEW_IK_LIMITED = 2,  ///< a limit, the weight or the number of iterations ended it
+  SINEW_IK_REACHED = 1,  ///< the remaining error is within the tolerance
+  SINEW_IK_LIMITED = 2,  ///< the goal is in reach, but a limit, the weight or the iterations ended it
   SINEW_IK_UNREACHABLE = 3
 } sinew_ik_status;
 
@@ -27,16 +27,16 @@ typedef struct sinew_ik_result {
   uint32_t status;  ///< sinew_ik_status
   int32_t error;    ///< sinew_error of the last run: SINEW_SIZE_MISMATCH if the pose was of another skeleton
   uint32_t iterations;
-  float metres_left, radians_left;  ///< the largest
+  float metres_left, radians_left;  ///< largest remaining errors between effector and goal
 } sinew_ik_result;
 
-/// A handle without a goal, which changes no pose.
+/// Creates a handle without a goal. Such a handle changes no pose.
 /// in   scene  must outlive the handle
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 SINEW_API sinew_error sinew_ik_create(const sinew_scene* scene, sinew_ik** out);
 SINEW_API void sinew_ik_destroy(sinew_ik* ik);
 
-/// Sets the goal. A handle that a frame in flight runs must not be set: use one for each frame in flight.
+/// Sets the goal. Do not set a handle that a frame in flight runs: use one handle for each frame in flight.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_OUT_OF_MEMORY, SINEW_INDEX_OUT_OF_RANGE,
 ///      SINEW_PARENTS_NOT_FIRST, SINEW_UNSUPPORTED (joints not in one line, a joint with a matrix, no joint, an
 ///      enumeration), SINEW_NOT_FINITE, SINEW_NOT_NORMALISED, SINEW_NOT_A_FRACTION, SINEW_NEGATIVE_WEIGHT,
@@ -46,7 +46,7 @@ SINEW_API sinew_error sinew_ik_set_two_bone(sinew_ik* ik, const sinew_two_bone_g
 SINEW_API sinew_error sinew_ik_set_aim(sinew_ik* ik, const sinew_aim_goal* goal);
 SINEW_API sinew_error sinew_ik_set_chain(sinew_ik* ik, const sinew_chain_goal* goal);
 
-/// The handle as a procedure. Its version follows the goal: get it again after each change.
+/// Returns the handle as a procedure. Its version depends on the goal, so get it again after each change of the goal.
 /// err  SINEW_NULL_ARGUMENT
 SINEW_API sinew_error sinew_ik_procedure(sinew_ik* ik, sinew_pose_procedure* out);
 
@@ -54,7 +54,7 @@ SINEW_API sinew_error sinew_ik_procedure(sinew_ik* ik, sinew_pose_procedure* out
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost no allocation
 SINEW_API sinew_error sinew_ik_solve(sinew_ik* ik, const sinew_pose* local);
 
-/// The end of the last run. A frame that reuses its pose runs nothing.
+/// Returns the result of the last run. A frame that reuses its pose runs nothing and leaves the result unchanged.
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_ik_result(const sinew_ik* ik, sinew_ik_result* out);
 

@@ -16,21 +16,21 @@ typedef struct sinew_point {
 } sinew_point;
 
 typedef enum sinew_pole_kind {
-  SINEW_POLE_NONE = 0,       ///< the plane in which the pose is bent is kept
-  SINEW_POLE_DIRECTION = 1,  ///< the middle joint goes this way
-  SINEW_POLE_POINT = 2,      ///< the middle joint goes towards this place
-  SINEW_POLE_TIP_AXIS = 3    ///< a direction in the space of the tip, for example where the foot points
+  SINEW_POLE_NONE = 0,       ///< the limb stays in the plane in which the pose bends it
+  SINEW_POLE_DIRECTION = 1,  ///< the middle joint points in this direction
+  SINEW_POLE_POINT = 2,      ///< the middle joint points towards this place
+  SINEW_POLE_TIP_AXIS = 3    ///< the middle joint points along a direction in the space of the tip, as of a foot
 } sinew_pole_kind;
 
 typedef enum sinew_end_rotation {
   SINEW_END_FOLLOWS = 0,  ///< the tip turns with the bone before it
-  SINEW_END_KEEPS = 1,    ///< it keeps its rotation in model space
-  SINEW_END_GIVEN = 2     ///< it takes `end_rotation`
+  SINEW_END_KEEPS = 1,    ///< the tip keeps its rotation in model space
+  SINEW_END_GIVEN = 2     ///< the tip takes `end_rotation`
 } sinew_end_rotation;
 
 typedef enum sinew_ik_blend {
-  SINEW_BLEND_ROTATIONS = 0,  ///< a weight below 1 mixes the rotations before and after
-  SINEW_BLEND_EFFECTOR = 1    ///< it moves the tip along a line towards the target
+  SINEW_BLEND_ROTATIONS = 0,  ///< a weight below 1 mixes the rotations before and after solving
+  SINEW_BLEND_EFFECTOR = 1    ///< a weight below 1 moves the tip only part of the straight line to the target
 } sinew_ik_blend;
 
 typedef enum sinew_chain_solver {
@@ -39,7 +39,7 @@ typedef enum sinew_chain_solver {
   SINEW_SOLVER_DAMPED = 2  ///< damped least squares
 } sinew_chain_solver;
 
-/// A limb of three joints, each below the one before.
+/// A limb of three joints: `middle` is below `root`, and `tip` is below `middle`.
 typedef struct sinew_two_bone_goal {
   size_t struct_size;
   uint32_t root, middle, tip;
@@ -48,22 +48,22 @@ typedef struct sinew_two_bone_goal {
   uint32_t blend;           ///< sinew_ik_blend
   uint32_t end;             ///< sinew_end_rotation
   sinew_vec4 end_rotation;  ///< unit quaternion x y z w
-  sinew_vec3 middle_axis;   ///< hinge in the space of the middle joint; zero: that of the pose
+  sinew_vec3 middle_axis;   ///< hinge in the space of the middle joint; zero: the axis about which the pose bends
   float twist_rad, weight;  ///< weight: [0, 1]
-  float soft_reach;         ///< [0, 1) share of the length that straightens slowly; 0 = off
-  float most_stretch;       ///< >= 1; 1 = off
+  float soft_reach;         ///< [0, 1) share of the limb's length over which it straightens smoothly; 0 = off
+  float most_stretch;       ///< >= 1: factor by which bones may lengthen; 1 = off
   float least_bend_rad, most_bend_rad;
-  float pole_fade;  ///< sine of the angle to the pole below which the pole fades
-  float tolerance;  ///< share of the length
+  float pole_fade;  ///< [0, 1) sine of the angle between pole and target below which the pole fades; 0 = never
+  float tolerance;  ///< distance that counts as reached, as a share of the limb's length
 } sinew_two_bone_goal;
 
 /// How far a joint may turn. This struct never grows.
 typedef struct sinew_joint_limit {
-  sinew_vec4 center;               ///< local rotation in the middle
-  sinew_vec4 axes;                 ///< in the space of the joint; their x is the bone
-  float swing_y_rad, swing_z_rad;  ///< [0, 2.8]
+  sinew_vec4 center;  ///< local rotation at the center of the allowed range
+  sinew_vec4 axes;    ///< unit rotation from axes of the limit to the space of the joint; its x axis is the bone
+  float swing_y_rad, swing_z_rad;  ///< largest swing about the axes y and z; [0, 2.8]
   float least_twist_rad, most_twist_rad;
-  uint32_t limits_swing, limits_twist;  ///< 0 or 1
+  uint32_t limits_swing, limits_twist;  ///< 0 or 1; 0 allows every swing or twist
 } sinew_joint_limit;
 
 /// A joint that takes part in an aim. This struct never grows.
@@ -75,13 +75,13 @@ typedef struct sinew_aim_joint {
 
 typedef struct sinew_aim_goal {
   size_t struct_size;
-  const sinew_aim_joint* joints;  ///< each below the one before; copied
+  const sinew_aim_joint* joints;  ///< each joint is below the previous one; copied
   size_t joint_count;
   const sinew_joint_limit* limits;  ///< copied
   size_t limit_count;
   sinew_point target;
-  sinew_vec3 forward, up, offset;  ///< in the space of the last joint
-  sinew_point pole;                ///< to which `up` turns; zero = none
+  sinew_vec3 forward, up, offset;  ///< line that aims, its up direction and start, in the last joint's space
+  sinew_point pole;                ///< direction in model space to which `up` turns; zero = the joints do not roll
   float twist_rad, weight, pole_fade, tolerance_rad;
 } sinew_aim_goal;
 
@@ -89,7 +89,7 @@ typedef struct sinew_aim_goal {
 typedef struct sinew_chain_joint {
   uint32_t joint;
   uint32_t limit;  ///< index into the limits of the goal, or SINEW_NONE
-  uint32_t moves;  ///< 1: it may move, too
+  uint32_t moves;  ///< 1: its translation may change, too
 } sinew_chain_joint;
 
 /// A joint with a target. This struct never grows.
@@ -98,12 +98,12 @@ typedef struct sinew_chain_effector {
   sinew_point target;
   sinew_vec4 rotation;  ///< unit quaternion x y z w
   float weight;
-  float rotation_weight;  ///< 0: the rotation is not asked for
+  float rotation_weight;  ///< 0: only the place matters
 } sinew_chain_effector;
 
 typedef struct sinew_chain_goal {
   size_t struct_size;
-  const sinew_chain_joint* joints;  ///< increasing; copied
+  const sinew_chain_joint* joints;  ///< by increasing index; copied
   size_t joint_count;
   const sinew_joint_limit* limits;  ///< copied
   size_t limit_count;
@@ -112,11 +112,11 @@ typedef struct sinew_chain_goal {
   uint32_t solver;  ///< sinew_chain_solver
   uint32_t iterations;
   float most_turn_rad;
-  float tolerance;  ///< metres
+  float tolerance;  ///< metres that count as reached
   float tolerance_rad, weight;
 } sinew_chain_goal;
 
-/// Goals without joints, with all numbers at their defaults.
+/// Goals without joints. All numbers have their default values.
 SINEW_API sinew_two_bone_goal sinew_default_two_bone_goal(void);
 SINEW_API sinew_aim_goal sinew_default_aim_goal(void);
 SINEW_API sinew_chain_goal sinew_default_chain_goal(void);

@@ -11,7 +11,7 @@ using namespace sinew;
 
 namespace {
 
-// Programs of C are read in place, since both structs have the same bytes.
+// Programs of the C API are read in place, since both structs have the same layout.
 static_assert(sizeof(sinew_pose_op) == sizeof(PoseOp) && alignof(sinew_pose_op) == alignof(PoseOp) &&
               offsetof(sinew_pose_op, time_s) == offsetof(PoseOp, time_s) &&
               offsetof(sinew_pose_op, weight) == offsetof(PoseOp, weight) &&
@@ -24,7 +24,7 @@ static_assert(SINEW_OP_NO_MASK == PoseOp::kNoMask && SINEW_MOST_OPS == kMostPose
 
 sinew_pose_op sinew_default_op(std::uint32_t kind) {
   const bool is_full =
-      // Kinds whose `time_s` is a threshold or a share.
+      // For these kinds `time_s` is a threshold or a share, whose default is 1.
       kind == SINEW_OP_MEAN || kind == SINEW_OP_OVERRIDE_JOINTS || kind == SINEW_OP_PROCEDURE;
   const std::uint8_t own = c::kEnum<PoseOpKind>.has(kind) ? static_cast<std::uint8_t>(kind) : std::uint8_t{0xFF};
   const std::uint16_t steps = kind == SINEW_OP_INERTIALIZE || kind == SINEW_OP_DEAD_BLEND ? 1 : 0;

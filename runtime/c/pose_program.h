@@ -13,42 +13,42 @@ extern "C" {
 // bytes.
 
 typedef enum sinew_op_kind {
-  SINEW_OP_REST = 0,              ///< pushes the rest pose
-  SINEW_OP_SAMPLE = 1,            ///< pushes clip `index` at `time_s`
-  SINEW_OP_SAMPLE_MIRRORED = 2,   ///< pushes the same with left and right exchanged
-  SINEW_OP_REST_MIRRORED = 3,     ///< the rest pose, left and right exchanged
-  SINEW_OP_EXTERNAL = 4,          ///< pushes pose `index` of the caller: a ragdoll, the network
-  SINEW_OP_MEAN = 5,              ///< weighted mean of the `index` topmost poses; no operands give the rest pose
-  SINEW_OP_OVERLAY = 6,           ///< lays the topmost pose over the one below, by weight and mask
-  SINEW_OP_OVERLAY_MODEL = 7,     ///< SINEW_OP_OVERLAY, but rotations are mixed in model space
-  SINEW_OP_ADD_TO_REST = 8,       ///< adds the difference of the topmost pose from the rest pose to the pose below
-  SINEW_OP_ADD = 9,               ///< adds the difference of the second pose from the topmost to the third
+  SINEW_OP_REST = 0,             ///< pushes the rest pose
+  SINEW_OP_SAMPLE = 1,           ///< pushes clip `index` at `time_s`
+  SINEW_OP_SAMPLE_MIRRORED = 2,  ///< as SINEW_OP_SAMPLE, with left and right exchanged
+  SINEW_OP_REST_MIRRORED = 3,    ///< pushes the rest pose with left and right exchanged
+  SINEW_OP_EXTERNAL = 4,         ///< pushes pose `index` of the caller: a ragdoll, the network
+  SINEW_OP_MEAN = 5,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
+  SINEW_OP_OVERLAY = 6,          ///< lays the topmost pose over the pose below it, by weight and mask
+  SINEW_OP_OVERLAY_MODEL = 7,    ///< as SINEW_OP_OVERLAY, but rotations are mixed in model space
+  SINEW_OP_ADD_TO_REST = 8,      ///< adds the topmost pose minus the rest pose to the pose below
+  SINEW_OP_ADD = 9,  ///< adds layer minus reference to base: third, second and topmost are base, layer, reference
   SINEW_OP_OVERRIDE_JOINTS = 10,  ///< sets joints of the topmost pose to the transforms of override `index`
   SINEW_OP_PROCEDURE = 11,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs
-  SINEW_OP_INERTIALIZE = 12,      ///< a transition: adds the source's offset from the target, which decays
-  SINEW_OP_DEAD_BLEND = 13,       ///< a transition: fades the source, which goes on by itself, into the target
-  SINEW_OP_CACHED = 14            ///< the topmost pose, kept while the operations that make it are the same
+  SINEW_OP_INERTIALIZE = 12,      ///< transition: adds the source's offset from the target at the start, which decays
+  SINEW_OP_DEAD_BLEND = 13,       ///< transition: fades the source, which moves on by its velocity, into the target
+  SINEW_OP_CACHED = 14  ///< keeps the topmost pose for later frames while the operations that make it are the same
 } sinew_op_kind;
 #define SINEW_OP_NO_MASK 255u
 #define SINEW_MOST_OPS 255u  ///< most operations of one program
 
-/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
-/// is the upper pose, in an addition the layer. Transitions take the target's pose now, then the source's at the start
-/// and one step before. SINEW_OP_INERTIALIZE also takes the target's at the start and one step before. This struct
-/// never grows: its 16 bytes may be stored and sent.
+/// One operation. `weight` and `mask` apply when a later mean, overlay (as upper pose) or addition (as layer) takes its
+/// pose. Transitions take the target's pose now, then the source's pose at the start and one step before.
+/// SINEW_OP_INERTIALIZE also takes the target's pose at the start and one step before. This struct never grows: its 16
+/// bytes may be stored and sent.
 typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1], below which the rest pose fills up;
                    ///< override, procedure: its share in [0, 1];  transitions: their progress in [0, 1]
   float weight;    ///< finite, >= 0
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;  additions:
                    ///< 0 = turn joints in their parent's frame, 1 = in their own.  Transitions: steps in the duration,
-                   ///< >= 1, of which 0.1 to 1 ms measures velocities well
-  uint8_t mask;    ///< whose joint weights multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
-                   ///< (sinew_program_inputs.masks) follow those of sinew_needs
-  uint8_t kind;    ///< a value of sinew_op_kind
+                   ///< >= 1; steps of 0.1 to 1 ms measure velocities well
+  uint8_t mask;  ///< index of joint weights that multiply `weight`; SINEW_OP_NO_MASK = all joints. Masks of the caller
+                 ///< (sinew_program_inputs.masks) follow those of sinew_needs
+  uint8_t kind;  ///< a value of sinew_op_kind
 } sinew_pose_op;
 
-/// An operation of weight 1 without a mask, at index 0, of threshold or share 1. A transition has one step.
+/// An operation of weight 1 without a mask: `index` is 0, and the threshold or share is 1. A transition has one step.
 SINEW_API sinew_pose_op sinew_default_op(uint32_t kind);
 
 /// Upper limits of what the programs of a plan use: operations, stack slots, and the lists that they index.
@@ -63,15 +63,15 @@ typedef struct sinew_program_room {
   uint32_t kept;                              ///< transitions and operations SINEW_OP_CACHED, at most `ops`
 } sinew_program_room;
 
-/// The room that a program needs: lists reach to its largest index, and `overridden_joints` is left at 0.
+/// The room that a program needs: lists reach to the program's largest index, and `overridden_joints` is left at 0.
 /// out  room  with struct_size set.   err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
 SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_count, sinew_program_room* room);
-/// Raises `room` to what either of both needs.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
+/// Raises each number of `room` to at least that of `other`.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
-// Operations refer to entries of the lists below by index. Each entry has a version: equal versions promise the same
-// content as in the frame before, 0 promises nothing. Joints are those of poses: the scene's own, or those that
-// sinew_pose_joint returns if sinew_needs.skeleton_lod leaves joints out. The structs of entries never grow.
+// Operations refer to entries of the lists below by index. Equal versions of an entry promise the content of the frame
+// before; version 0 promises nothing. Joint indices are those of the scene. If sinew_needs.skeleton_lod leaves joints
+// out, they are those that sinew_pose_joint returns. The structs of entries never grow.
 
 /// A pose of the caller.
 typedef struct sinew_external_pose {
@@ -126,7 +126,7 @@ typedef struct sinew_pose_procedure {
   uint64_t version;
 } sinew_pose_procedure;
 
-/// The keys of a clip for one time (pages.h).
+/// The part of a clip that holds the keys for one time (pages.h).
 typedef struct sinew_page sinew_page;
 
 /// The tables that operations of a program refer to by index, and the keys of clips that lie in pages.
@@ -141,8 +141,8 @@ typedef struct sinew_program_inputs {
   const sinew_joint_mask* masks;
   size_t mask_count;
   const sinew_page* const*
-      pages;  ///< [operations] for those that sample a clip in pages: the page with its keys. Null
-              ///< (or all) if the clip has its keys. Must stay unchanged as long as frames use them
+      pages;  ///< [operations] the page with the keys of the operation's clip and time; null if the clip itself
+              ///< has the keys. The list itself may be null. Must not change while frames use it
 } sinew_program_inputs;
 
 #ifdef __cplusplus

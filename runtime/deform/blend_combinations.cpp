@@ -15,7 +15,8 @@ namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sums in the order of blend_matrix-inl.h, fused from the second influence on, to get the same bits.
+/// Blends the matrices of a group. The sum has the order and the fused multiply-adds of blend_matrix-inl.h, and thus
+/// the same bits.
 template <int kCount>
 void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group,
                  JointMatrix* out) {

@@ -13,12 +13,13 @@
 namespace sinew {
 namespace {
 
-/// They fill half a second-level cache. With more matrices, combining was up to twice as slow as not combining.
+/// Most joints and combinations of a skin: their matrices fill half a second-level cache. With more, combining was up
+/// to twice as slow as not combining.
 constexpr std::size_t kMaxMatrices = 8192;
 
-/// Cost of reading one matrix for a combination, in units of the matrix reads that combining saves a vertex. Measured
-/// on surfaces of 200 to 10,000 vertices with 2, 3 and 4 influences, in random order, with 1.5 to 16 vertices per
-/// combination: combining wins from this value on.
+/// Influences are combined if this saves the vertices at least so many matrix reads for each matrix that combinations
+/// read. Measured on surfaces of 200 to 10,000 vertices with 2, 3 and 4 influences, in random order, with 1.5 to 16
+/// vertices per combination.
 constexpr std::size_t kCostOfBlend = 3;
 
 /// The joints and weights of the vertices of a group.
@@ -46,8 +47,8 @@ class GroupVertices {
   const InfluenceGroup& group_;
 };
 
-/// For each vertex the first vertex with the same combination. If two combinations have the same hash, one combination
-/// may be found several times; it is then only blended more often.
+/// For each vertex, the first vertex with the same combination. If the hashes of two combinations collide, a
+/// combination may be listed and blended several times. The result is the same.
 std::vector<std::uint32_t> first_of_combination(const GroupVertices& vertices, std::size_t count) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash;
   for (std::uint32_t v = 0; v < count; ++v) by_hash.emplace_back(vertices.hash(v), v);
@@ -61,7 +62,7 @@ std::vector<std::uint32_t> first_of_combination(const GroupVertices& vertices, s
   return first_of;
 }
 
-/// Adds the combinations of a group in order of appearance, and points its vertices to them.
+/// Adds the combinations of a group in order of appearance, and sets the matrix index of each vertex.
 void combine_group(const VertexInfluences& influences, const InfluenceGroup& group, CombinedInfluences& combined) {
   const GroupVertices vertices(influences, group);
   const std::vector<std::uint32_t> first_of = first_of_combination(vertices, group.vertex_count);

@@ -34,7 +34,7 @@ void fill_vectors(std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 0; corners.size() < count; ++i) corners.push_back(corners[i]);
 }
 
-/// The vertices of no triangle, and those of the triangles in `alone`.
+/// Vertices without a triangle, and vertices of the triangles in `alone`.
 std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::span<const std::uint32_t> alone) {
   for (const std::uint32_t vertex : alone) has_face[vertex] = false;
   std::vector<std::uint32_t> at_rest;
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::spa
   return at_rest;
 }
 
-/// Sorts triangles of which no two share a vertex.
+/// Sorts triangles into streams, `corners` and `alone`. No two triangles share a vertex.
 void sort_disjoint(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
   const auto has_last_vertex = [&](const Triangle& triangle) {
     return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();

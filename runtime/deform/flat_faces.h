@@ -29,7 +29,8 @@ struct FlatFaces {
   /// [3 per triangle] Triangles that are computed one by one. If no vertex belongs to several triangles, this is at
   /// most the triangle of the last vertex. Otherwise it is all triangles in the mesh's order.
   std::vector<std::uint32_t> alone;
-  /// vertices that first get their rest normals: those of `alone`, and those of no triangle
+  /// Vertices whose normals are set to the rest normals before triangles are computed: vertices of `alone`, and
+  /// vertices of no triangle.
   std::vector<std::uint32_t> at_rest;
   std::size_t count = 0;  ///< number of triangles
 };

@@ -30,8 +30,8 @@ struct CornerFaces {
   HWY_INLINE std::size_t corner(std::size_t t, std::size_t c) const { return indices[3 * t + c]; }
 };
 
-/// The scalar path: the cross product in double keeps the normal of tiny, huge and narrow triangles. False if the
-/// triangle has no area.
+/// The scalar path. The cross product in double keeps the normal of tiny, huge and narrow triangles. Returns false if
+/// the triangle has no area.
 bool write_careful_normal(const FaceArrays& arrays, std::size_t a, std::size_t b, std::size_t c) {
   const Vec3<double> from(arrays.positions[a]);
   const Vec3<double> u = Vec3<double>(arrays.positions[b]) - from, v = Vec3<double>(arrays.positions[c]) - from;
@@ -47,7 +47,7 @@ struct Edges {
   Lanes3 u, v;
 };
 
-/// Where the corners of a FlatStream lie, and where their normals go.
+/// Pointers to the three runs of corners of a FlatStream, and to the runs of their normals.
 struct FaceStream {
   const glm::vec3 *a, *b, *c;
   glm::vec3 *na, *nb, *nc;
@@ -89,7 +89,7 @@ void store_normals(const Lanes3& n, const FaceArrays& arrays, const CornerFaces&
 using BlockTag = hn::Full128<float>;
 using Block = hn::Vec<BlockTag>;
 
-/// Joins the 128-bit blocks of a quarter tile; `block(b)` is the one of its vertex b.
+/// Joins the 128-bit blocks of a quarter tile. `block(b)` returns the block of vertex b of the quarter.
 template <class Load>
 HWY_INLINE Wide join_blocks(const Load& block) {
 #if HWY_MAX_BYTES >= 64
@@ -160,8 +160,8 @@ HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, const C
 
 #endif  // HWY_TARGET
 
-/// Triangles that are left to the scalar path. They are collected and computed together: handled tile by tile, their
-/// branches would be mispredicted and their square roots would not overlap.
+/// Triangles that need the scalar path. They are collected and computed together. If each tile handled its own,
+/// branches would be mispredicted and square roots would not overlap.
 class CarefulList {
  public:
   CarefulList(const FaceArrays& arrays, CornerFaces corners) : arrays_(arrays), corners_(corners) {}
@@ -170,8 +170,8 @@ class CarefulList {
     add({&stream, first, lanes_of(unsound)});
   }
   HWY_INLINE void add(std::size_t first, hn::Mask<TileTag> unsound) { add({nullptr, first, lanes_of(unsound)}); }
-  /// Makes room for `tile_count` more tiles, if needed by computing the collected ones. Their fast normals must be
-  /// stored by then.
+  /// Makes room for `tile_count` more tiles. If the list is full, all collected triangles are computed now, so their
+  /// fast normals must already be stored.
   HWY_INLINE void make_room(std::size_t tile_count) {
     if (HWY_UNLIKELY(count_ + tile_count > kRoom)) clear();
   }
@@ -261,7 +261,7 @@ HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, const Corner
   return hn::Not(is_sound(u, v, squared));
 }
 
-/// The last tile ends with the stream, so it may compute some triangles again.
+/// Computes the normals of a stream. The last tile ends with the stream, so it may compute some triangles again.
 void flatten(const FaceArrays& arrays, const FlatStream& stream, CarefulList& careful) {
   const FaceStream faces(arrays, stream);
   const std::size_t count = stream.count, last = count - kTileSize;
@@ -277,8 +277,8 @@ void flatten(const FaceArrays& arrays, const FlatStream& stream, CarefulList& ca
   }
 }
 
-/// Normals are stored a few tiles after they were computed. With so many small stores, processors do not look far
-/// enough ahead to overlap a square root and a division with the next tile.
+/// Computes the normals of triangles outside of streams. They are stored a few tiles later. With many small stores,
+/// processors do not look far enough ahead to overlap a square root and a division with the next tile.
 void flatten(const FaceArrays& arrays, CornerFaces faces, std::size_t count, CarefulList& careful) {
   constexpr std::size_t kKept = 4;
   KeptNormals kept[kKept];

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// Normals of a deformed flat-shaded mesh. Its file has no normals, so glTF wants those of the triangles.
+/// Normals of a deformed flat-shaded mesh. Its file has no normals, so glTF prescribes the normal of each triangle.
 /// eq   n = normalise((b - a) x (c - a)) for the three vertices of each triangle, negated when `turned`: a mirroring
 ///      skin reverses the winding, and the normals must still point outside
 /// in   faces       of the mesh (sort_flat_faces); where triangles share a vertex, the last triangle decides

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// Influences for the skinning jobs, ordered as in VertexInfluences, in the integer types of a file or an engine. Jobs
-/// convert 8-bit joints and integer weights tile by tile. The results are those of the converted numbers.
+/// Influences for the skinning jobs, in the integer types of a file or an engine and in the order of VertexInfluences.
+/// Jobs convert 8-bit joints and integer weights tile by tile. The results are the same as with converted arrays.
 struct InfluenceStreams {
   /// The largest number of influences per vertex that can be converted.
   static constexpr std::uint32_t kMaxConverted = 32;

@@ -27,7 +27,7 @@ using Lanes = hn::Vec<Floats>;
 /// Vertices are summed and finished in chunks of this size, so that their sums stay in the first-level cache.
 constexpr std::size_t kChunk = 1024;
 
-/// Number of sparse entries that are tested at once for being consecutive.
+/// Number of sparse entries that one test checks for consecutive vertices.
 constexpr std::size_t kRun = 16;
 
 /// eq   sums += weight * deltas, `count` floats
@@ -83,7 +83,7 @@ HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bo
 }
 
 /// Loads, moves and stores one vector of vertices. Directions that vanish, or leave the range in which float keeps its
-/// digits, are computed again one by one.
+/// digits, are computed again vertex by vertex.
 template <class V>
 HWY_INLINE void move_vector(const V* base, const glm::vec3* sums, bool normalise, V* out) {
   const Floats d;

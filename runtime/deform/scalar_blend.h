@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Blends of one vertex at a time, in every degenerate case. The SIMD code in deform/simd leaves such vertices to this.
+// Blends one vertex at a time and handles every degenerate case. The SIMD code in deform/simd leaves degenerate
+// vertices to these functions.
 #include <cmath>
 #include <span>
 
@@ -12,8 +13,8 @@
 
 namespace sinew {
 
-/// The factor that brings tiny weights to a sum of 1. Without it the squared length of their blend would underflow, or
-/// would look like a cancelled blend. Weights that sum to 0.5 or more keep their bits: the factor is 1.
+/// Factor that makes the absolute weights sum to 1 if their sum is below 0.5. Unscaled, the squared length of their
+/// blend could underflow, or look like a cancelled blend. For larger sums the factor is 1, so weights keep their bits.
 template <int kCount>
 double weight_scale(const VertexJoints<kCount>& vertex) noexcept {
   double sum = 0.0;
@@ -45,7 +46,7 @@ Affine blend_matrix(std::span<const JointMatrix> palette, const VertexJoints<kCo
   return affine_from(sum);
 }
 
-/// Rigid motion blended from the joints of one vertex, unit.
+/// Blended rigid motion of one vertex, a unit dual quaternion.
 /// eq   d = sum(w sign(r . r_pivot) d_i) / |real part|   (Kavan et al. 2008, sec. 3.4)
 ///      The pivot is the first influence: VertexInfluences orders them by falling weight, then by rising joint.
 ///      If the real part cancels (squared length below 1e-12), the vertex follows the pivot alone.

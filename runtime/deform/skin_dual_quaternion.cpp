@@ -86,7 +86,8 @@ void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_hemisphere = are_in_one_hemisphere(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto each_count, auto stretched) {
     if (each_count == 1 && !job.palette.empty()) return;
-    constexpr int kEach = each_count == 1 ? 0 : static_cast<int>(each_count);  // few jobs have no palette
+    // Without a palette, which is rare, single influences use the general kernel.
+    constexpr int kEach = each_count == 1 ? 0 : static_cast<int>(each_count);
     constexpr bool kRare = stretched && kEach == 8;
     constexpr int kCount = kKernelCount<kEach, kRare>;
     for_each_row<kCount>(job.influences, group, job.vertices, job.out, SkinRow<kCount, stretched>{job, one_hemisphere});

@@ -14,9 +14,8 @@ namespace sinew {
 /// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i);  d = d / |real(d)|;  p' = d p1 d*
 ///      n' = rotate(d, normalise(sign(det S) cof(S) n)), S = sum(w S_i)
 ///      The pivot is the influence with the largest weight, the lowest joint index on ties.
-///      Normals keep to the outside also where joints mirror (conventions.h). det S is taken from the rounded entries
-///      of S:
-///      its sign is right up to a condition number of S of about 1e6, the limit of float.
+///      Normals stay on the outside even where joints mirror (conventions.h). det S is computed from the rounded
+///      entries of S. Its sign is right up to a condition number of S of about 1e6, the limit of float.
 /// in   influences   weights sum to 1. If the blend of a vertex is shorter than 1e-6 and its weights sum to less than
 ///      0.5, they are brought to a sum of 1, so that tiny weights skin as accurately as others. Otherwise S is not
 ///      divided by the sum of the weights.

@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// The scalar path for the normal of vertex `v` of a tile. Needed if squares leave the range of float, the side of the
-/// normal is in doubt, or the normal vanishes. Its matrix has the bits of the one that moves the position.
+/// The scalar path for the normal of vertex `v` of a tile. It is needed if squares leave the range of float, the side
+/// of the normal is in doubt, or the normal vanishes. The blended matrix has the same bits as for the position.
 template <int kCount>
 glm::vec3 careful_normal(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t v,
                          const glm::vec3& n, bool cofactor) {
@@ -90,14 +90,14 @@ struct SkinRow {
 
  private:
   static constexpr std::size_t kKept =
-      kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
+      kTangents ? 2 : 8;  ///< tiles per batch; fewer with tangents, since stores then alternate between more arrays
 
   /// Consecutive vertices with one and the same joint are moved by its matrix directly. Shorter runs do not pay for
   /// twelve broadcasts and a mispredicted branch. The importer orders such vertices one after another.
   static constexpr std::size_t kMinFollowers = 16;
 
-  /// Kernels with one vertex per lane have no non-temporal stores for tangents, and with four lanes for no attribute at
-  /// all.
+  /// True if the row may use kernels with one vertex per lane. These have no non-temporal stores for tangents, and with
+  /// four lanes none for any attribute.
   static HWY_INLINE bool may_run_in_lanes(const Row& row) { return (kInTriples && !kTangents) || !row.past_caches; }
 
   static HWY_INLINE bool shares_joints(const Row& row, std::size_t t) {
@@ -109,7 +109,7 @@ struct SkinRow {
       return false;
     }
   }
-  /// The end of the tiles from `t` on whose vertices all share the joints of the first tile.
+  /// Index after the last consecutive tile, from `t` on, whose vertices all share the joints of the first tile.
   static HWY_INLINE std::size_t end_of_shared(const Row& row, std::size_t t) {
     const std::uint16_t* first = row.joints(t).first.joints;
     for (t += SharedMatrices<kCount>::kMinTiles; t < row.tile_count; ++t) {
@@ -128,12 +128,12 @@ struct SkinRow {
   }
   static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
     constexpr bool kPays =
-        kCount == 1 && (kTileSize > 4 || kNormals);  // without normals it would take 19 instructions instead of 17
+        kCount == 1 && (kTileSize > 4 || kNormals);  // four lanes without normals: 19 instructions instead of 17
     if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kMinFollowers / kTileSize) return false;
     const std::uint16_t* joints = row.joints(t).first.joints;
     return joints[0] == joints[kMinFollowers - 1] && have_one_joint(joints, kMinFollowers);
   }
-  /// The end of the tiles from `t` on that follow the joint of the first tile.
+  /// Index after the last consecutive tile, from `t` on, that follows the single joint of the first tile.
   static HWY_INLINE std::size_t end_of_run(const Row& row, std::size_t t) {
     const std::uint16_t joint = *row.joints(t).first.joints;
     for (t += kMinFollowers / kTileSize; t < row.tile_count; ++t) {
@@ -142,7 +142,8 @@ struct SkinRow {
     }
     return t;
   }
-  /// The end of the tiles from `t` on that start no run and share no joints. At least one tile, at most kKept.
+  /// Index after the last consecutive tile, from `t` on, that begins no run and shares no joints. At least t + 1, at
+  /// most t + kKept.
   static HWY_INLINE std::size_t end_of_others(const Row& row, std::size_t t) {
     const std::size_t most = std::min(row.tile_count, t + kKept);
     for (++t; t < most && !begins_run(row, t) && !shares_joints(row, t);) ++t;

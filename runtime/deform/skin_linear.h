@@ -17,15 +17,15 @@ namespace sinew {
 enum class NormalRule : unsigned char { linear, cofactor };
 
 /// Linear-blend skinning.
-/// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59);  t' = normalise(mat3(M)
-///      t)
+/// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59)
+///      t' = normalise(mat3(M) t)
 /// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
 /// out  vertices    must not overlap the input; in world space when the palette is. A normal that collapses to zero
 ///      keeps its input value.
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
-/// cost O(V * influences), no allocation. Non-temporal stores write outputs of 8 MiB and more, and with `past_caches`
-///      all outputs on machines whose vectors have 8 lanes. They need all attributes aligned to 64 bytes at the same
-///      vertices.
+/// cost O(V * influences), no allocation. Outputs of 8 MiB and more are written by non-temporal stores. With
+///      `past_caches` all outputs are, on machines whose vectors have 8 lanes or more. These stores need all attributes
+///      aligned to 64 bytes at the same vertices.
 ///      Slower if input and output have nearly the same address modulo 4096: loads then wait for stores.
 ///      With `cofactor`, vertices whose matrix is nearly flat take the scalar path, which is many times slower.
 struct SkinLinearJob {

@@ -7,9 +7,9 @@ namespace sinew {
 /// SkinLinearJob without the rule that groups cover all vertices: only the vertices of its groups are written.
 void skin_linear_groups(const SkinLinearJob& job) noexcept;
 
-/// Skins the vertices with one influence by linear blending, for every kind of skinning: R S p + t = J p for one joint.
-/// Normals are those of two-phase skinning.
-/// in   any_stretch  normals need cofactors
+/// Skins the vertices with one influence by linear blending. Every kind of skinning gives the same positions there: R S
+/// p + t = J p. Normals are those of two-phase skinning.
+/// in   any_stretch  true: normals are moved by cofactors, since some joint is scaled
 inline void skin_single_influences(const InfluenceStreams& influences, std::span<const JointMatrix> palette,
                                    bool any_stretch, const VertexInput& in, const VertexOutput& out) noexcept {
   for (const InfluenceGroup& group : influences.groups)

@@ -34,14 +34,14 @@ struct TileStreams {
   const std::uint16_t* joints_of(const TileRun& run) const { return tiles.joints.data() + run.first_joint; }
 };
 
-/// Planes of a tile.
+/// Pointers to the planes of a tile.
 struct TileInputs {
   const TilePlane* positions;
   const TilePlane* normals;
   const TilePlane* tangents;
 };
 
-/// A buffer for one vector of skinned vertices that are then copied to scattered places, or stored past the caches.
+/// A buffer for one vector of skinned vertices. They are then copied to scattered places, or stored past the caches.
 struct KeptVertices {
   HWY_ALIGN glm::vec3 positions[kTileSize];
   HWY_ALIGN glm::vec3 normals[kTileSize];
@@ -54,8 +54,8 @@ struct KeptVertices {
   }
 };
 
-/// The scalar path for normals and tangents of a vector of lanes. Needed if squares leave the range of float, the side
-/// of a normal is in doubt, or a direction vanishes. The matrices have the bits of those that move the positions.
+/// The scalar path for normals and tangents of a vector of lanes. It is needed if squares leave the range of float, the
+/// side of a normal is in doubt, or a direction vanishes. The matrices have the same bits as for the positions.
 HWY_NOINLINE void write_careful(const TileStreams& s, const TileRun& run, std::size_t lane_of_run, TileInputs tile,
                                 bool normals, bool tangents, bool cofactor) {
   const TileTag d;
@@ -106,7 +106,7 @@ struct SkinRun {
     const std::uint32_t* vertices = &s.tiles.vertices[std::size_t{run.first_tile} * VertexTiles::kLanes];
     const std::size_t direct_lanes = s.past_caches && s.is_aligned(*vertices) ? 0 : row_lanes;
     const std::uint32_t* fours = &s.tiles.fours[std::size_t{run.first_tile} * VertexTiles::kLanes / 4];
-    const VertexOutput out = s.out;  // copies, which no store can change
+    const VertexOutput out = s.out;  // a copy, which no store can change
     const TilePlane* positions = s.tiles.positions.data() + run.first_plane;
     const TilePlane* normals = kNormals ? s.tiles.normals.data() + std::size_t{run.first_tile} * 3 : nullptr;
     const TilePlane* tangents = kTangents ? s.tiles.tangents.data() + std::size_t{run.first_tile} * 4 : nullptr;
@@ -138,7 +138,8 @@ struct SkinRun {
   }
 
  private:
-  /// Column by column, so that everything fits into sixteen registers. True if all directions keep their digits.
+  /// Skins one vector of lanes, column by column, so that everything fits into sixteen registers. Returns true if all
+  /// directions keep their digits.
   HWY_INLINE bool skin_lanes(const SpreadMatrices<kCount>& matrices, const TilePlane* weights, std::size_t lane,
                              const TileInputs& tile, glm::vec3* positions_out, [[maybe_unused]] glm::vec3* normals_out,
                              [[maybe_unused]] glm::vec4* tangents_out) const {
@@ -173,7 +174,7 @@ struct SkinRun {
   }
 };
 
-/// Runs of five joints and more blend in a loop.
+/// Calls `body` with the number of joints as a std::integral_constant; 0 stands for five joints and more.
 template <class Body>
 void with_joint_count(const TileRun& run, const Body& body) {
   switch (run.joint_count) {
@@ -196,7 +197,7 @@ void skin_tiles(const SkinTilesJob& job) {
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for (const TileRun& run : job.tiles->runs)
       with_joint_count(run, [&](auto count) {
-        // Few meshes have tangents but no normals: they need no kernels of their own.
+        // Few meshes have tangents but no normals, so they use the general kernel for any number of joints.
         constexpr int kCount = tangents && !normals ? 0 : static_cast<int>(count);
         SkinRun<kCount, normals, tangents, cofactor>{streams}(run);
       });

@@ -11,14 +11,15 @@ namespace sinew {
 
 /// Linear-blend skinning of vertices that were sorted into tiles: the same result as SkinLinearJob up to rounding, in
 /// about half of the time.
-/// eq   M = B + sum(w_i * (palette[joint_i] - B)), B the matrix of the run's last joint, whose weight is left out;
-///      p' = M p,  n and t as in SkinLinearJob
+/// eq   M = B + sum(w_i * (palette[joint_i] - B)) over all joints of the run but the last;  p' = M p
+///      B is the matrix of the last joint, whose weight is not stored (TileRun). Normals and tangents are as in
+///      SkinLinearJob.
 /// in   tiles    of the primitive;   palette[N]  finite
 /// out  out      in the order of the primitive; must not overlap the input. A normal that collapses to zero keeps its
-///               input value
+///      input value.
 /// err  size_mismatch, index_out_of_range
-/// cost O(V * influences), no allocation. Positions have an error of a few units in the last place of the largest
-///      |palette[joint_i] p| of their joints. `past_caches` and outputs of 8 MiB and more are as in SkinLinearJob.
+/// cost O(V * influences), no allocation. The error of a position is a few units in the last place of the largest
+///      |palette[joint_i] p| of its joints. `past_caches` and outputs of 8 MiB and more are as in SkinLinearJob.
 struct SkinTilesJob {
   const VertexTiles* tiles = nullptr;
   std::span<const JointMatrix> palette;

@@ -90,8 +90,8 @@ class TriangleSums {
   glm::vec4* sums_;
 };
 
-/// Neighbouring triangles share points, so each sum would wait for the one before. The list is therefore cut into four
-/// parts, whose triangles are added in turns.
+/// Adds the triangles of all faces. Neighbouring triangles share points, so each sum would wait for the previous sum.
+/// The list is therefore cut into four parts, and triangles are taken from each part in turn.
 void add_triangles(const SurfaceNormalsJob& job) {
   const std::size_t count = job.faces->count(), part = count / 4;
   if (count == 0) return;

@@ -10,12 +10,12 @@
 
 namespace sinew {
 
-/// The triangles of a mesh whose vertices come from elsewhere (a geometry cache), prepared for normals and tangents
-/// that follow the vertices.
+/// The triangles of a mesh whose vertices come from a geometry cache. They are prepared so that normals and tangents
+/// can follow the vertices.
 struct SurfaceFaces {
   std::vector<std::uint32_t> corners;  ///< [3T] vertices of the triangles
-  /// [V] Vertices with equal rest position and rest normal are one point. Normals are thus smooth over texture seams
-  /// and sharp at sharp edges.
+  /// [V] Vertices with equal rest position and equal rest normal share a point. Normals are thus smooth across texture
+  /// seams and sharp at sharp edges.
   std::vector<std::uint32_t> point_of_vertex;
   std::uint32_t point_count = 0;  ///< points are numbered in the order of their first vertices
   /// [3T] or empty. For SurfaceTangentsJob: the rest tangent of each corner, as coordinates along the rest edges b - a
@@ -43,11 +43,12 @@ constexpr std::size_t surface_sums(const SurfaceFaces& faces) noexcept {
 /// eq   n = normalise(sum of (b - a) x (c - a) over the triangles at a point), negated when `turned`
 ///      The sum weights triangles by area. It does not depend on how the ring around the point is cut into triangles.
 ///      Small triangles, which the quantisation step of a geometry cache disturbs most, count least.
-/// in   faces        of the mesh (join_surface);   positions[V];   turned  the triangles wind the other way round
+/// in   faces        of the mesh (join_surface);   positions[V];   turned  true: the skin mirrors, so windings are
+///      reversed
 ///      rest_normals[V]  kept by points without area
 ///      sums[surface_sums(faces)]  scratch
-/// out  normals[V]   unit. Edges and sums are float: for edges of 1e-9 to 1e9 m the error in radians is at most 8 u sum
-///      |b - a| |c - a| / |sum of the cross products|, u = 2^-24
+/// out  normals[V]   unit, from float edges and sums. For edges of 1e-9 to 1e9 m the error in radians is at most 8 u
+///      sum |b - a| |c - a| / |sum of the cross products|, u = 2^-24
 /// err  size_mismatch, index_out_of_range     cost O(V + T), no allocation
 struct SurfaceNormalsJob {
   const SurfaceFaces* faces = nullptr;

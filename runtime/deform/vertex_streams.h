@@ -13,7 +13,8 @@ struct VertexInput {
   std::span<const glm::vec4> tangents;  ///< w = handedness, copied through
 };
 
-/// Vertex attributes that deformation writes: those that the input has and that are not empty here.
+/// Vertex attributes that deformation writes. It writes an attribute if the input has it and its span here is not
+/// empty.
 struct VertexOutput {
   std::span<glm::vec3> positions;
   std::span<glm::vec3> normals;   ///< unit

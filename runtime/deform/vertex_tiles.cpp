@@ -9,14 +9,16 @@
 namespace sinew {
 namespace {
 
-/// Lanes of a common vector. A run fills whole vectors of this size with vertices of its own.
+/// Number of lanes of the most common vectors (AVX2). Leftovers of a run are the vertices that do not fill such a
+/// vector.
 constexpr std::uint32_t kVector = 8;
 
-/// Stretches of vertices from this length on fill tiles from a multiple of 16 vertices on, as stores past the caches
-/// need it.
+/// At least this many consecutive vertices are cut at multiples of 16 vertices, because stores past the caches need
+/// aligned tiles.
 constexpr std::uint32_t kLongStretch = 64;
 
-/// Larger sets that the vertices of a set are tried in. Meshes with many sets have few vertices for each.
+/// Number of larger sets that are tried as a place for the leftovers of a set. It bounds the time for meshes with many
+/// sets, which have few vertices each.
 constexpr std::size_t kMostTried = 64;
 
 struct Influence {
@@ -24,7 +26,7 @@ struct Influence {
   float weight;
 };
 
-/// The influences of all vertices, each vertex's by rising joint.
+/// The influences of all vertices, sorted by joint within each vertex.
 class SortedInfluences {
  public:
   explicit SortedInfluences(const VertexInfluences& from) {
@@ -39,7 +41,8 @@ class SortedInfluences {
     return std::span(all_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
   }
 
-  /// Order by number of joints, then by joints: the vertices of a set are neighbours.
+  /// Orders vertices by number of joints, then by joints, so that vertices with the same set of joints become
+  /// neighbours.
   int compare(std::uint32_t a, std::uint32_t b) const noexcept {
     const auto of_a = of(a), of_b = of(b);
     if (of_a.size() != of_b.size()) return of_a.size() < of_b.size() ? -1 : 1;
@@ -63,29 +66,29 @@ class SortedInfluences {
   std::vector<std::size_t> first_;
 };
 
-/// The vertices that follow one set of joints.
+/// The vertices that follow the same set of joints.
 struct JointSet {
-  std::vector<std::uint16_t> joints;                           ///< rising; the weight of the first is left out
+  std::vector<std::uint16_t> joints;                           ///< increasing; the weight of joints[0] is not stored
   std::vector<std::uint32_t> lanes;                            ///< vertices in the order of the run
   std::uint32_t in_fours = 0, in_eights = 0, in_sixteens = 0;  ///< as in TileRun
 
   std::uint32_t leftover() const noexcept { return static_cast<std::uint32_t>(lanes.size() % kVector); }
   std::uint32_t free() const noexcept { return (kVector - leftover()) % kVector; }
 
-  /// Vertices must follow the first joint: rounding grows with its matrix. Terms of weight 0 change no bit, so vertices
-  /// have the bits that they would have in a run of their own set.
+  /// True if vertices of `other` may move to this set. Both sets must have the same first joint, because rounding grows
+  /// with the size of its matrix. Weights of 0 change no bit, so vertices have the same bits as in their own set.
   bool may_take(const JointSet& other) const noexcept {
     return other.joints[0] == joints[0] && other.joints.size() < joints.size() &&
            std::includes(joints.begin(), joints.end(), other.joints.begin(), other.joints.end());
   }
 };
 
-/// A stretch [begin, end) of vertices in a row, by the largest power of two that it fills.
+/// `count` consecutive vertices: 16, 8, 4 or 1.
 struct Piece {
   std::uint32_t first, count;
 };
 
-/// Cuts vertices, which rise, into pieces of 16, 8, 4 and 1 vertices in a row.
+/// Cuts increasing vertices into pieces of 16, 8, 4 and 1 consecutive vertices, and sorts the pieces by falling size.
 std::vector<Piece> pieces_of(std::span<const std::uint32_t> vertices) {
   std::vector<Piece> pieces;
   for (std::size_t begin = 0, end = 0; begin < vertices.size(); begin = end) {
@@ -129,7 +132,7 @@ std::vector<JointSet> find_sets(const SortedInfluences& influences) {
   return sets;
 }
 
-/// Moves the vertices of sets that fill no whole vector to free lanes of larger sets, where all of them find a place.
+/// Moves the leftovers of each set to free lanes of larger sets, if these have room for all of them.
 void move_leftovers(std::vector<JointSet>& sets) {
   std::vector<std::vector<std::size_t>> of_first;  // sets by their first joint
   for (std::size_t s = 0; s < sets.size(); ++s) {
@@ -137,7 +140,7 @@ void move_leftovers(std::vector<JointSet>& sets) {
     if (joint >= of_first.size()) of_first.resize(joint + 1u);
     of_first[joint].push_back(s);
   }
-  for (auto largest = sets.rbegin(); largest != sets.rend(); ++largest) {  // so that no vertex moves twice
+  for (auto largest = sets.rbegin(); largest != sets.rend(); ++largest) {  // large sets first: none moves twice
     JointSet& set = *largest;
     if (set.leftover() == 0) continue;
     std::vector<std::size_t> takers;
@@ -159,13 +162,13 @@ void move_leftovers(std::vector<JointSet>& sets) {
   }
 }
 
-/// Writes runs.
+/// Appends the run of each set to VertexTiles.
 class TileWriter {
  public:
   TileWriter(const SortedInfluences& influences, const VertexInput& in, VertexTiles& out)
       : influences_(influences), in_(in), out_(out) {}
 
-  /// Allocates what all sets need, and no more.
+  /// Allocates exactly as much as all sets need.
   void reserve(std::span<const JointSet> sets) {
     std::size_t joints = 0, tiles = 0, weights = 0;
     for (const JointSet& set : sets) {

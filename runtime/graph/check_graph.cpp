@@ -208,7 +208,7 @@ class GraphChecker {
     }
   }
 
-  /// A state that nothing leads to is a mistake: it, or a transition to it, was forgotten.
+  /// A state that no transition leads to is a mistake: the state is superfluous, or a transition to it was forgotten.
   void check_reach(const GraphMachine& m) {
     std::vector<bool> reached(m.state_count, false);
     std::vector<std::size_t> open{m.initial};
@@ -229,7 +229,8 @@ class GraphChecker {
       expect(reached[i], ErrorCode::unsupported, GraphTable::state, m.first_state + i, "no transition leads to it");
   }
 
-  /// Each node has one user but the root, which has none: then nodes that the root does not reach lie on a cycle.
+  /// Each node must have one user, except the root, which has none. Nodes that the root does not reach then lie on a
+  /// cycle.
   void check_tree() {
     node_ = t_.root;
     expect(users_[t_.root] == 0, ErrorCode::unsupported, GraphTable::node, t_.root, "it lies on a cycle");
@@ -281,7 +282,7 @@ class GraphChecker {
   const GraphTables& t_;
   std::vector<int> users_;  // [nodes]
   GraphFault fault_;
-  GraphIndex node_ = kNoGraphIndex;  // that is being checked
+  GraphIndex node_ = kNoGraphIndex;  // node that is being checked
 };
 
 }  // namespace

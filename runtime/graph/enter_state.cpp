@@ -73,7 +73,7 @@ Driver driver_of(const LiveGraph& live, GraphIndex node, std::byte* base) noexce
   return {};
 }
 
-/// Starts a motion at the phase of another one. Events at that place belong to the other.
+/// Starts a motion at the phase of another motion. The events at that place are reported for the other motion only.
 void start_in_phase(const Driver& target, const Driver& source) noexcept {
   if (target.period == 0 || source.period == 0) return;
   const double phase = static_cast<double>(source.state->position) / static_cast<double>(source.period);
@@ -91,7 +91,7 @@ void forget(const MachineSlots& slots, std::size_t first, std::size_t count) noe
 }
 
 std::size_t slot_that_weighs_least(const LiveGraph& live, const MachineSlots& slots) noexcept {
-  if (live.first_playing(slots, slots.depth()) > 0) return 0;  // the oldest offset has decayed most
+  if (live.first_playing(slots, slots.depth()) > 0) return 0;  // its offset has decayed most
   std::size_t least = 0;
   float rest = 1.0f, lowest = 2.0f;
   for (std::size_t i = slots.depth(); i-- > 0;) {
@@ -183,7 +183,7 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
       if (condition.kind == GraphConditionKind::trigger) triggers |= std::uint64_t{1} << condition.parameter;
     }
   }
-  // The phase is read first, since the source may be forgotten.
+  // The phase is read first, since entering may drop the slot of the source.
   const GraphIndex source_node = t.states[machine.machine->first_state + slots.top().state].node;
   Driver source = driver_of(live, source_node, slots.inside(slots.depth() - 1));
   MotionState kept{};
@@ -216,7 +216,7 @@ bool end_fades(const LiveGraph& live, const LiveMachine& machine) noexcept {
   for (std::size_t i = slots.depth(); i-- > machine.first + 1;) {
     if (!is_over(slots.slot(i))) continue;
     slots.slot(i).whole = 1;
-    // A cut stays in its slot, below the state that is now seen alone.
+    // A cut stays in its slot, below the state that now covers it.
     const std::size_t kept = machine.first == 0 ? 0 : machine.first + 1;
     if (i > kept) forget(slots, kept, i - kept);
     return true;

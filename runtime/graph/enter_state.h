@@ -5,22 +5,22 @@
 
 namespace sinew {
 
-/// Starts a node and all below it that plays from the start.
-/// in   base  the memory in which the node lies.     Internal to graph/.
+/// Starts a node, and all nodes below it that play from the start.
+/// in   base  start of the memory to which the node's offset is relative.     Internal to graph/.
 void start_node(const LiveGraph& live, GraphIndex node, std::byte* base) noexcept;
 
-/// Starts the children of selects whose choice has changed.
-/// out  true: the live lists no longer stand
+/// Starts the newly chosen child of each select whose choice has changed.
+/// out  true: something started, so the live lists must be made again
 bool follow_choices(const LiveGraph& live, GraphIndex node, std::byte* base) noexcept;
 
-/// Enters the state and lets the one before fade. A machine without room for another fade forgets the state that weighs
-/// least.
-/// out  triggers  those that the transition has used.   The live lists no longer stand.
+/// Enters the target state of the transition and lets the previous state fade. If the machine has no room for another
+/// fade, it drops the state with the smallest weight. Afterwards the live lists must be made again.
+/// out  triggers  bits of the triggers that the transition used are added
 void take_transition(const LiveGraph& live, const LiveMachine& machine, const NextTransition& next,
                      std::uint64_t& triggers) noexcept;
 
-/// Ends fades whose time is over, and leaves the states below them.
-/// out  true: the live lists no longer stand
+/// Ends fades whose time is over, and leaves the states that they have faded out.
+/// out  true: a state was left, so the live lists must be made again
 bool end_fades(const LiveGraph& live, const LiveMachine& machine) noexcept;
 
 }  // namespace sinew

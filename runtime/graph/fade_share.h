@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Share of the new pose at fraction u of a fade. T is float or double.
+/// Share of the new pose after fraction u of a fade. T is float or double.
 /// in   u  clamped to [0, 1].   out  0 at u = 0, 1 at u = 1
 template <class T>
 T fade_share(GraphFade fade, T u) noexcept {

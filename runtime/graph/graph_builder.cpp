@@ -133,7 +133,8 @@ GraphTables GraphBuilder::tables(GraphIndex root) const {
       state.transition_count = static_cast<GraphIndex>(append(static_cast<GraphIndex>(s)) - state.first_transition);
       t.states.push_back(state);
     }
-    // A transition from a state that does not exist must not be lost: the check refuses these.
+    // Transitions from a state that does not exist must not vanish. The invalid count makes find_fault refuse the
+    // graph.
     for (const Arrow& arrow : machines_[m].arrows)
       if (arrow.from < kEntry && arrow.from >= machine.state_count) machine.any_count = kNoGraphIndex;
   }

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// Makes the tables of a graph. Nodes exist before what uses them.
+/// Builds the tables of a graph. A node must exist before another node or state uses it.
 ///
 ///     GraphBuilder b;
 ///     const GraphIndex speed = b.number("speed");
@@ -33,19 +33,19 @@ class SINEW_API GraphBuilder {
   GraphIndex flag(std::string_view name) { return parameter(name, GraphParameterKind::flag); }
   GraphIndex trigger(std::string_view name) { return parameter(name, GraphParameterKind::trigger); }
 
-  /// The index of a clip name, which is added if it is new.
+  /// Returns the index of a clip name, and adds the name if it is new.
   GraphIndex clip_name(std::string_view name);
 
-  /// A clip node; without a name of its own it has the clip's. `settings.clip` is replaced.
+  /// Adds a clip node. Its name defaults to that of the clip. `settings.clip` is ignored.
   GraphIndex clip(std::string_view clip, GraphClipNode settings = {}, std::string_view name = {});
   GraphIndex blend_space(std::string_view name, GraphBlendSpace settings, std::span<const GraphBlendPoint> points);
   GraphIndex select(std::string_view name, GraphIndex parameter, std::span<const GraphIndex> children);
   GraphIndex layers(std::string_view name, GraphIndex base, std::span<const GraphLayer> layers);
   GraphIndex external(std::string_view name, GraphIndex pose);
 
-  /// in   settings  `initial` and `fades` count
+  /// in   settings  only `initial` and `fades` are used
   GraphIndex machine(std::string_view name, GraphMachine settings = {});
-  /// These return an index within the machine.
+  /// The next three functions return an index within the machine.
   GraphIndex state(GraphIndex machine, std::string_view name, GraphIndex node);
   GraphIndex transition(GraphIndex machine, GraphIndex from, GraphTransition settings, Conditions conditions);
   GraphIndex transition_from_any(GraphIndex machine, GraphTransition settings, Conditions conditions);
@@ -68,7 +68,7 @@ class SINEW_API GraphBuilder {
 
  private:
   struct Arrow {
-    GraphIndex from;  // state; kNoGraphIndex: any; kEntry
+    GraphIndex from;  // state, kNoGraphIndex (any state) or kEntry
     GraphTransition settings;
     std::vector<GraphCondition> conditions;
   };

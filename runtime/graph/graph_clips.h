@@ -12,35 +12,36 @@
 
 namespace sinew {
 
-/// The clip that stands behind one of a graph's clip names.
+/// The clip that a character plays for one of its graph's clip names.
 struct GraphClip {
-  std::uint32_t clip = 0;                      ///< index in the plan, for PoseOp::index
+  std::uint32_t clip = 0;                      ///< index of the clip in the plan, for PoseOp::index
   double duration_s = 0.0;                     ///< 0 to kMostGraphClip_s
   std::span<const double> event_times_s = {};  ///< never decreasing, in [0, duration]
   const RootTrack* root = nullptr;             ///< null: the clip does not move the character
 };
 inline constexpr double kMostGraphClip_s = 6000.0;
 
-/// Clips for the clip names of a graph. Characters that move differently by the same rules share a graph and have a set
-/// each. Immutable.
+/// Clips for the clip names of a graph. Characters that use the same rules with different motions share a graph, and
+/// each kind has its own set. Immutable.
 /// owns  everything but the root tracks, which must outlive it
 class SINEW_API GraphClipSet {
  public:
-  /// A clip as graphs play it: in whole ticks.
+  /// A clip with its times in whole ticks.
   struct Entry {
-    std::int64_t period = 0;  ///< of MotionState::position of a clip
-    double duration_s = 0.0;  ///< of whole ticks
+    std::int64_t period = 0;  ///< length, in the unit of MotionState::position for clips
+    double duration_s = 0.0;  ///< rounded to whole ticks
     std::uint32_t first_event = 0, event_count = 0;
     const RootTrack* root = nullptr;
     std::uint32_t clip = 0;
   };
 
-  /// in   clips[clip names of the graph];   mirror_normal  of root motion (MirrorMap::plane_normal)
-  /// err  not_finite, too_large (a duration), times_not_increasing (events, or events outside of their clip)
+  /// in   clips[clip names of the graph];   mirror_normal  normal of the plane that mirrors root motion
+  ///      (MirrorMap::plane_normal)
+  /// err  not_finite, too_large (a duration), times_not_increasing (event times decrease or lie outside the clip)
   static Result<GraphClipSet> make(std::span<const GraphClip> clips, const Vec3<double>& mirror_normal = {1, 0, 0});
 
   std::span<const Entry> entries() const noexcept { return entries_; }
-  std::span<const std::int64_t> events_of(const Entry& entry) const noexcept {  ///< positions
+  std::span<const std::int64_t> events_of(const Entry& entry) const noexcept {  ///< position units
     return std::span(events_).subspan(entry.first_event, entry.event_count);
   }
   bool any_root() const noexcept { return any_root_; }

@@ -10,13 +10,13 @@
 namespace sinew {
 namespace {
 
-/// FNV-1a over whatever decides how the bytes of a state are read.
+/// FNV-1a hash of everything that decides how the bytes of a state are read.
 class Signature {
  public:
   void add(std::uint32_t value) noexcept {
     for (int byte = 0; byte < 4; ++byte) hash_ = (hash_ ^ (value >> (8 * byte) & 0xFFu)) * 16777619u;
   }
-  std::uint32_t value() const noexcept { return hash_ | 1u; }  // a block of zeros fits no graph
+  std::uint32_t value() const noexcept { return hash_ | 1u; }  // never 0, so a block of zeros fits no graph
 
  private:
   std::uint32_t hash_ = 2166136261u;

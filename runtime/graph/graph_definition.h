@@ -16,11 +16,11 @@
 
 namespace sinew {
 
-/// A graph as plain tables, which name each other by index. GraphBuilder fills them; anybody may. Names are offsets
-/// into `names`, where each ends with a zero.
+/// A graph as plain tables that refer to each other by index. GraphBuilder fills them, and so may other code. Names are
+/// offsets into `names`, where each name ends with a zero byte.
 struct GraphTables {
   std::string names;
-  std::vector<std::uint32_t> clip_names;  ///< [clips] a GraphClipSet gives each a clip
+  std::vector<std::uint32_t> clip_names;  ///< [clips] a GraphClipSet assigns a clip to each name
   std::vector<GraphParameter> parameters;
   std::vector<GraphNode> nodes;
   GraphIndex root = 0;  ///< node
@@ -29,7 +29,7 @@ struct GraphTables {
   std::vector<GraphBlendSpace> spaces;
   std::vector<GraphBlendPoint> points;
   std::vector<GraphSelect> selects;
-  std::vector<GraphIndex> children;  ///< nodes, of selects
+  std::vector<GraphIndex> children;  ///< nodes that selects choose from
   std::vector<GraphLayers> layers;
   std::vector<GraphLayer> layer_list;
   std::vector<GraphMachine> machines;
@@ -42,7 +42,7 @@ struct GraphTables {
   }
 };
 
-/// The kind of thing that breaks a rule.
+/// Kind of table entry that breaks a rule.
 enum class GraphTable : std::uint8_t {
   graph,
   parameter,
@@ -65,22 +65,22 @@ struct GraphFault {
   ErrorCode code = ErrorCode::ok;
   GraphTable table = GraphTable::graph;
   std::uint32_t index = 0;
-  GraphIndex node = kNoGraphIndex;  ///< the node that it belongs to
+  GraphIndex node = kNoGraphIndex;  ///< the node that the entry belongs to
   const char* rule = "";            ///< in words
 };
 
-/// Checks everything that a graph promises.
+/// Checks all rules of a graph.
 /// err  index_out_of_range, not_finite, negative_weight, not_a_fraction, too_large, times_not_increasing (points of a
 ///      line), unsupported (an unknown kind; a cycle; a node with two users or none; a state that nothing leads to;
 ///      more live operations than a program has room for)
 /// cost O(tables), allocates
 SINEW_API GraphFault find_fault(const GraphTables& tables);
 
-/// "transition 2 (node locomotion): its target is no state of the machine". Empty without a fault.
+/// Text such as "transition 2 (node locomotion): its target is no state of the machine". Empty if there is no fault.
 SINEW_API std::string describe(const GraphFault& fault, const GraphTables& tables);
 
-/// A checked graph: immutable, and shared by all characters that use it. It knows how large the state of a character is
-/// and where everything lies in it.
+/// A checked graph: immutable, and shared by all characters that use it. It knows the size and layout of a character's
+/// state.
 class SINEW_API GraphDefinition {
  public:
   static tl::expected<GraphDefinition, GraphFault> make(GraphTables tables);
@@ -90,28 +90,28 @@ class SINEW_API GraphDefinition {
   /// Bytes of a character's state, a multiple of 8.
   std::size_t state_bytes() const noexcept { return state_bytes_; }
 
-  /// Room that the programs of this graph need at most.
+  /// Upper limit of the room that the pose programs of this graph need.
   const PoseProgramRoom& room() const noexcept { return room_; }
 
-  /// Differs between graphs whose states differ in meaning.
+  /// A hash of the state's layout and meaning. States may only be used with graphs of the same signature.
   std::uint32_t signature() const noexcept { return signature_; }
 
-  /// A blend space, prepared.
+  /// A blend space with its precomputed numbers.
   BlendSpace blend_space(GraphIndex space) const noexcept {
     const GraphBlendSpace& s = tables_.spaces[space];
     return {form_of(s), std::span(places_).subspan(s.first_point, s.point_count),
             std::span(numbers_).subspan(first_numbers_[space]), s.angle_factor};
   }
 
-  /// Offset of a node's state from the start of the memory in which it lies. This is the character's, or that of the
-  /// nearest machine state or choice of a select above it.
+  /// Byte offset of a node's state. It counts from the memory of the nearest machine state or choice of a select above
+  /// the node, else from the start of the character's state.
   std::uint32_t offset_of(GraphIndex node) const noexcept { return offsets_[node]; }
-  /// Bytes of the largest state of a machine, with all that lies below it.
+  /// Bytes of the machine's largest state, including all nodes below it.
   std::uint32_t largest_state(GraphIndex machine) const noexcept { return largest_states_[machine]; }
-  /// Bytes of a slot of a machine: a state that plays or fades.
+  /// Bytes of a machine's slot. A slot holds a state that plays or fades.
   std::uint32_t slot_bytes(GraphIndex machine) const noexcept { return slot_bytes_[machine]; }
 
-  /// kNoGraphIndex if there is none.
+  /// Index of the entry with this name, or kNoGraphIndex.
   GraphIndex find_parameter(std::string_view name) const noexcept;
   GraphIndex find_node(std::string_view name) const noexcept;
 

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Numbers that grow beyond this are too many already.
+/// Cap for sizes: larger numbers exceed every limit anyway.
 constexpr std::uint32_t kTooMany = 1u << 20;
 
 std::uint32_t product(std::uint32_t a, std::uint32_t b) noexcept {
@@ -83,7 +83,7 @@ class Layouter {
     return all;
   }
 
-  /// inertialize, if any transition of the machine is one; else dead_blend, if any is.
+  /// Kind of transition that needs most room: inertialize if the machine has any, else dead_blend, else cross_fade.
   GraphTransitionKind most_demanding_kind(const GraphMachine& machine) const {
     auto most = GraphTransitionKind::cross_fade;
     const auto look = [&](std::size_t first, std::size_t count) {
@@ -98,8 +98,8 @@ class Layouter {
     return most;
   }
 
-  /// Each transition without a cross-fade names the states that it leaves twice: as they were when it began, and one
-  /// step before. To inertialize it names the state that it enters four times (write_program.cpp).
+  /// A transition without a cross-fade writes the states that it leaves twice: at its start, and one step before. An
+  /// inertialization also writes the state that it enters four times (write_program.cpp).
   static void add_transitions(GraphDemand& all, const GraphDemand& state, GraphTransitionKind kind,
                               std::uint32_t fades) {
     const std::uint32_t copies = kind == GraphTransitionKind::inertialize ? 6 : 2;

@@ -13,14 +13,14 @@ inline constexpr GraphIndex kNoGraphIndex = 0xFFFF;
 /// Kinds of nodes. Each node makes one pose.
 enum class GraphNodeKind : std::uint8_t {
   clip,         ///< plays a clip
-  blend_space,  ///< mixes clips by one or two numbers; all of them share one phase
-  select,       ///< plays one of its children, chosen by a number
-  layers,       ///< a base and poses above it
-  machine,      ///< a state machine: one state at a time, faded into each other
+  blend_space,  ///< mixes clips by one or two parameters; all clips share one phase
+  select,       ///< plays one of its children, chosen by a parameter
+  layers,       ///< a base pose with layers on top
+  machine,      ///< a state machine: plays one state, and fades from state to state
   external,     ///< a pose of the caller: a ragdoll, the network
 };
 
-/// A node. `settings` is an index into the table of its kind; for external it is the index of the pose.
+/// A node. `settings` is an index into the table of its kind; for `external` it is the index of the caller's pose.
 struct GraphNode {
   std::uint32_t name = 0;
   GraphIndex settings = 0;
@@ -31,7 +31,7 @@ struct GraphNode {
 enum class GraphParameterKind : std::uint8_t {
   number,
   flag,
-  trigger,  ///< has no value; set_trigger keeps it until a transition uses it up
+  trigger,  ///< has no value; set_trigger sets it until a transition uses it up
 };
 
 struct GraphParameter {
@@ -41,42 +41,43 @@ struct GraphParameter {
 };
 
 struct GraphClipNode {
-  float speed = 1.0f;     ///< at most kMostGraphSpeed on either side of 0; negative plays backwards
-  float offset_s = 0.0f;  ///< where the clip starts
-  GraphIndex clip = 0;    ///< of the graph's clip names
+  float speed = 1.0f;                          ///< from -kMostGraphSpeed to kMostGraphSpeed; negative plays backwards
+  float offset_s = 0.0f;                       ///< time in the clip at which it starts
+  GraphIndex clip = 0;                         ///< index of a clip name of the graph
   GraphIndex speed_parameter = kNoGraphIndex;  ///< multiplies `speed`
-  bool loop = true;                            ///< else the clip stays at its end
+  bool loop = true;                            ///< false: the clip stops at its end
   bool mirror = false;
 };
 inline constexpr float kMostGraphSpeed = 256.0f;
 
-/// Clip nodes at places on a line or in a plane. Weights follow the parameters at once. Speeds and lengths of the clips
-/// are mixed by weight. The mirror and speed of each clip node count, its offset does not.
+/// Clip nodes at points on a line or in a plane. Weights follow the parameters without delay. The clips' speeds and
+/// lengths are mixed by weight. Mirror and speed of each clip node are used, its offset is not.
 struct GraphBlendSpace {
   GraphIndex x = kNoGraphIndex;
-  GraphIndex y = kNoGraphIndex;  ///< none: the space is a line
+  GraphIndex y = kNoGraphIndex;  ///< kNoGraphIndex: the space is a line
   GraphIndex first_point = 0, point_count = 0;
-  BlendSpaceKind form = BlendSpaceKind::cartesian;  ///< in a plane; on a line it does not count
+  BlendSpaceKind form = BlendSpaceKind::cartesian;  ///< rule for a plane; ignored for a line
   float angle_factor = 1.0f;                        ///< as BlendSpace::angle_factor
 };
 
 struct GraphBlendPoint {
-  float x = 0.0f, y = 0.0f;  ///< on a line y is 0 and x rises
+  float x = 0.0f, y = 0.0f;  ///< on a line y is 0, and x increases from point to point
   GraphIndex node = 0;
 };
 
-/// Child floor(value + 0.5) of the list, the first or last one beyond its ends. A new choice starts anew, at once.
+/// Plays child floor(value + 0.5) of its list, clamped to the list. A newly chosen child starts from its beginning,
+/// without a fade.
 struct GraphSelect {
   GraphIndex parameter = 0;
   GraphIndex first_child = 0, child_count = 0;
 };
 
-/// How a layer joins what lies below it.
+/// How a layer is combined with the pose below it.
 enum class GraphLayerKind : std::uint8_t {
   mean,           ///< (below + w layer) / (1 + w)
   overlay,        ///< (1 - w) below + w layer, by the mask
-  overlay_model,  ///< overlay whose rotations are mixed in model space
-  additive,       ///< adds the layer's difference from the rest pose, w times
+  overlay_model,  ///< as overlay, but rotations are mixed in model space
+  additive,       ///< adds the layer's difference from the rest pose, times w
 };
 
 /// Layers above a base. Root motion comes from the base and from mean layers.
@@ -89,7 +90,7 @@ struct GraphLayer {
   float weight = 1.0f;  ///< finite, >= 0
   GraphIndex node = 0;
   GraphIndex weight_parameter = kNoGraphIndex;  ///< multiplies `weight`; values below 0 count as 0
-  std::uint8_t mask = 255;                      ///< joint weights, as PoseOp::mask; 255 is all joints
+  std::uint8_t mask = 255;                      ///< index of joint weights, as PoseOp::mask; 255 = all joints
   GraphLayerKind kind = GraphLayerKind::overlay;
 };
 

@@ -9,10 +9,11 @@
 namespace sinew {
 namespace {
 
-/// Rounds take this long at least: then eight of them stay below the range of positions, and steps are bounded.
+/// Shortest length of a round, in ticks. Eight rounds then fit into the range of positions, and steps are bounded.
 constexpr double kShortestRound = 0.001 * static_cast<double>(kTicksPerSecond);
 
-/// Points of a blend space that weigh less are left out: rounding leaves such weights beside a point's own place.
+/// Points of a blend space with smaller weights are left out. Rounding leaves such weights where the place is exactly
+/// at another point.
 constexpr float kLeastShare = 1e-6f;
 
 }  // namespace

@@ -15,59 +15,59 @@ namespace sinew {
 
 inline constexpr std::uint16_t kNoMotion = 0xFFFF;
 
-/// A clip that plays, with its share of the motion that plays it.
+/// A clip of a motion that plays, with its share in the motion.
 struct LiveSample {
   const GraphClipSet::Entry* entry;
   float share;
-  GraphIndex name;  ///< of the graph's clip names
+  GraphIndex name;  ///< index of its clip name in the graph
   bool mirror;
 };
 
-/// A clip node or blend space that plays.
+/// A motion: a clip node or a blend space that plays.
 struct LiveMotion {
   MotionState* state;
-  std::int64_t period;    ///< of state->position; 0 stands still
-  std::int64_t step;      ///< of position, a tick
-  std::int64_t own_step;  ///< without synchronisation
-  double length;          ///< ticks of a round at own_step; 0 stands still
+  std::int64_t period;    ///< period of state->position; 0: the motion stands still
+  std::int64_t step;      ///< change of position per tick
+  std::int64_t own_step;  ///< the same without synchronisation
+  double length;          ///< ticks of a round at own_step; 0: the motion stands still
   std::uint16_t first_sample, sample_count;
   GraphIndex node;
   bool loop, is_space;
-  bool moves_root;            ///< it is no part of a layer that leaves the root alone
-  float weight, root_weight;  ///< of its pose and its root motion in those of the graph, when last weighed
+  bool moves_root;            ///< false: its layer does not contribute to root motion
+  float weight, root_weight;  ///< shares of its pose and its root motion in those of the graph, from the last weigh()
 
   /// Clip time of a sample at a position.
   double time_s(const LiveSample& sample, std::int64_t position) const noexcept;
-  /// Position `ahead` ticks from now, or before.
+  /// Position `ahead` ticks from now; negative looks back.
   std::int64_t position_at(GraphTicks ahead) const noexcept;
 };
 
-/// A machine that plays, and what its transitions do next.
+/// A machine that plays.
 struct LiveMachine {
   const GraphMachine* machine;
   MachineSlots slots;
   GraphIndex node;
-  std::size_t first;  ///< slot that plays; those below stand still in a transition without a cross-fade
+  std::size_t first;  ///< first slot that plays; slots below are frozen by a cut (inertialize or dead_blend)
   std::array<std::uint16_t, kMostGraphFades + 1> driver;  ///< main motion of each slot, or kNoMotion
 };
 
-/// The part of a graph that plays, as flat lists. They stand until a state is entered or left. All else is
-/// never looked at. Internal to graph/.
+/// The part of a graph that plays, as flat lists. The lists are valid until a state is entered or left. Nodes that do
+/// not play are never visited. Internal to graph/.
 class LiveGraph {
  public:
-  /// Keeps the references.
+  /// Keeps references to the arguments.
   LiveGraph(const GraphDefinition& graph, const GraphClipSet& clips, std::span<const float> parameters,
             std::byte* state) noexcept
       : graph_(graph), tables_(graph.tables()), clips_(clips), parameters_(parameters), state_(state) {}
 
-  /// Makes the lists anew.
+  /// Makes the lists of the whole graph.
   void open() noexcept;
-  /// Makes lists of a node alone, or of the slots [0, end) of a machine.
+  /// Makes the lists of a single node, or of the slots [0, end) of a machine.
   void open_only(GraphIndex node, std::byte* base) noexcept;
   void open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept;
-  /// Weighs all motions as they are `ahead` ticks from now.
+  /// Computes the weights that all motions have `ahead` ticks from now.
   void weigh(GraphTicks ahead) noexcept;
-  /// Steps of motions that play in step, by their weights `ahead` ticks from now.
+  /// Sets the steps of synchronised motions, by their weights `ahead` ticks from now.
   void match_lengths(GraphTicks ahead) noexcept;
 
   std::span<LiveMotion> motions() noexcept { return {motions_.data(), motion_count_}; }
@@ -75,8 +75,8 @@ class LiveGraph {
   std::span<const LiveSample> samples_of(const LiveMotion& motion) const noexcept {
     return {samples_.data() + motion.first_sample, motion.sample_count};
   }
-  bool plays_in_step() const noexcept { return plays_in_step_; }       ///< some motions do, while states fade
-  std::size_t root_samples() const noexcept { return root_samples_; }  ///< of motions that move the root
+  bool plays_in_step() const noexcept { return plays_in_step_; }       ///< motions are synchronised while states fade
+  std::size_t root_samples() const noexcept { return root_samples_; }  ///< samples of motions that move the root
 
   const GraphDefinition& graph() const noexcept { return graph_; }
   const GraphTables& tables() const noexcept { return tables_; }
@@ -97,13 +97,13 @@ class LiveGraph {
   bool is_cut(const SlotState& slot) const noexcept {
     return slot.whole == 0 && kind_of(tables_.transitions[slot.transition]) != GraphTransitionKind::cross_fade;
   }
-  /// The first slot that plays of the slots [0, end): the uppermost cut. All below it stand still.
+  /// The first slot of [0, end) that plays. It is the uppermost cut: all slots below it are frozen.
   std::size_t first_playing(const MachineSlots& slots, std::size_t end) const noexcept;
-  /// Time of the fade or transition of a slot that is not whole.
+  /// Duration of the fade or transition by which a slot was entered.
   GraphTicks duration_of(const SlotState& slot) const noexcept {
     return ticks_of(decimal_of(tables_.transitions[slot.transition].duration_s));
   }
-  /// Share of the slot's state in the mix of it and those below.
+  /// Share of the slot's state in the mix with the slots below it.
   float fade_of(const SlotState& slot, GraphTicks ahead) const noexcept;
 
  private:
@@ -122,11 +122,11 @@ class LiveGraph {
   std::byte* state_;
 
   std::size_t motion_count_ = 0, sample_count_ = 0, machine_count_ = 0;
-  std::size_t weighed_ = 0;  // motions, in a walk that weighs
-  GraphTicks ahead_ = 0;     // of that walk
+  std::size_t weighed_ = 0;  // motions weighed so far by the current weigh()
+  GraphTicks ahead_ = 0;     // argument of the current weigh()
   std::size_t root_samples_ = 0;
   bool plays_in_step_ = false, moves_root_ = true;
-  // Written as far as the counts say.
+  // Only the entries below the counts are initialised.
   std::array<LiveMotion, kMostPoseOps> motions_;
   std::array<LiveSample, kMostPoseOps> samples_;
   std::array<LiveMachine, kMostLiveMachines> machines_;

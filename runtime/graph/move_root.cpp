@@ -15,7 +15,7 @@ GraphTicks cell_start(GraphTicks now, bool backwards) noexcept {
   return divided_down(backwards ? now - 1 : now, kRootCell) * kRootCell;
 }
 
-/// The motion of one clip between two positions, which may lie in other rounds.
+/// The motion of one clip between two positions, which may lie in different rounds.
 DualQuatd sample_motion(const LiveGraph& live, const LiveMotion& motion, const LiveSample& sample, std::int64_t from,
                         std::int64_t to) noexcept {
   if (sample.entry->root == nullptr || motion.period == 0) return {};
@@ -65,7 +65,8 @@ DualQuatd move_root(LiveGraph& live, GraphTicks ticks) noexcept {
     if (!motion.moves_root || !(motion.root_weight > 0.0f)) continue;
     std::int64_t from = motion.state->position + motion.step * behind;
     const std::int64_t to = motion.state->position + motion.step * (behind + kRootCell);
-    // A clip that starts within the cell and stays at its ends has no past: its velocity is that since it started.
+    // A clip that started within the cell and does not loop has no motion before its start. Its velocity since the
+    // start is used for the whole cell.
     double scale = 1.0;
     if (!motion.loop && from < 0 && to > 0) {
       scale = static_cast<double>(to - from) / static_cast<double>(to);

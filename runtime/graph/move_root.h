@@ -5,22 +5,24 @@
 
 namespace sinew {
 
-/// Root motion of several clips is held for cells of this length on the graph's clock.
+/// Length of a cell of the graph's clock. Within a cell, the root motion of several clips has constant velocity.
 inline constexpr GraphTicks kRootCell = kTicksPerSecond / 60;
 
-/// Ticks from now to the end of the cell that time runs through.
+/// Ticks from now to the end of the current cell, in the direction of time.
 GraphTicks to_cell_end(GraphTicks now, bool backwards) noexcept;
-/// Ticks from now to the middle of that cell; negative if it lies behind.
+/// Ticks from now to the middle of the current cell; negative if the middle is in the past.
 GraphTicks to_cell_middle(GraphTicks now, bool backwards) noexcept;
 
-/// The motion of the character in a piece of a step. Motions have not moved yet.
+/// The motion of the character in a piece of a step. Call it before the motions are moved.
 /// eq   one clip: E(from)^-1 E(to) over its rounds.
-///      several: exp(f sum w x / sum w), x the logarithm of a clip's motion over the whole cell, f the part of the cell
-///      that the piece covers, w the weights in the cell's middle. Pieces of a cell multiply to the motion over it.
-/// in   ticks  negative plays backwards; with several clips the piece lies in one cell
+///      several: exp(f sum w x / sum w). x is the logarithm of a clip's motion over the whole cell, f the fraction of
+///      the cell that the piece covers, and w the weights in the middle of the cell. The pieces of a cell multiply to
+///      the motion over the cell.
+/// in   ticks  negative plays backwards; with several clips, the piece must not cross the end of a cell
 DualQuatd move_root(LiveGraph& live, GraphTicks ticks) noexcept;
 
-/// The place of the character that the pose still has: the weighted mean of the clips' places. Internal to graph/.
+/// Root placement that is still contained in the pose: the weighted mean of the clips' root transforms. Internal to
+/// graph/.
 DualQuatd root_place_now(LiveGraph& live) noexcept;
 
 }  // namespace sinew

@@ -14,7 +14,7 @@ GraphTicks duration_of(const GraphTransition& transition) noexcept {
   return ticks_of(decimal_of(transition.duration_s));
 }
 
-/// Ticks until a motion has played so many rounds since it started.
+/// Ticks until a motion has played this many rounds since it started.
 GraphTicks until_played(const LiveMotion& motion, double rounds, GraphTicks horizon) noexcept {
   if (motion.period == 0) return 0;
   const std::int64_t step = std::abs(motion.step);
@@ -51,22 +51,22 @@ GraphTicks until_phase(const LiveMotion& motion, double phase, GraphTicks earlie
   return divided_up(target - place, step);
 }
 
-/// Finds the first transition among candidates.
+/// Finds the transition that is taken first among candidates.
 class Choice {
  public:
   Choice(const LiveGraph& live, std::span<const LiveMotion> motions, GraphTicks horizon) noexcept
       : live_(live), motions_(motions), horizon_(horizon) {}
 
-  /// Looks at the transitions [first, first + count) of a state that plays in `slot`, from `earliest` until before
-  /// `end`.
+  /// Candidates: transitions [first, first + count) of a state that plays in `slot`. They can be taken from tick
+  /// `earliest` on, and before tick `end`.
   struct List {
     std::size_t first, count;
     const SlotState* slot;
     std::uint16_t driver;
     GraphTicks earliest, end;
-    int rank;                                 ///< at the same moment lists of smaller rank win
-    GraphIndex not_to;                        ///< targets that are left out
-    const GraphTransition* before = nullptr;  ///< only those with a smaller priority
+    int rank;                                 ///< at the same moment, lists with smaller rank win
+    GraphIndex not_to;                        ///< transitions to this state are skipped
+    const GraphTransition* before = nullptr;  ///< if set, only transitions with a smaller priority count
     bool may_enter_itself = false;
   };
 
@@ -77,7 +77,7 @@ class Choice {
       if (list.before != nullptr && t.priority >= list.before->priority) continue;
       const GraphTicks in = ready_in(t, list);
       if (in > horizon_ || in >= list.end) continue;
-      // A later one with the same key wins.
+      // Of transitions with equal time, rank and priority, the last wins.
       if (next_.transition == kNoGraphIndex ||
           std::tuple(in, list.rank, t.priority) <= std::tuple(next_.in, rank_, priority_)) {
         next_ = {in, static_cast<GraphIndex>(i), list.slot->state, t.to};
@@ -125,7 +125,8 @@ class Choice {
   std::int32_t priority_ = 0;
 };
 
-/// A state that somebody asked for, by the transition of smallest priority that leads there, whatever its conditions.
+/// The transition for request_state: the transition with the smallest priority that leads to the state, regardless of
+/// conditions.
 NextTransition asked_for(const LiveGraph& live, const LiveMachine& machine, GraphIndex asked) noexcept {
   const GraphMachine& m = *machine.machine;
   const SlotState& top = machine.slots.top();
@@ -195,12 +196,12 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
     if (by == GraphInterruption::none || by == GraphInterruption::source) own.earliest = std::max(own.earliest, left);
     if (by == GraphInterruption::source_then_target) own.rank = 2;
     choice.consider(any);
-    std::size_t below = depth - 1;  // slot of the source plus one
+    std::size_t below = depth - 1;  // slot of the source state, plus one
     while (below > machine.first && machine.slots.slot(below - 1).state != top.from) --below;
     if (from_source && below > machine.first) {
       const GraphMachineState& source = live.tables().states[m.first_state + top.from];
       const int rank = by == GraphInterruption::target_then_source ? 2 : 0;
-      GraphTicks seen = left;  // the source is, until a fade above it ends
+      GraphTicks seen = left;  // ticks until a fade above the source ends and hides it
       for (std::size_t i = below; i < depth; ++i)
         if (const SlotState& slot = machine.slots.slot(i); slot.whole == 0)
           seen = std::min(seen, duration_of(live.tables().transitions[slot.transition]) - slot.time);
@@ -224,7 +225,7 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
 
 GraphTicks next_fade_end(const LiveGraph& live, const LiveMachine& machine) noexcept {
   GraphTicks next = kNever;
-  bool lowest = true;  // of the cuts: only its end changes the slots
+  bool lowest = true;  // no cut found yet; only the end of the lowest cut changes the slots
   for (std::size_t i = 1; i < machine.slots.depth(); ++i) {
     const SlotState& slot = machine.slots.slot(i);
     if (live.is_cut(slot) ? !lowest : i < machine.first || slot.whole != 0) continue;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kMostRoundsOfEvents = 1024;
 
-/// One motion in one piece of a step. Backwards the line of positions is mirrored, so that it always runs forward.
+/// One motion in one piece of a step. When time runs backwards, positions are negated, so that they always increase.
 class Passage {
  public:
   Passage(LiveGraph& live, const LiveMotion& motion, GraphTicks ticks, GraphEventLog& log) noexcept
@@ -51,7 +51,7 @@ class Passage {
       return;
     }
     std::int64_t round = divided_up(first_allowed - mirrored, period);
-    // A start at 0 does not tell the event at the end of a round before it.
+    // A motion that starts at 0 does not report events at the end of the previous round.
     if (motion_.state->started == 0 && mirrored + round * period == from_ && place == period && sign_ > 0) ++round;
     std::int64_t last = divided_down(to_ - mirrored, period);
     if (last - round >= kMostRoundsOfEvents) {

@@ -5,7 +5,7 @@
 
 namespace sinew {
 
-/// Writes events as far as there is room. Internal to graph/.
+/// Writes events as long as there is room, and counts the rest. Internal to graph/.
 class GraphEventLog {
  public:
   GraphEventLog(std::span<GraphEvent> room, GraphStep& step) noexcept : room_(room), step_(step) {}
@@ -17,7 +17,7 @@ class GraphEventLog {
   }
   void leave_out(std::uint64_t count) noexcept { step_.events_left_out += count; }
   std::size_t count() const noexcept { return step_.event_count; }
-  /// Puts events from `first` on in the order of time.
+  /// Sorts the events from index `first` on by time.
   void sort_from(std::size_t first, bool backwards) noexcept;
 
  private:
@@ -25,12 +25,12 @@ class GraphEventLog {
   GraphStep& step_;
 };
 
-/// Moves all motions on, and logs the events that they pass. An event belongs to the piece that ends on it; a motion
-/// that starts tells one at its start, too.
+/// Moves all motions and logs the events that they pass. An event at the boundary of two pieces belongs to the earlier
+/// piece. A motion that has just started also logs an event at its start.
 /// in   ticks  not 0; negative plays backwards. |ticks * step| of each motion stays below 2^61
 void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcept;
 
-/// Longest piece of a step that play_motions takes.
+/// Longest piece of a step, in ticks, that play_motions accepts.
 GraphTicks longest_piece(LiveGraph& live) noexcept;
 
 }  // namespace sinew

@@ -6,14 +6,14 @@
 
 namespace sinew {
 
-/// Room for values on the stack, which nobody writes before they are needed: most updates need few of them. Internal to
-/// graph/.
+/// An array on the stack whose elements are not initialised before put(), since most updates use few of them. Internal
+/// to graph/.
 template <class T, std::size_t N>
 class RawArray {
   static_assert(std::is_trivially_destructible_v<T>);
 
  public:
-  /// Writes a value where there was none, or over one.
+  /// Constructs an element from `value`, or replaces it.
   T& put(std::size_t index, const T& value) noexcept { return *std::construct_at(data() + index, value); }
   T& operator[](std::size_t index) noexcept { return data()[index]; }
   const T& operator[](std::size_t index) const noexcept { return data()[index]; }

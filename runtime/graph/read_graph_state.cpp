@@ -11,7 +11,7 @@ namespace sinew {
 std::size_t read_graph_state(const GraphDefinition& graph, const GraphClipSet& clips, std::span<const float> parameters,
                              std::span<const std::byte> state, std::span<GraphStateView> views) noexcept {
   CONTRACT(state.size() >= graph.state_bytes() && parameters.size() >= graph.tables().parameters.size());
-  // Opening the lists writes nothing into the state.
+  // The const_cast is safe, because open() does not write into the state.
   LiveGraph live(graph, clips, parameters, const_cast<std::byte*>(state.data()));
   live.open();
   std::size_t count = 0;

@@ -6,12 +6,13 @@
 
 namespace sinew {
 
-/// A rigid motion as a steady one: turning by `turn` (axis times radians) while moving along `shift` in its own space.
+/// A rigid motion as a constant velocity over unit time: rotation by `turn` (axis times radians) while moving along
+/// `shift` in its own space.
 struct RigidTwist {
   Vec3<double> turn{0.0}, shift{0.0};
 };
 
-/// Factors of the series of a turn by `angle`: (1 - cos a) / a^2 and (a - sin a) / a^3.
+/// Coefficients of the exponential for a turn by `angle`: b = (1 - cos a) / a^2, c = (a - sin a) / a^3.
 struct TurnFactors {
   double b, c;
 
@@ -38,7 +39,7 @@ inline DualQuatd exponential(const RigidTwist& twist) noexcept {
       twist.shift + once * f.b + twice * f.c);
 }
 
-/// The steady motion that makes a unit dual quaternion, with a turn of at most pi.
+/// The twist whose exponential is this unit dual quaternion. Its turn is at most pi.
 /// eq   shift = (I - [turn]/2 + k [turn]^2) t,  k = (1 - (a/2) cot(a/2)) / a^2
 inline RigidTwist logarithm(const DualQuatd& motion) noexcept {
   const double sign = motion.real.w < 0.0 ? -1.0 : 1.0;

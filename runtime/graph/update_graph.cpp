@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// One update of one character: pieces of the step between moments where something starts or ends.
+/// One update of one character. The step is cut into pieces at the moments where something starts or ends.
 class GraphUpdate {
  public:
   GraphUpdate(const UpdateGraphJob& job, GraphStep& step) noexcept
@@ -46,7 +46,7 @@ class GraphUpdate {
     return live_.plays_in_step() || (live_.clips().any_root() && live_.root_samples() > 1);
   }
 
-  /// The longest next piece in which steps of motions stay as they are.
+  /// Prepares the next piece and returns its longest length in ticks. The steps of motions are constant within it.
   GraphTicks prepare_piece(GraphTicks left, bool backwards) noexcept {
     const GraphTicks now = live_.header().now;
     if (live_.plays_in_step()) live_.match_lengths(to_cell_middle(now, backwards));
@@ -89,7 +89,7 @@ class GraphUpdate {
     live_.header().asked_machine = kNoGraphIndex;
   }
 
-  /// out  the time until the first of them, at most `piece`
+  /// out  ticks until the first transition or end of a fade, at most `piece`
   GraphTicks find_next_moments(GraphTicks piece) noexcept {
     const auto machines = live_.machines();
     const bool may_take = taken_ < kMostGraphTransitions;
@@ -101,9 +101,9 @@ class GraphUpdate {
     return first;
   }
 
-  /// Ends fades and takes transitions that are due. A machine within a state that has moved in memory waits for the
-  /// next piece, which may last no time.
-  /// out  true: the live lists no longer stand
+  /// Ends fades and takes transitions that are due. If a state has moved in memory, machines within it wait for the
+  /// next piece, which may have length 0.
+  /// out  true: a state was entered or left, so the live lists must be made again
   bool pass_moment(GraphTicks piece) noexcept {
     const std::byte* moved_end = nullptr;
     std::uint64_t triggers = 0;

@@ -16,13 +16,13 @@ namespace sinew {
 
 enum class GraphEventKind : std::uint8_t { clip, state };
 
-/// Something that happened in an update.
+/// An event of an update.
 struct GraphEvent {
-  GraphTicks at = 0;                ///< on the clock of the graph, which starts at 0
-  GraphIndex node = 0;              ///< the clip node or blend space; the machine
-  GraphIndex clip = kNoGraphIndex;  ///< of the graph's clip names
-  std::uint32_t index = 0;          ///< of the clip's events; of the machine's states, for the state that is entered
-  float weight = 1.0f;              ///< of the clip in the pose, at that moment
+  GraphTicks at = 0;                ///< time on the graph's clock, which starts at 0
+  GraphIndex node = 0;              ///< clip node or blend space that plays the clip, or the machine
+  GraphIndex clip = kNoGraphIndex;  ///< index of a clip name of the graph
+  std::uint32_t index = 0;          ///< index of the clip's event, or of the machine's state that is entered
+  float weight = 1.0f;              ///< weight of the clip in the pose at that moment
   GraphEventKind kind = GraphEventKind::clip;
 
   friend bool operator==(const GraphEvent&, const GraphEvent&) = default;
@@ -33,14 +33,14 @@ struct GraphStep {
   DualQuatd root_motion;  ///< world = normalised(world * root_motion)
   DualQuatd root_place;   ///< FrameInput::root = world * inverse of root_place
   std::uint32_t event_count = 0;
-  std::uint64_t events_left_out = 0;  ///< for want of room, or beyond 1,024 rounds of a clip in one piece of the step
-  bool transitions_left_out = false;  ///< after kMostGraphTransitions no more are taken in this update
+  std::uint64_t events_left_out = 0;  ///< no room, or beyond 1,024 rounds of a clip in one piece of the step
+  bool transitions_left_out = false;  ///< true: kMostGraphTransitions were taken, so no more are taken in this update
 };
 
 inline constexpr double kMostGraphStep_s = 3600.0;
 inline constexpr std::uint32_t kMostGraphTransitions = 16384;
 
-/// Writes the state of a character at the start of a graph, in which machines enter their first states.
+/// Writes the start state of a character: machines enter their first states.
 /// in   parameters[P]  entry rules read them;   state  8-byte aligned, GraphDefinition::state_bytes
 /// err  size_mismatch, not_finite
 struct StartGraphJob {
@@ -52,16 +52,15 @@ struct StartGraphJob {
 SINEW_API ErrorCode check(const StartGraphJob& job) noexcept;
 SINEW_API void run_unchecked(const StartGraphJob& job) noexcept;
 
-/// Lets a character's graph play on, and writes the program of its pose.
-///
-/// The state is plain bytes: a copy of it restores the character. The step is cut where a transition is taken or a
-/// fade ends, so results do not depend on how time is cut into steps. Parameters hold for the whole step.
-/// Backwards (dt_s < 0) clips play backwards, while fades and times in states stand still and no transition is taken.
-/// Root motion of several clips is that of their weighted mean velocity, held for cells of 1/60 s of the graph's clock.
+/// Plays a character's graph for a time step, and writes the program of its pose.
+/// The state is plain bytes: a copy of it restores the character. The step is cut into pieces where a transition is
+/// taken or a fade ends, so results do not depend on how time is cut into steps. Parameters hold for the whole step.
+/// Backwards (dt_s < 0) clips play backwards, fades and times in states stand still, and no transition is taken. Root
+/// motion of several clips has their weighted mean velocity, which is constant in cells of 1/60 s of the graph's clock.
 /// in   dt_s  finite, at most kMostGraphStep_s on either side of 0
 /// out  program  cleared first;   events  in the order of time;   step
 /// err  size_mismatch (parameters, state, clips), wrong_plan (a state of another graph), not_finite, too_large (dt_s)
-/// cost O(what plays + transitions of active states), no allocation; what does not play is not looked at
+/// cost O(what plays + transitions of active states), no allocation; nodes that do not play are not visited
 struct UpdateGraphJob {
   const GraphDefinition* graph = nullptr;
   const GraphClipSet* clips = nullptr;
@@ -75,14 +74,14 @@ struct UpdateGraphJob {
 SINEW_API ErrorCode check(const UpdateGraphJob& job) noexcept;
 SINEW_API void run_unchecked(const UpdateGraphJob& job) noexcept;
 
-/// Sets a trigger. It stays until a transition uses it up; all machines may use it at that same moment.
+/// Sets a trigger. It stays set until a transition uses it up. Several machines may use it at the same moment.
 /// err  index_out_of_range (no such trigger), wrong_plan
 SINEW_API ErrorCode set_trigger(const GraphDefinition& graph, std::span<std::byte> state,
                                 GraphIndex parameter) noexcept;
 SINEW_API ErrorCode reset_trigger(const GraphDefinition& graph, std::span<std::byte> state,
                                   GraphIndex parameter) noexcept;
 
-/// Makes a machine enter a state at the next update, whatever conditions say, if it plays then.
+/// Makes a machine enter a state at the next update, regardless of conditions, if the machine plays then.
 /// in   machine  node;   target  state of the machine, or kNextState
 /// err  index_out_of_range, wrong_plan
 SINEW_API ErrorCode request_state(const GraphDefinition& graph, std::span<std::byte> state, GraphIndex machine,

@@ -9,10 +9,11 @@
 namespace sinew {
 namespace {
 
-/// Weights of a mean sum to 1 within rounding: it normalises them.
+/// Threshold of a mean: smaller sums of weights are filled up with the rest pose. The weights sum to about 1, so they
+/// are only normalised.
 constexpr double kThreshold = 0.001;
 
-/// Transitions measure velocities over this time.
+/// Time step, in ticks, over which transitions measure velocities.
 constexpr GraphTicks kVelocityStep = kTicksPerSecond / 1000;
 
 struct OpList {
@@ -23,13 +24,13 @@ struct OpList {
   PoseOp& last() noexcept { return ops[count - 1]; }
 };
 
-/// Writes what the lists of a live graph hold, as it is `ahead` ticks from now.
+/// Writes operations for the lists of a live graph, as they are `ahead` ticks from now.
 class ProgramWriter {
  public:
   ProgramWriter(LiveGraph& live, OpList& out, GraphTicks ahead) noexcept
       : live_(live), t_(live.tables()), out_(out), ahead_(ahead) {}
 
-  /// One pose, which weighs so much in what takes it.
+  /// Writes the node as a single pose, with this weight and mask for the operation that takes it.
   void write_pose(GraphIndex node, std::byte* base, float weight, std::uint8_t mask) noexcept {
     join(write_operands(node, base, 1.0f));
     out_.last().weight = weight;
@@ -42,7 +43,7 @@ class ProgramWriter {
       out_.push({.time_s = kThreshold, .index = static_cast<std::uint16_t>(operands), .kind = PoseOpKind::mean});
   }
 
-  /// Poses whose weights sum to `weight`. Returns how many.
+  /// Writes the node as poses whose weights sum to `weight`. Returns the number of poses.
   std::size_t write_operands(GraphIndex node, std::byte* base, float weight) noexcept {
     const std::size_t s = t_.nodes[node].settings;
     switch (t_.nodes[node].kind) {
@@ -78,7 +79,7 @@ class ProgramWriter {
       const float w = live_.weight_of(layer);
       const std::size_t before = out_.count;
       write_pose(layer.node, base, w, layer.mask);
-      if (!(w > 0.0f)) {  // it has played, but is not seen
+      if (!(w > 0.0f)) {  // it plays, but is not visible
         out_.count = before;
         continue;
       }
@@ -99,8 +100,9 @@ class ProgramWriter {
     return t_.states[t_.machines[t_.nodes[machine].settings].first_state + slot.state].node;
   }
 
-  /// The slots [0, end) of a machine. Cuts add what is left of the poses before them to the mix of those that play.
-  /// The newest comes first, so each compares only the states that it left with the one that it entered.
+  /// Writes the slots [0, end) of a machine: first the mix of the states that play, then a transition operation for
+  /// each cut. The newest cut comes first, since it compares only the states that it left with the state that it
+  /// entered.
   std::size_t write_slots(GraphIndex machine, std::byte* base, std::size_t end, float weight) noexcept {
     const MachineSlots slots = live_.slots_of(machine, base);
     const std::size_t first = live_.first_playing(slots, end);
@@ -132,8 +134,8 @@ class ProgramWriter {
     return operands;
   }
 
-  /// Works on the pose that has been written last. Its other operands stand still, so frames need not evaluate them
-  /// again.
+  /// Writes a transition operation for a cut, with the last pose written as target. Its other operands do not change
+  /// during the transition, so frames evaluate them once.
   void write_cut(GraphIndex machine, std::byte* base, const MachineSlots& slots, std::size_t index) noexcept {
     const SlotState& slot = slots.slot(index);
     const GraphTicks duration = live_.duration_of(slot), time = std::max(slot.time + ahead_, GraphTicks{0});
@@ -149,7 +151,8 @@ class ProgramWriter {
     if (inertializes) {
       const GraphIndex node = node_of(machine, slot);
       then.open_only(node, slots.started(index));
-      // The target did not play before, so its pose of one step before is found from that of one step later.
+      // The target did not play before its start. Its pose one step before is extrapolated from its pose one step
+      // later.
       for (const GraphTicks ahead : {GraphTicks{0}, GraphTicks{0}, GraphTicks{0}, step})
         ProgramWriter(then, out_, ahead).write_pose(node, slots.started(index), 1.0f, PoseOp::kNoMask);
       out_.push({.index = static_cast<std::uint16_t>(DeltaFrame::parent), .kind = PoseOpKind::add});
@@ -159,7 +162,7 @@ class ProgramWriter {
                .kind = inertializes ? PoseOpKind::inertialize : PoseOpKind::dead_blend});
   }
 
-  /// The states that played in the slots below `end`, as one pose.
+  /// Writes the states that play in the slots below `end` as one pose.
   void write_playing(GraphIndex machine, const MachineSlots& slots, std::size_t end) noexcept {
     join(write_mix(machine, slots, live_.first_playing(slots, end), end, 1.0f));
     out_.last().weight = 1.0f;
@@ -169,7 +172,7 @@ class ProgramWriter {
   const GraphTables& t_;
   OpList& out_;
   GraphTicks ahead_;
-  std::size_t motion_ = 0;  // of the lists, in the order in which they were opened
+  std::size_t motion_ = 0;  // index in the list of motions, in the order of opening
 };
 
 }  // namespace

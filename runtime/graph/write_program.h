@@ -5,8 +5,8 @@
 
 namespace sinew {
 
-/// Writes the program of what plays now. States that fade and points of blend spaces are operands of one mean, with
-/// products of their weights. Poses of weight 0 are left out. Internal to graph/.
+/// Writes the pose program of the nodes that play now. Fading states and points of blend spaces become operands of a
+/// single mean, weighted by the product of their weights. Poses of weight 0 are left out. Internal to graph/.
 void write_program(LiveGraph& live, PoseProgram& program) noexcept;
 
 }  // namespace sinew

@@ -41,7 +41,7 @@ bool is_finite(const Transform& t) noexcept {
   const float sum = 0.0f * (t.translation.x + t.translation.y + t.translation.z) +
                     0.0f * (t.rotation.x + t.rotation.y + t.rotation.z + t.rotation.w) +
                     0.0f * (t.scale.x + t.scale.y + t.scale.z);
-  return sum == 0.0f;  // an infinity or NaN makes it NaN
+  return sum == 0.0f;  // 0 * infinity and 0 * NaN are NaN
 }
 
 using InputRule = PoseInputFault;

@@ -7,8 +7,9 @@
 namespace sinew {
 
 /// Sets joints to the transforms of the caller, in the order given: a parent before its children. A transform in model
-/// space becomes local to the parent as it stands then. Below a parent that flattens space the joint stays.
-/// in   share  of the given transform, [0, 1]: at 1 a local transform keeps its bits
+/// space is made local with the current transforms of the parents. A joint stays as it is if its parent's matrix is
+/// singular.
+/// in   share  [0, 1] of the given transform in a mix with the pose; at 1 a local transform keeps its bits
 /// out  pose   in place.     cost O(depth) for each joint in model space.     Internal to pose_program/
 void override_joints(const Skeleton& skeleton, std::span<const JointOverride> joints, float share,
                      const PoseSpan& pose) noexcept;

@@ -113,7 +113,7 @@ void PoseMachine::mirror(const PoseSpan& from, std::span<const float> weights, c
   ended(PosePhase::mirror);
 }
 
-/// Properties are not mirrored.
+/// Pushes a mirrored sample. Its properties are not mirrored.
 void PoseMachine::push_mirrored_sample(const PoseOp& op) noexcept {
   const PoseSlot to = slot(depth_++), other_side = slots_.unmirrored();
   sample(op, {other_side.pose, other_side.weights.first(to.weights.size()), to.properties}, false);
@@ -126,7 +126,7 @@ void PoseMachine::push_mirrored_rest() noexcept {
   copy_or_rest({}, assets_.rest_properties, to.properties);
 }
 
-/// A single pose of full weight is its own mean, to the bit.
+/// Weighted mean of the topmost poses. The mean of a single pose of full weight has the bits of that pose.
 void PoseMachine::mean(std::size_t operands, double threshold) noexcept {
   if (operands == 0) return push_rest();
   depth_ -= operands;

@@ -6,27 +6,27 @@
 
 namespace sinew {
 
-/// Runs operations one by one on the poses of a memory. Whoever feeds it has checked them. Internal to the runtime.
+/// Runs operations one by one on the poses of a memory. The caller has checked them. Internal to the runtime.
 class PoseMachine {
  public:
-  /// How one operation runs, beside what it says itself.
+  /// Settings for one operation beyond the fields of PoseOp.
   struct Step {
-    std::uint32_t clip = kNone;   ///< in place of PoseOp::index, which cannot count as many clips as layers can name
-    const Clip* page = nullptr;   ///< as PoseProgramInputs::pages
-    bool with_properties = true;  ///< some operation after it reads its properties
+    std::uint32_t clip = kNone;   ///< if not kNone, replaces PoseOp::index, whose 16 bits are too few for layers
+    const Clip* page = nullptr;   ///< the part of the clip with its keys, as in PoseProgramInputs::pages
+    bool with_properties = true;  ///< a later operation reads the properties of the result
     bool holds_clip = false;      ///< as PoseProgramJob::holds_clip
-    std::uint32_t kept = 0;       ///< where a kept operation keeps what it needs of its operands
-    bool kept_stands = false;     ///< it is there already: the operands were skipped
+    std::uint32_t kept = 0;       ///< kept operations: place of the numbers that they keep (PoseSlots::kept)
+    bool kept_stands = false;     ///< the kept numbers are still valid, and the operands were skipped
   };
 
-  /// Keeps the references.
-  /// in   rest  in place of that of `assets`
+  /// Keeps references to the arguments.
+  /// in   rest  replaces the rest pose of `assets`
   PoseMachine(const PoseProgramAssets& assets, const PoseSpan& rest, const PoseProgramInputs& inputs,
               const PoseSlots& slots, PoseProgramWork& work, PosePhaseClock clock) noexcept
       : assets_(assets), inputs_(inputs), rest_(rest), slots_(slots), work_(work), clock_(clock) {}
 
   void run(const PoseOp& op, const Step& step) noexcept;
-  /// Counts an operation that an earlier machine has run on this memory.
+  /// Counts an operation that an earlier machine has already run on this memory.
   void skip(const PoseOp& op) noexcept;
 
   /// The topmost pose; there must be one.
@@ -36,7 +36,7 @@ class PoseMachine {
   void ended(PosePhase phase) const noexcept {
     if (clock_.ended != nullptr) clock_.ended(clock_.context, phase);
   }
-  /// The slot, with the numbers that the operation at hand is to work on.
+  /// The slot, without properties if the current operation does not need them.
   PoseSlot slot(std::size_t index) const noexcept {
     PoseSlot slot = slots_.slot(index);
     if (!step_.with_properties) slot.properties = {};
@@ -68,7 +68,7 @@ class PoseMachine {
   PoseSlots slots_;
   PoseProgramWork& work_;
   PosePhaseClock clock_;
-  Step step_;              // of the operation at hand
+  Step step_;              // settings of the current operation
   std::size_t depth_ = 0;  // poses on the stack
 };
 

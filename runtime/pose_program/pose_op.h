@@ -5,31 +5,31 @@
 
 namespace sinew {
 
-/// An operation on a stack of poses. Each takes its operands from the stack and leaves one pose there. With the pose go
-/// its morph weights and its properties.
+/// An operation on a stack of poses. It takes its operands from the stack and leaves one pose there. Each pose comes
+/// with its morph weights and properties.
 enum class PoseOpKind : std::uint8_t {
   rest,             ///< pushes the rest pose
   sample,           ///< pushes clip `index` at `time_s`
-  sample_mirrored,  ///< the same, left and right exchanged
-  rest_mirrored,    ///< the rest pose, left and right exchanged: what a mirrored additive clip is compared with
+  sample_mirrored,  ///< as sample, with left and right exchanged
+  rest_mirrored,    ///< pushes the rest pose with left and right exchanged, the reference of a mirrored additive clip
   external,         ///< pushes pose `index` of the caller: a ragdoll, the network, another skeleton's motion
   mean,             ///< weighted mean of the `index` topmost poses; no operands give the rest pose
-  overlay,          ///< lays the topmost pose over the one below, by weight and mask
-  overlay_model,    ///< overlay, but rotations are mixed in model space: an aim stays level while the hips sway
-  add_to_rest,      ///< adds the difference of the topmost pose from the rest pose to the pose below
-  add,              ///< adds the difference of the second pose from the topmost to the third: base, layer, reference
+  overlay,          ///< lays the topmost pose over the pose below it, by weight and mask
+  overlay_model,    ///< as overlay, but rotations are mixed in model space: an aim stays level while the hips sway
+  add_to_rest,      ///< adds the topmost pose minus the rest pose to the pose below
+  add,              ///< adds layer minus reference to base; the stack holds base, layer, reference (topmost)
   override_joints,  ///< sets joints of the topmost pose to the transforms of override `index`, by weight
   procedure,        ///< lets procedure `index` of the caller change the topmost pose: IK, springs, a solver of its own
-  inertialize,      ///< a transition: adds the offset that source and target had at its start, while it decays
-  dead_blend,       ///< a transition: fades the source, which goes on by itself, into the target
-  cached,           ///< the topmost pose, which frames keep as long as the operations that make it are the same
+  inertialize,      ///< transition: adds the source's offset from the target at the start, which decays
+  dead_blend,       ///< transition: fades the source, which moves on by its velocity, into the target
+  cached,  ///< keeps the topmost pose: later frames reuse it as long as the operations that make it are the same
 };
 
-/// One operation. `weight` and `mask` weigh its pose in the mean, overlay or addition that takes it. In an overlay that
-/// is the upper pose, in an addition the layer. override_joints and procedure have their own share in `time_s`.
-/// Operands of transitions, the lowest first: the target's pose now, the source's pose at the start and one step
-/// before. `inertialize` also takes the target's pose at the start and one step before. Their weights and masks do not
-/// count.
+/// One operation. `weight` and `mask` apply when a later mean, overlay (as upper pose) or addition (as layer) takes its
+/// pose. The share of override_joints and procedure is in `time_s`.
+/// Operands of transitions, the lowest first: the target's pose now, the source's pose at the start, and the source's
+/// pose one step before. `inertialize` also takes the target's pose at the start and one step before. Weights and masks
+/// of these operands are ignored.
 struct PoseOp {
   double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share;
                         ///< transitions: progress in [0, 1], the share of the duration that has passed
@@ -46,7 +46,7 @@ struct PoseOp {
 };
 static_assert(sizeof(PoseOp) == 16, "programs are compared, stored and sent as bytes");
 
-/// Poses that an operation takes from the stack.
+/// Number of poses that an operation takes from the stack.
 constexpr std::size_t operands_of(const PoseOp& op) noexcept {
   switch (op.kind) {
     case PoseOpKind::mean: return op.index;
@@ -63,7 +63,7 @@ constexpr std::size_t operands_of(const PoseOp& op) noexcept {
   }
 }
 
-/// Operands, the last ones, that stay the same while an operation goes on. Frames keep what it needs of them.
+/// Number of topmost operands that stay the same while the operation lasts. Frames keep the numbers computed from them.
 constexpr std::size_t kept_operands_of(const PoseOp& op) noexcept {
   switch (op.kind) {
     case PoseOpKind::cached: return 1;
@@ -77,7 +77,7 @@ constexpr bool is_transition(PoseOpKind kind) noexcept {
   return kind == PoseOpKind::inertialize || kind == PoseOpKind::dead_blend;
 }
 
-/// Programs name the first so many clips. Indices from here on are refused (PoseProgram writes 0xFFFF for all of them).
+/// Programs can only name clips below this index. Larger indices are refused; PoseProgram stores them as 0xFFFF.
 inline constexpr std::size_t kMostClipsOfPrograms = 0xFFFF;
 
 }  // namespace sinew

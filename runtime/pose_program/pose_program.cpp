@@ -22,7 +22,7 @@ struct OpRule {
 };
 constexpr OpRule kKept{ErrorCode::ok, ""};
 
-/// The rule that an operation breaks by itself, whatever lies on the stack.
+/// The rule that an operation breaks on its own, independent of the stack.
 OpRule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   const bool samples = op.kind == PoseOpKind::sample || op.kind == PoseOpKind::sample_mirrored;
   const bool mirrors = op.kind == PoseOpKind::sample_mirrored || op.kind == PoseOpKind::rest_mirrored;

@@ -13,27 +13,27 @@
 
 namespace sinew {
 
-/// Operations in postfix order: those that make an operand stand before the one that takes it. At most 255. A program
-/// is plain bytes: copy it, compare it, hash it, store it.
+/// Operations in postfix order: the operations that make an operand come before the operation that takes it. At most
+/// 255. A program is plain bytes: copy it, compare it, hash it, store it.
 using PoseProgramSpan = std::span<const PoseOp>;
 inline constexpr std::size_t kMostPoseOps = 255;
 
-/// Sizes of the tables that a program may index, and of its memory. find_fault refuses programs that go beyond.
+/// Sizes of the tables that a program may index, and of its memory. find_fault refuses programs that exceed them.
 struct PoseProgramLimits {
   std::size_t clips = 0, externals = 0, masks = 0, overrides = 0, procedures = 0;
-  bool mirror = false;                  ///< mirror tables are there
-  std::size_t slots = 0, kept = 0;      ///< that memory has room for, as PoseProgramRoom
-  bool overlays_in_model_space = true;  ///< memory has room for their rotations
+  bool mirror = false;                  ///< mirror tables exist
+  std::size_t slots = 0, kept = 0;      ///< room of the memory, as in PoseProgramRoom
+  bool overlays_in_model_space = true;  ///< the memory has room for the rotations of overlay_model
 };
 
-/// The memory that programs need, and the tables that they refer to: the most of each.
+/// The memory that a set of programs needs, and the sizes of the tables that they index. Each number is an upper limit.
 struct PoseProgramRoom {
   std::uint32_t ops = 0;
   std::uint32_t slots = 0;                                                ///< poses on the stack at once
   std::uint32_t externals = 0, overrides = 0, masks = 0, procedures = 0;  ///< of the caller
-  std::uint32_t overridden_joints = 0;                                    ///< of all overrides together
+  std::uint32_t overridden_joints = 0;                                    ///< in all overrides together
   bool overlays_in_model_space = false;
-  std::uint32_t kept = 0;  ///< operations that keep their operands' work: transitions and `cached`
+  std::uint32_t kept = 0;  ///< transitions and `cached` operations, which keep numbers of their operands
 
   friend bool operator==(const PoseProgramRoom&, const PoseProgramRoom&) = default;
 };
@@ -41,21 +41,21 @@ struct PoseProgramRoom {
 /// The first fault of a program.
 struct PoseProgramFault {
   ErrorCode code = ErrorCode::ok;
-  std::size_t op = 0;     ///< index of the operation; the number of operations for a fault of the program as a whole
+  std::size_t op = 0;     ///< index of the operation; the number of operations if the whole program is at fault
   const char* rule = "";  ///< in words
 };
 
-/// Poses that lie on the stack at once, at most: the memory that a program needs.
-/// in   program  of any operations; one that lacks operands answers what it reaches until then
+/// Largest number of poses on the stack at once: the slots that a program needs.
+/// in   program  unchecked; if an operation lacks operands, counting stops there
 /// cost O(ops), no allocation
 SINEW_API std::size_t pose_slots(PoseProgramSpan program) noexcept;
 
-/// The room that a program needs. Tables are as long as its largest index asks for, so masks of the plan count too.
+/// The room that a program needs. Each table must reach to the program's largest index, so masks of the plan count too.
 /// `overridden_joints` is left at 0, since a program does not say how many joints an override has.
 /// cost O(ops), no allocation
 SINEW_API PoseProgramRoom room_of(PoseProgramSpan program) noexcept;
 
-/// The room that either of two programs needs.
+/// The larger of each number of two rooms.
 SINEW_API PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexcept;
 
 /// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight,
@@ -67,15 +67,15 @@ inline ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits)
   return find_fault(program, limits).code;
 }
 
-/// Names the operation and the rule ("operation 3 (overlay): it takes more poses than those before it leave"). Empty
-/// without a fault.
+/// Names the operation and the rule ("operation 3 (overlay): it takes more poses than those before it leave"). Empty if
+/// there is no fault.
 SINEW_API std::string describe(const PoseProgramFault& fault, PoseProgramSpan program);
 
 /// "sample", "mean", ...; "?" for a kind that is not known.
 SINEW_API const char* name_of(PoseOpKind kind) noexcept;
 
-/// A program in the making, in memory of its own: nothing is allocated. Operations beyond kMostPoseOps are counted and
-/// left out, and `is_complete` tells.
+/// Builds a program in fixed memory, without allocation. Operations beyond kMostPoseOps are dropped but counted, and
+/// `is_complete` returns false.
 class PoseProgram {
  public:
   PoseProgram& rest(float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
@@ -92,7 +92,7 @@ class PoseProgram {
   PoseProgram& external(std::uint32_t pose, float weight = 1.0f, std::uint8_t mask = PoseOp::kNoMask) noexcept {
     return push({.weight = weight, .index = index_of(pose), .mask = mask, .kind = PoseOpKind::external});
   }
-  /// in   threshold  in (0, 1]: weights that sum to less are filled up with the rest pose, others are normalised
+  /// in   threshold  in (0, 1]: smaller sums of weights are filled up with the rest pose, larger sums are normalised
   PoseProgram& mean(std::size_t operands, float weight = 1.0f, double threshold = 1.0,
                     std::uint8_t mask = PoseOp::kNoMask) noexcept {
     return push({threshold, weight, index_of(operands), mask, PoseOpKind::mean});

@@ -12,14 +12,14 @@ namespace sinew {
 class Clip;
 struct Skeleton;
 
-/// Says whether something of the caller has changed since an earlier frame. Equal versions of one table entry promise
-/// equal content. 0 promises nothing: the content may differ in each frame.
+/// Version of content that the caller owns. Equal versions of the same table entry promise equal content. 0 promises
+/// nothing: the content may differ in each frame.
 using ContentVersion = std::uint64_t;
 
-/// A pose of the caller: a ragdoll, the network, another skeleton's motion. Weights and properties may be empty: then
-/// the rest values stand in.
+/// A pose of the caller: a ragdoll, the network, another skeleton's motion. If weights or properties are empty, the
+/// rest values are used.
 struct ExternalPose {
-  PoseSpan pose;                      ///< of the joint count of poses; not written
+  PoseSpan pose;                      ///< only read; has as many joints as the plan's poses
   std::span<const float> weights;     ///< [W] or empty
   std::span<const float> properties;  ///< [P] or empty
   ContentVersion version = 0;
@@ -30,7 +30,7 @@ enum class OverrideSpace : std::uint8_t { local, model };
 
 /// A joint that the caller places.
 struct JointOverride {
-  std::uint32_t joint = 0;  ///< of poses
+  std::uint32_t joint = 0;  ///< index in the plan's poses
   Transform transform;
   OverrideSpace space = OverrideSpace::local;
 };
@@ -43,37 +43,37 @@ struct JointOverrides {
 
 /// Joint weights of the caller, which multiply the weight of an operation.
 struct JointMask {
-  std::span<const float> weights;  ///< [J of poses] finite, >= 0
+  std::span<const float> weights;  ///< [joints of the plan's poses] finite, >= 0
   ContentVersion version = 0;
 };
 
-/// The pose that a procedure may change, in memory of the frame.
+/// The pose that a procedure may change. It lies in memory of the frame.
 struct ProcedurePose {
-  const Skeleton& skeleton;     ///< of poses
+  const Skeleton& skeleton;     ///< skeleton of the poses
   PoseSpan local;               ///< may be written
-  std::span<float> weights;     ///< [W] may be written; empty where the frame's input gives all morph weights
+  std::span<float> weights;     ///< [W] may be written; empty if the frame's input gives all morph weights
   std::span<float> properties;  ///< [P] may be written; empty where they are not wanted
-  float share = 1.0f;           ///< (0, 1] of the operation; what it means is the procedure's own
+  float share = 1.0f;           ///< (0, 1] of the operation; the procedure decides how it applies
 };
 
-/// A function of the caller that changes the pose in the middle of a program. It must not throw. An equal version
-/// promises that it makes an equal pose of an equal one.
+/// A function of the caller that changes the pose in the middle of a program. It must not throw. Equal versions promise
+/// equal output for equal input poses.
 struct PoseProcedure {
   void (*run)(void* context, const ProcedurePose& pose) = nullptr;
   void* context = nullptr;
   ContentVersion version = 0;
 };
 
-/// Lists of the caller that a program names by index, beside the tables that all characters share.
+/// Lists of the caller that a program indexes, in addition to the tables that all characters share (PoseProgramAssets).
 /// owns  nothing: views of the caller's memory, which stays unchanged while the program runs
 struct PoseProgramInputs {
   std::span<const ExternalPose> externals = {};
   std::span<const JointOverrides> overrides = {};
   std::span<const PoseProcedure> procedures = {};
-  std::span<const JointMask> masks = {};  ///< their indices follow those of the shared masks.
+  std::span<const JointMask> masks = {};  ///< indices continue after the shared masks
 
-  /// [ops] or empty: the part of the operation's clip that has the keys of its time (paging/paged_clip.h). Null is the
-  /// clip itself.
+  /// [operations] or empty: the part of the operation's clip that holds the keys for its time (paging/paged_clip.h).
+  /// Null = the clip itself holds them.
   std::span<const Clip* const> pages = {};
 };
 

@@ -7,14 +7,14 @@
 
 namespace sinew {
 
-/// Says which operations make properties that some operation after them reads. An addition leaves properties as they
-/// are, so its layer and its reference need none. Internal to the runtime.
+/// Finds the operations whose properties a later operation reads. An addition keeps the properties of its base, so its
+/// layer and its reference need none. Internal to the runtime.
 class ReadProperties {
  public:
-  /// in   program  checked;   any  false: nobody wants properties
+  /// in   program  checked;   any  false: the caller wants no properties
   ReadProperties(PoseProgramSpan program, bool any) noexcept {
     if (!any) return;
-    std::array<bool, kMostPoseOps + 1> wanted;  // of the operations that are still to come, the next one on top
+    std::array<bool, kMostPoseOps + 1> wanted;  // for poses that later operations take, the next taken on top
     std::size_t depth = 0;
     wanted[depth++] = true;
     for (std::size_t i = program.size(); i-- > 0;) {

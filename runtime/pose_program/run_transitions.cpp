@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operations of a pose machine that keep what they need of their operands.
+// Operations of the pose machine that keep numbers of their operands for later frames.
 #include <algorithm>
 #include <cassert>
 

@@ -7,12 +7,12 @@
 namespace sinew {
 namespace {
 
-/// For each kept operation, the first operation of those that make its kept operands.
+/// For each kept operation: index of the first operation that contributes to its kept operands.
 using Firsts = std::array<std::uint8_t, kMostPoseOps>;
 
-/// out  firsts  of kept operations alone
+/// out  firsts  set for kept operations only
 void find_firsts(PoseProgramSpan program, Firsts& firsts) noexcept {
-  std::array<std::uint8_t, kMostPoseOps> starts;  // of the operations behind each pose on the stack
+  std::array<std::uint8_t, kMostPoseOps> starts;  // for each pose on the stack, the first operation that makes it
   std::size_t depth = 0;
   for (std::size_t i = 0; i < program.size(); ++i) {
     const std::size_t taken = operands_of(program[i]), kept = kept_operands_of(program[i]);
@@ -41,7 +41,7 @@ void StandingOperands::find(PoseProgramSpan program, const ReadProperties& prope
                             std::span<KeptOperands> kept) noexcept {
   Firsts firsts;
   find_firsts(program, firsts);
-  std::bitset<kMostPoseOps> taken, waits;  // places; operations that have none yet
+  std::bitset<kMostPoseOps> taken, waits;  // places that are in use; operations that still need a place
   for (std::size_t i = program.size(); i-- > 0;) {
     if (skipped_[i] || kept_operands_of(program[i]) == 0) continue;
     const PoseProgramSpan ops = program.subspan(firsts[i], i - firsts[i]);

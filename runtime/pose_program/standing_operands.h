@@ -11,26 +11,26 @@
 
 namespace sinew {
 
-/// An earlier run's kept operation, whose numbers lie in its place in memory (PoseSlots::kept).
+/// A kept operation of an earlier run. Its numbers are in the memory place with the same index (PoseSlots::kept).
 struct KeptOperands {
-  std::uint8_t first = 0, end = 0;  ///< the operations of that run's program which made the operands
+  std::uint8_t first = 0, end = 0;  ///< range of operations in that run's program that made the operands
   bool has_properties = false;
   bool is_there = false;
 };
 
-/// The last run into some memory, as far as its kept operands may serve another run.
+/// The last run into some memory: the facts that decide whether its kept numbers can be reused.
 struct LastProgram {
   PoseProgramSpan ops;        ///< empty: nothing is kept
-  bool same_content = false;  ///< versions promise the content of all lists of the caller
+  bool same_content = false;  ///< versions promise that all lists of the caller have the same content as in that run
   std::size_t shared_masks = 0;
 };
 
-/// Compares the operands of kept operations (kept_operands_of) with those of the last run, byte by byte, and finds the
-/// operations that need not run. Transitions that are over need no operands either. Internal to the runtime.
+/// Finds the operations that need not run. The operands of kept operations (kept_operands_of) are compared with those
+/// of the last run, byte by byte. Finished transitions need no operands either. Internal to the runtime.
 class StandingOperands {
  public:
-  /// in   program  checked;   kept  places in memory; empty = the program has no kept operations
-  /// out  kept     of this run
+  /// in   program  checked;   kept  entries of the last run; empty = the program has no kept operations
+  /// out  kept     entries of this run
   /// cost O(ops), and O(ops) again for each kept operation; no allocation
   StandingOperands(PoseProgramSpan program, const ReadProperties& properties, const LastProgram& last,
                    std::span<KeptOperands> kept) noexcept {
@@ -39,7 +39,7 @@ class StandingOperands {
 
   bool skips(std::size_t op) const noexcept { return skipped_[op]; }
   bool stands(std::size_t op) const noexcept { return standing_[op]; }
-  /// Of a kept operation that runs.
+  /// Memory place of a kept operation that runs.
   std::uint8_t place(std::size_t op) const noexcept { return places_[op]; }
 
  private:
@@ -47,7 +47,7 @@ class StandingOperands {
             std::span<KeptOperands> kept) noexcept;
 
   std::bitset<kMostPoseOps> skipped_, standing_;
-  std::array<std::uint8_t, kMostPoseOps> places_;  // of kept operations that run
+  std::array<std::uint8_t, kMostPoseOps> places_;  // memory places of kept operations that run
 };
 
 }  // namespace sinew

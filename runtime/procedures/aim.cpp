@@ -31,8 +31,8 @@ Line scaled(const V& scale, const Line& line) noexcept {
 
 Line line_of(const AimGoal& goal) noexcept { return {V(goal.offset), V(goal.forward), V(goal.up)}; }
 
-/// Frame of a line that meets the sphere through the target.
-/// out  hits  false if the line has no point so far from the joint
+/// Frame of a line. Its x axis points from the joint to the point of the line at this distance.
+/// out  hits  false if the line has no point at this distance
 ik::Frame frame_of(const Line& line, double distance, bool& hits) noexcept {
   const V forward = normalised_or(line.forward, V(0, 0, 1));
   const double along = glm::dot(line.begin, forward);
@@ -45,8 +45,8 @@ ik::Frame frame_of(const Line& line, double distance, bool& hits) noexcept {
   return frame;
 }
 
-/// The rotation that aims one joint.
-/// out  can_reach  false if no rotation does
+/// The rotation of one joint that makes the line aim at the target.
+/// out  can_reach  false if no rotation of this joint does
 Q aimed(const AimJob& job, std::uint32_t joint, const Q& now, bool& can_reach) noexcept {
   const AimGoal& goal = job.goal;
   const std::uint32_t last = goal.joints.back().joint;
@@ -125,7 +125,7 @@ void run_unchecked(const AimJob& job) noexcept {
   if (goal.weight == 0.0f) return;
   double whole = 0.0;
   for (const AimJoint& joint : goal.joints) whole += static_cast<double>(joint.share);
-  double rest = 1.0;  // of the turn, before this joint
+  double rest = 1.0;  // share of the turn that is left before this joint
   bool can_reach = false;
   for (const AimJoint& joint : goal.joints) {
     const Q now = normalised(quat_cast<double>(job.local.get(joint.joint).rotation));

@@ -13,41 +13,41 @@
 
 namespace sinew {
 
-/// A joint that takes part in an aim.
+/// A joint that takes a part of the turn towards the target.
 struct AimJoint {
   std::uint32_t joint = 0;
-  float share = 1.0f;           ///< >= 0: part of the turn, relative to the sum of all shares
+  float share = 1.0f;           ///< >= 0: its part of the turn, relative to the sum of all shares
   std::uint32_t limit = kNone;  ///< index into AimGoal::limits
 };
 
-/// A target, and what aims at it: eyes, a head on a neck and spine, a gun in a hand.
+/// A target, and the joints that aim at it: eyes, a head on a neck and spine, a gun in a hand.
 struct AimGoal {
-  /// Each below the one before. The last one carries the line that aims.
+  /// Each joint is below the previous one. The line that aims is fixed to the last joint.
   std::span<const AimJoint> joints;
   std::span<const JointLimit> limits = {};
   Vec3<double> target{0.0};  ///< in model space
 
-  // In the space of the last joint: the line begins at `offset` and runs along `forward`; `up` is beside it.
+  // In the space of the last joint: the line starts at `offset` and runs along `forward`. `up` is not parallel to it.
   Vec3<float> forward{0.0f, 0.0f, 1.0f}, up{0.0f, 1.0f, 0.0f}, offset{0.0f};
 
   Vec3<double> pole{0.0};       ///< direction in model space to which `up` turns; zero: the joints do not roll
-  float twist_rad = 0.0f;       ///< rolls about the line to the target
+  float twist_rad = 0.0f;       ///< additional roll about the line to the target
   float weight = 1.0f;          ///< [0, 1]; 0 keeps every bit of the pose
-  float pole_fade = kPoleFade;  ///< [0, 1) as in TwoBoneGoal
-  float tolerance_rad = 1e-4f;  ///< angle that counts as reached
+  float pole_fade = kPoleFade;  ///< [0, 1) as TwoBoneGoal::pole_fade
+  float tolerance_rad = 1e-4f;  ///< angle in radians that counts as reached
 };
 
-/// Turns joints so that a line of the last one runs through a target.
-/// eq   For one joint: the point of the line that is as far from the joint as the target is, o + s f with
-///      |o + s f| = |g|, turns to the target g by the shortest way, then rolls. It is solved in the space of the
-///      joint's parent, so parents may have any scale. For several: from the first to the last, joint i takes share_i
-///      of the whole turn, and the last the rest. A turn of a joint that its limit forbids is left to the joints after
-///      it. A share close to half a turn goes to 0 or 1, so that a target which passes behind does not make a head
-///      snap.
+/// Turns joints so that a line fixed to the last joint runs through a target.
+/// eq   One joint: take the point o + s f of the line that is as far from the joint as the target g, |o + s f| = |g|.
+///      The joint turns it to g by the shortest way, then rolls. This is solved in the space of the joint's parent, so
+///      parents may have any scale.
+///      Several joints: from the first to the last, joint i takes share_i of the whole turn, and the last joint takes
+///      the rest. The part of a turn that a limit forbids is left to the joints after it. Near half a turn a share goes
+///      to 0 or 1, so that a head does not snap when the target passes behind it.
 /// in   goal    finite; forward and up not zero and not parallel
 /// out  local   rotations of the joints
-///      result  may be null. radians_left is the angle between line and target, metres_left their distance. A target
-///              that no turn of the last joint reaches is nearer to the joint than the line.
+///      result  may be null. radians_left is the angle between line and target, metres_left their distance. If the
+///      target is nearer to the last joint than the whole line is, no turn reaches it.
 /// err  size_mismatch, index_out_of_range (joints, limits), unsupported (no joint, not in one line, a fixed matrix,
 ///      forward and up without direction), not_finite, not_a_fraction (weight, fade), negative_weight (a share, the
 ///      tolerance), and those of the limits

@@ -50,7 +50,8 @@ bool is_straight_to_target(const ik::ChainTree& tree, std::size_t effector) noex
   return true;
 }
 
-/// Bends chains a little that are straight towards a target which is nearer than their end.
+/// Slightly bends chains that are straight towards a target nearer than their end. Otherwise no joint would know where
+/// to turn.
 void bend_straight_chains(ik::ChainTree& tree) noexcept {
   constexpr double kBend_rad = 0.05;
   for (std::size_t i = 0; i < tree.effectors.size(); ++i) {
@@ -70,7 +71,7 @@ void bend_straight_chains(ik::ChainTree& tree) noexcept {
   }
 }
 
-/// Writes the solved pose, or a part of the way to it.
+/// Writes the solved pose, or the part of the way to it that the weight asks for.
 void write(const ik::ChainTree& tree) noexcept {
   const ChainGoal& goal = tree.goal();
   for (const std::uint32_t at : tree.moving) {
@@ -87,7 +88,7 @@ void write(const ik::ChainTree& tree) noexcept {
   }
 }
 
-/// Tells the errors of the pose that was written.
+/// Reports the errors of the pose that was written.
 void tell(ik::ChainTree& tree, std::uint32_t iterations, bool can_reach) noexcept {
   for (const std::uint32_t at : tree.moving) tree.nodes[at].local = local_of(tree.job.local, tree.nodes[at].joint);
   tree.update(0);

@@ -15,15 +15,15 @@ namespace sinew {
 
 enum class ChainSolver : std::uint8_t {
   ccd,     ///< each joint from the last to the first turns its effectors to their targets; slow near the end
-  fabrik,  ///< places of the joints are drawn to the targets and back, then joints turn to them; near at once
-  damped,  ///< damped least squares over all joints at once; exact after some eight iterations, the dearest ones
+  fabrik,  ///< moves places of joints to the targets and back, then turns joints to them; near the target at once
+  damped,  ///< damped least squares over all joints; exact after about eight iterations, but they cost most
 };
 
 /// A joint that may turn.
 struct ChainIkJoint {
   std::uint32_t joint = 0;
   std::uint32_t limit = kNone;  ///< index into ChainGoal::limits
-  bool moves = false;           ///< it may also move, as the hips of a body whose feet stand
+  bool moves = false;           ///< its translation may change too, as for the hips of a body whose feet stand still
 };
 
 /// A joint with a target.
@@ -31,25 +31,25 @@ struct ChainEffector {
   std::uint32_t joint = 0;
   Vec3<double> target{0.0};                    ///< in model space
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< in model space, w x y z; unit
-  float weight = 1.0f;                         ///< >= 0, of the place; a weight 100 times as large nearly wins alone
-  float rotation_weight = 0.0f;                ///< >= 0; 0: the rotation is not asked for
+  float weight = 1.0f;  ///< >= 0, of the place. Of two targets, one with 100 times the weight is nearly reached
+  float rotation_weight = 0.0f;  ///< >= 0; 0: only the place matters
 };
 
-/// Joints, targets, and how long to try. Bones have the lengths of the pose, so they may be animated.
+/// Joints, targets, and limits of the solver. Bone lengths are taken from the pose, so they may be animated.
 struct ChainGoal {
   std::span<const ChainIkJoint> joints;  ///< increasing
   std::span<const JointLimit> limits = {};
   std::span<const ChainEffector> effectors;  ///< at most 64
   ChainSolver solver = ChainSolver::fabrik;
-  std::uint32_t iterations = 16;  ///< at most
-  float most_turn_rad = 0.0f;     ///< of a joint in one iteration; 0: the solver's own bound
+  std::uint32_t iterations = 16;  ///< most iterations
+  float most_turn_rad = 0.0f;     ///< largest turn of a joint in one iteration; 0: the solver's own bound
   float tolerance = 1e-4f;        ///< metres that count as reached
   float tolerance_rad = 1e-3f;
-  float weight = 1.0f;  ///< [0, 1] mixes the rotations before and after; 0 keeps every bit of the pose
+  float weight = 1.0f;  ///< [0, 1] mixes the pose before and after; 0 keeps every bit of the pose
 };
 
-/// Bytes of memory that a job with such a goal needs, a multiple of 64.
-/// in   goal  only the number of joints and effectors, and the solver count
+/// Bytes of memory that a job with this goal needs, a multiple of 64.
+/// in   goal  only the numbers of joints, limits and effectors, and the solver are used
 SINEW_API std::size_t chain_ik_bytes(const Skeleton& skeleton, const ChainGoal& goal) noexcept;
 
 /// Inverse kinematics of any number of joints, with several effectors on one skeleton: an arm, a tail, a whole body.
@@ -60,9 +60,9 @@ SINEW_API std::size_t chain_ik_bytes(const Skeleton& skeleton, const ChainGoal& 
 ///      Turns are found in the space of each joint's parent, so parents may have any scale. After each turn a limit
 ///      brings the joint back. A chain that is straight towards its target is bent a little first.
 /// in   memory  chain_ik_bytes, 64-byte aligned
-/// out  local   rotations of goal.joints; translations of those that move
-///      result  may be null. `limited` where limits or the number of iterations end it, `unreachable` where the bones
-///              from the first joint to an effector are too short
+/// out  local   rotations of goal.joints; translations of the joints with `moves`
+///      result  may be null. Status `limited`: limits or the number of iterations stopped the solver. `unreachable`:
+///      the bones from the first joint to an effector are too short
 /// err  size_mismatch (pose, memory), index_out_of_range, parents_not_first (joints do not increase), unsupported (no
 ///      joint, a fixed matrix, an effector that no joint moves, more than 64), not_finite, not_normalised,
 ///      not_a_fraction (weight), negative_weight (other weights, tolerances), and those of the limits

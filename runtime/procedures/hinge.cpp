@@ -13,10 +13,10 @@ namespace {
 using V = Vec3<double>;
 using Q = Quat<double>;
 
-/// Bones shorter than this share of the limb count as having no length.
+/// Bones shorter than this share of the limb's length are treated as having no length.
 constexpr double kNoLength = 1e-12;
 
-/// Even scale within what rotations in float leave.
+/// True if m scales evenly, up to the rounding of rotations in float.
 bool keeps_angles(const Mat3<double>& m, double& scale) noexcept {
   const double x = glm::dot(m[0], m[0]), y = glm::dot(m[1], m[1]), z = glm::dot(m[2], m[2]);
   const double largest = std::max({x, y, z}), least = std::min({x, y, z});
@@ -26,7 +26,7 @@ bool keeps_angles(const Mat3<double>& m, double& scale) noexcept {
   return largest - least <= 5e-7 * largest && shear <= 5e-7 * largest;
 }
 
-/// The lower bone for a bend.
+/// The lower bone's vector for a bend angle, given by cosine and sine.
 V lower_at(const Hinge& hinge, double cosine, double sine) noexcept {
   return (hinge.upper * cosine + glm::cross(hinge.axis, hinge.upper) * sine) * hinge.b + hinge.axis * hinge.lower_along;
 }
@@ -35,7 +35,8 @@ double distance_at(const Bones& bones, const Hinge& hinge, double bend) noexcept
   return safe_length(bones.upper + bones.to_root * lower_at(hinge, std::cos(bend), std::sin(bend)));
 }
 
-/// Bend in [low, high] with the largest `sign` * distance, by ternary search: the distance has one extremum there.
+/// The bend in [low, high] with the largest `sign` * distance. Ternary search works, because the distance has a single
+/// extremum there.
 double extremum(const Bones& bones, const Hinge& hinge, double low, double high, double sign) noexcept {
   for (int i = 0; i < 80; ++i) {
     const double third = (high - low) / 3.0, left = low + third, right = high - third;
@@ -47,7 +48,7 @@ double extremum(const Bones& bones, const Hinge& hinge, double low, double high,
   return (low + high) / 2.0;
 }
 
-/// Distance of the tip for a bend, where the bones scale evenly.
+/// Distance from root to tip for a bend, if the bones scale evenly.
 double even_distance(const Bones& bones, const Hinge& hinge, double bend) noexcept {
   const auto whole = [&](double across) {
     return bones.scale * std::sqrt(across * across + hinge.along * hinge.along);
@@ -139,7 +140,7 @@ Reach reach_of(const Bones& bones, const Hinge& hinge, double least_bend, double
     reach.least = std::min(reach.most, even_distance(bones, hinge, most_bend));
     return reach;
   }
-  constexpr double kAside = 0.8;  // uneven scale moves the extremes away from straight and folded, seldom farther
+  constexpr double kAside = 0.8;  // uneven scale seldom moves extremes farther from straight and folded
   if (least_bend == 0.0) reach.least_bend = extremum(bones, hinge, -kAside, kAside, 1.0);
   if (most_bend >= std::numbers::pi - 1e-6)
     reach.most_bend = extremum(bones, hinge, std::numbers::pi - kAside, std::numbers::pi + kAside, -1.0);
@@ -167,7 +168,7 @@ Q bend_to(const Bones& bones, const Hinge& hinge, const Reach& reach, double dis
     cosine = std::cos(folded);
     sine = std::sin(folded);
   }
-  // From the bend now to the wanted one: a difference of angles.
+  // Cosine and sine of the turn from the current bend to the wanted bend, by the formulas for a difference of angles.
   const double c = cosine * hinge.cosine + sine * hinge.sine, s = sine * hinge.cosine - cosine * hinge.sine;
   return turn_about(hinge.axis, c, s) * hinge.flatten;
 }

@@ -16,16 +16,17 @@ inline Transformd local_of(const PoseSpan& local, std::uint32_t joint) noexcept 
   return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
 }
 
-/// Matrix of a joint in its parent's space: the fixed one where the joint has one.
+/// Matrix of a joint in its parent's space. A fixed matrix of the skeleton takes precedence over the pose.
 Affined local_matrix(const Skeleton& skeleton, const PoseSpan& local, std::uint32_t joint) noexcept;
 
 /// Model matrix of a joint, or the identity for kNone.    cost O(depth)
 Affined model_matrix(const Skeleton& skeleton, const PoseSpan& local, std::uint32_t joint) noexcept;
 
-/// Product of the rotations of a joint and all above it. Scales and mirroring do not count. The identity for kNone.
+/// Product of the rotations of a joint and of all joints above it, without their scales and mirroring. The identity for
+/// kNone.
 Quat<double> model_rotation(const Skeleton& skeleton, const PoseSpan& local, std::uint32_t joint) noexcept;
 
-/// Matrix that leads from the space of `joint` to that of `ancestor`, without the transform of `ancestor`.
+/// Matrix from the space of `joint` to the space of `ancestor`. The transform of `ancestor` itself is not included.
 Affined matrix_below(const Skeleton& skeleton, const PoseSpan& local, std::uint32_t ancestor,
                      std::uint32_t joint) noexcept;
 
@@ -40,8 +41,8 @@ inline bool can_turn(const Skeleton& skeleton, std::uint32_t joint) noexcept {
   return skeleton.fixed_matrix_of[joint] == kNone;
 }
 
-/// A share of the turn from one rotation to another, by slerp. Slerp changes sides where the turn passes half a turn.
-/// Close to that the share goes to 0 or 1, whichever is nearer, and the result does not snap.
+/// A share of the turn from one rotation to another, by slerp. Slerp jumps to the other side where the turn exceeds
+/// half a turn. Close to half a turn the share goes to 0 or 1, whichever is nearer, so that the result does not snap.
 Quat<double> part_of_turn(const Quat<double>& from, const Quat<double>& to, double share) noexcept;
 
 /// Writes a rotation on the hemisphere of the current one, so that later blends take the short arc.

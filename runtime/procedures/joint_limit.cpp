@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Swings between these angles fade to the center.
+/// Swings between these angles fade towards the center.
 constexpr double kFadeFrom_rad = 2.84, kFadeTo_rad = kPi;
 
 struct Swing {
   double y = 0.0, z = 0.0;
 };
 
-/// The point of the ellipse (y / a)^2 + (z / b)^2 <= 1 next to a point outside of it.
+/// The nearest point of the ellipse (y / a)^2 + (z / b)^2 <= 1 to a point outside of it.
 /// eq   y' = a^2 y / (t + a^2), z' = b^2 z / (t + b^2), with the root t >= 0 of (y' / a)^2 + (z' / b)^2 = 1   (Eberly).
-///      The left side falls with t and is convex, so Newton's steps from the left never pass the root.
+///      The left side decreases with t and is convex, so Newton's steps from the left never pass the root.
 Swing nearest_on_ellipse(double y, double z, double a, double b) noexcept {
   if (b == 0.0) return {std::clamp(y, -a, a), 0.0};
   if (a == 0.0) return {0.0, std::clamp(z, -b, b)};
@@ -38,13 +38,14 @@ Swing nearest_on_ellipse(double y, double z, double a, double b) noexcept {
   return {aa * y / (t + aa), bb * z / (t + bb)};
 }
 
-/// The twist next to one beyond an interval. In the middle half of the gap it goes from the upper to the lower end.
+/// The nearest allowed twist to a twist outside the interval. In the middle half of the gap it moves from the upper to
+/// the lower end.
 double nearest_twist(double twist, double least, double most) noexcept {
   const double gap = 2.0 * kPi - (most - least);
-  double beyond = twist - most;  // into the gap, from its upper end
+  double beyond = twist - most;  // angle into the gap, from the interval's upper end
   while (beyond < 0.0) beyond += 2.0 * kPi;
   while (beyond >= 2.0 * kPi) beyond -= 2.0 * kPi;
-  if (beyond > gap) return twist;  // rounding at the lower end
+  if (beyond > gap) return twist;  // rounding put it just above the lower end, where it is allowed
   const double share = std::clamp(2.0 * beyond / gap - 0.5, 0.0, 1.0);
   return most + (least - most) * share;
 }
@@ -73,14 +74,15 @@ LimitedRotation JointLimiter::operator()(const glm::dquat& rotation) const noexc
   const double cosine = std::sqrt(q.x * q.x + q.w * q.w), sine = std::sqrt(q.y * q.y + q.z * q.z);
   const double swing = 2.0 * std::atan2(sine, cosine);
   const double twist = cosine > 0.0 ? 2.0 * std::atan2(q.x, q.w) : 0.0;
-  // Direction of the swing's axis: the twist is undone.
+  // The axis of the swing, after the twist is undone.
   const double c = cosine > 0.0 ? q.w / cosine : 1.0, s = cosine > 0.0 ? q.x / cosine : 0.0;
   const double y = q.y * c - q.z * s, z = q.y * s + q.z * c;
   const double scale = sine > 0.0 ? swing / sine : 0.0;
   Swing allowed{y * scale, z * scale};
   double allowed_twist = twist;
   bool is_limited = false;
-  // Compared as (y b)^2 + (z a)^2 <= (a b)^2, and by each axis, so that a flat ellipse needs no division.
+  // Tests (y b)^2 + (z a)^2 <= (a b)^2 and each axis on its own, so that an ellipse with a = 0 or b = 0 needs no
+  // division.
   const double by = allowed.y * swing_z_, bz = allowed.z * swing_y_, whole = swing_y_ * swing_z_;
   const bool is_outside =
       by * by + bz * bz > whole * whole || std::abs(allowed.y) > swing_y_ || std::abs(allowed.z) > swing_z_;

@@ -8,25 +8,25 @@
 
 namespace sinew {
 
-/// Kind of a pole.
+/// How the direction in which a limb bends is given.
 enum class PoleKind : std::uint8_t {
-  none,       ///< the plane in which the input pose is bent is kept
-  direction,  ///< in model space
-  point,      ///< in model space: the direction from the first joint to it
-  tip_axis,   ///< a direction in the space of the last joint, for example where the foot points
+  none,       ///< the limb stays in the plane in which the input pose bends it
+  direction,  ///< a direction in model space
+  point,      ///< a place in model space; the direction runs from the first joint to it
+  tip_axis,   ///< a direction in the space of the limb's tip, for example where the foot points
 };
 
-/// Sine of the angle between pole and target below which the pole fades. A target that moves along the line of the pole
-/// then turns the limb smoothly, in place of a snap.
+/// Sine of the angle between pole and target below which the pole fades. A target that crosses the line of the pole
+/// then turns the limb smoothly instead of snapping it.
 inline constexpr float kPoleFade = 0.25f;
 
 namespace ik {
 
-/// Unit direction perpendicular to unit `along` for a pole. It goes over to `kept` where the pole runs along the
-/// line, and is `kept` if the pole has no direction.
+/// Unit direction perpendicular to the unit vector `along`, towards the pole. It blends to `kept` as the pole becomes
+/// parallel to `along`, and is `kept` if the pole is zero.
 /// eq   normalise(p + kept fade (1 - |p| / fade)^2), p = the part of the unit pole perpendicular to `along`
-///      No continuous rule exists for all directions of a target (hairy ball theorem). This one has no limit at one
-///      point near the pole, and at one near its opposite: there p and kept are opposite and cancel.
+///      No rule is continuous for all directions of a target (hairy ball theorem). This rule jumps at one point near
+///      the pole and at one near its opposite, where p and kept are opposite and cancel.
 inline Vec3<double> pole_side(const Vec3<double>& along, const Vec3<double>& pole, const Vec3<double>& kept,
                               double fade) noexcept {
   if (pole == Vec3<double>(0.0)) return kept;
@@ -34,13 +34,13 @@ inline Vec3<double> pole_side(const Vec3<double>& along, const Vec3<double>& pol
   return two_bones::blended_side(unit - along * glm::dot(unit, along), kept, fade);
 }
 
-/// The part of `v` perpendicular to unit `along`, of length 1; `fallback` if nothing is left.
+/// The component of `v` perpendicular to the unit vector `along`, scaled to length 1; `fallback` if it is zero.
 inline Vec3<double> unit_beside(const Vec3<double>& v, const Vec3<double>& along,
                                 const Vec3<double>& fallback) noexcept {
   return normalised_or(v - along * glm::dot(v, along), fallback);
 }
 
-/// Axes of something that aims: x to its target, y beside it.
+/// Axes of an object that aims: `along` (x) points to its target, `side` (y) is perpendicular to it.
 struct Frame {
   Vec3<double> along, side;  ///< unit and perpendicular
   Mat3<double> matrix() const noexcept { return {along, side, glm::cross(along, side)}; }
@@ -48,13 +48,13 @@ struct Frame {
 
 /// How a frame rolls about the line to its target.
 struct Roll {
-  Vec3<double> pole{0.0};  ///< to which y turns; zero: y is carried along
+  Vec3<double> pole{0.0};  ///< direction to which y rolls; zero: y follows the shortest turn
   double fade = 0.0;
-  double share = 1.0;  ///< of pole and twist
+  double share = 1.0;  ///< share of pole and twist that is applied
   double twist_rad = 0.0;
 };
 
-/// The frame after the shortest turn to a target and a roll. A target without direction keeps x.
+/// The frame after the shortest turn to a target, followed by a roll. If the target is zero, x stays.
 inline Frame aimed_frame(const Frame& now, const Vec3<double>& target, const Roll& roll) noexcept {
   Frame aimed{normalised_or(target, now.along), now.side};
   const Vec3<double> carried = rotate_vector(rotation_between(now.along, aimed.along), now.side);
@@ -69,7 +69,7 @@ inline Frame aimed_frame(const Frame& now, const Vec3<double>& target, const Rol
 
 /// Unit quaternion of a turn by an angle about a unit axis.
 /// in   cosine, sine  of the angle, with any common factor >= 0
-/// eq   half angles by square roots; the larger one of sine and cosine is divided by, so no digits are lost
+/// eq   half angles by square roots. Divides by the larger of sine and cosine, so that no digits are lost
 inline Quat<double> turn_about(const Vec3<double>& axis, double cosine, double sine) noexcept {
   const double length = std::sqrt(cosine * cosine + sine * sine);
   if (!(length > 0.0)) return quat_identity<double>();

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Hash of the fields of a goal, one by one: structs have padding.
+/// Hash of a goal. Fields are added one by one, because the padding of structs has arbitrary bytes.
 class GoalHash {
  public:
   void add(double number) noexcept { hash_.add(std::span(&number, 1)); }
@@ -47,7 +47,7 @@ class GoalHash {
   void add_all(const Fields&... fields) noexcept {
     (add(fields), ...);
   }
-  /// in   kind  tells goals of different solvers apart
+  /// in   kind  number of the solver, so that goals of different solvers have different hashes
   ContentVersion version(std::uint64_t kind) const noexcept {
     const std::uint64_t value = hash_.value() ^ kind;
     return value != 0 ? value : 1;
@@ -79,7 +79,7 @@ ContentVersion version_of(const ChainGoal& goal) noexcept {
   return hash.version(3);
 }
 
-/// Runs a job with the goal of a procedure, or tells why not.
+/// Runs a job with the goal of a procedure. If the goal is refused, stores the error in the result.
 template <class Job, class Ik>
 void run_goal(Job job, Ik& ik, float share) noexcept {
   job.goal = ik.goal;

@@ -11,14 +11,14 @@
 
 namespace sinew {
 
-/// Solvers as operations of pose programs: for plans, the job thread and crowds. The share of the operation multiplies
-/// the weight of the goal. A goal that the solver refuses leaves the pose alone, and `result.error` says why.
-/// Each struct, and all that its goal refers to, stays in place and unchanged until the frame is done. A job thread
-/// that has several frames in flight needs one struct for each.
+/// Solvers as procedures of pose programs. The share of the operation multiplies the weight of the goal. If the solver
+/// refuses a goal, the pose is unchanged, and `result.error` says why.
+/// Each struct and all memory that its goal refers to must stay in place and unchanged until the frame is done. If
+/// several frames are in flight, each needs its own struct.
 
 struct TwoBoneIk {
   TwoBoneGoal goal;
-  IkResult result;  ///< of the last run; a frame that reuses its pose does not run
+  IkResult result;  ///< of the last run; unchanged by frames that reuse their pose
 };
 
 struct AimIk {
@@ -32,14 +32,14 @@ struct ChainIk {
   IkResult result;
 };
 
-/// Several procedures as one, in this order: two feet and a look-at of one character.
+/// Several procedures that run as one, in this order: for example two feet and a look-at of one character.
 struct ProcedureList {
   std::span<const PoseProcedure> procedures;
 };
 
-/// out  version  hash of the goal, so a goal that has not changed runs nothing again; never 0. That of a list is 0 if
-///               one of its procedures promises nothing.
-/// cost O(size of the goal), no allocation; make it anew for each frame
+/// out  version  hash of the goal, never 0. Frames with an unchanged goal and pose run nothing. The version of a list
+///      is 0 if one of its procedures has version 0.
+/// cost O(size of the goal), no allocation; call it again for each frame
 SINEW_API PoseProcedure as_procedure(TwoBoneIk& ik) noexcept;
 SINEW_API PoseProcedure as_procedure(AimIk& ik) noexcept;
 SINEW_API PoseProcedure as_procedure(ChainIk& ik) noexcept;

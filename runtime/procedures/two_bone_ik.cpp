@@ -20,11 +20,11 @@ using V = Vec3<double>;
 using Q = Quat<double>;
 using M = Mat3<double>;
 
-/// A limb in the space of the parent of its root joint, which stands at the origin.
+/// A limb in the space of the root joint's parent, with the root joint as origin.
 struct Limb {
-  Affined above;                ///< model space from the space of the parent
-  std::optional<Affined> back;  ///< its inverse
-  V place;                      ///< of the root joint, in the space of the parent
+  Affined above;                ///< matrix from the space of the parent to model space
+  std::optional<Affined> back;  ///< its inverse; none if it is singular
+  V place;                      ///< place of the root joint, in the space of the parent
   Q root, middle;               ///< rotations in the pose
   ik::Bones bones;
   V tip;  ///< from the root joint to the tip, in the space of the parent
@@ -32,7 +32,7 @@ struct Limb {
 
 M scale_matrix(const V& scale) noexcept { return {scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z}; }
 
-/// The bones as they are at rest, for the plane of a straight limb.
+/// The bones of the rest pose. They give the bend plane if the pose is straight.
 ik::Bones rest_bones(const Skeleton& skeleton, const TwoBoneGoal& goal) noexcept {
   const auto local = [&](std::uint32_t j) {
     const std::uint32_t fixed = skeleton.fixed_matrix_of[j];
@@ -74,8 +74,8 @@ Limb read_limb(const TwoBoneIkJob& job) noexcept {
   return limb;
 }
 
-/// Direction of the pole in the space of the parent; zero without one. Planes through the line to the target are the
-/// same planes there, whatever the scale.
+/// Direction of the pole in the space of the parent; zero without a pole. Any matrix maps planes through the line to
+/// the target to such planes, so scale does not matter.
 V pole_of(const Limb& limb, const TwoBoneIkJob& job) noexcept {
   const TwoBoneGoal& goal = job.goal;
   switch (goal.pole_kind) {
@@ -93,7 +93,8 @@ V pole_of(const Limb& limb, const TwoBoneIkJob& job) noexcept {
 
 /// in   lower  from the middle joint to the tip, in the space of the middle joint's parent
 ik::Frame frame_of(const ik::Bones& bones, const ik::Hinge& hinge, const V& lower) noexcept {
-  // A folded limb has its tip at the root. It opens towards axis x upper, with the middle joint straight at the side.
+  // A folded limb has its tip at the root, which gives no direction. It opens towards axis x upper, with the middle
+  // joint on the side.
   constexpr double kFolded = 1e-4;
   const V tip = bones.upper_here + lower;
   const double reach = safe_length(tip);
@@ -108,7 +109,7 @@ ik::Frame frame_of(const ik::Bones& bones, const ik::Hinge& hinge, const V& lowe
   return {along, length > 0.0 ? across / length : perpendicular_to(along)};
 }
 
-/// Rotations of a solved limb, and the factor of its bones.
+/// Rotations of a solved limb, and the factor by which its bones are lengthened.
 struct Solved {
   Q root, middle;
   double stretch = 1.0;
@@ -141,7 +142,8 @@ Solved solve(const Limb& limb, const TwoBoneIkJob& job, const V& target, double 
   return solved;
 }
 
-/// From the root joint to the tip as the pose has it now, rounded to float, but for a stretch.
+/// Vector from the root joint to the tip, from the rotations that were written to the pose as float. Stretch is not
+/// included.
 V written_tip(const Limb& limb, const TwoBoneIkJob& job) noexcept {
   const auto rotation = [&](std::uint32_t j) { return normalised(quat_cast<double>(job.local.get(j).rotation)); };
   const V lower = rotate_vector(rotation(job.goal.middle) * quat_conjugate(limb.middle), limb.bones.lower);
@@ -164,7 +166,7 @@ void stretch_bones(const TwoBoneIkJob& job, double factor) noexcept {
     }
 }
 
-/// Turns the tip as the goal asks, after the bones above it.
+/// Rotates the tip as the goal asks, after the bones above it were turned.
 /// in   before  model rotation of the tip in the input pose
 void turn_tip(const TwoBoneIkJob& job, const Q& before, double weight) noexcept {
   const TwoBoneGoal& goal = job.goal;
@@ -224,7 +226,7 @@ void run_unchecked(const TwoBoneIkJob& job) noexcept {
   const Q tip_before = pins_tip ? model_rotation(*job.skeleton, job.local, goal.tip) : quat_identity<double>();
   V left = transform_point(limb.above, limb.place + limb.tip) - goal.target;
   bool can_reach = false;
-  if (limb.back) {  // a parent that flattens space lets no joint reach anything: the pose stays
+  if (limb.back) {  // a singular parent matrix lets no joint reach anything, so the pose stays
     const V target = transform_point(*limb.back, goal.target) - limb.place;
     const bool by_effector = goal.blend == IkBlend::effector;
     const Solved solved =

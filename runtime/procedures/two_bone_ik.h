@@ -13,49 +13,49 @@ namespace sinew {
 
 /// Rotation of the last joint of a limb.
 enum class EndRotation : std::uint8_t {
-  follow,  ///< it turns with the bone before it
-  keep,    ///< it keeps its rotation in model space
-  given,   ///< it takes TwoBoneGoal::end_rotation in model space
+  follow,  ///< the tip turns with the bone before it
+  keep,    ///< the tip keeps its rotation in model space
+  given,   ///< the tip takes TwoBoneGoal::end_rotation in model space
 };
 
-/// Quantity that a weight below 1 mixes.
+/// The quantity that a weight below 1 mixes between input pose and solution.
 enum class IkBlend : std::uint8_t {
-  pose,      ///< the rotations before and after; turns beyond 150 degrees go to the nearer of both
-  effector,  ///< the places of the tip: it moves along a straight line towards the target
+  pose,      ///< rotations of the joints; turns beyond 150 degrees go to the nearer of both
+  effector,  ///< places of the tip: it moves along a straight line towards the target
 };
 
-/// A limb and where its tip goes. Angles are in radians, shares of the length of the straight limb.
+/// A limb and the target of its tip. Angles are in radians, shares are of the length of the straight limb.
 struct TwoBoneGoal {
-  std::uint32_t root = 0, middle = 0, tip = 0;  ///< each below the one before; joints between them stay as they are
+  std::uint32_t root = 0, middle = 0, tip = 0;  ///< each below the previous one; joints in between do not turn
   Vec3<double> target{0.0};                     ///< of the tip, in model space
-  Vec3<double> pole{0.0};                       ///< towards which the middle joint goes
+  Vec3<double> pole{0.0};                       ///< direction or place towards which the middle joint bends (pole_kind)
   PoleKind pole_kind = PoleKind::none;
   IkBlend blend = IkBlend::pose;
   EndRotation end = EndRotation::follow;
   glm::quat end_rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< w x y z; unit
 
-  /// Hinge in the space of the middle joint, about which the limb bends by positive angles. Zero: the axis about
-  /// which the pose is bent, and that of the rest pose where the pose is straight.
+  /// Axis of the hinge in the space of the middle joint. The limb bends about it by positive angles. Zero: the axis
+  /// about which the pose bends; for a straight pose, that of the rest pose.
   Vec3<float> middle_axis{0.0f};
-  float twist_rad = 0.0f;                                    ///< turns the limb about the line from root to target
-  float weight = 1.0f;                                       ///< [0, 1]; 0 keeps every bit of the pose
-  float soft_reach = 0.0f;                                   ///< [0, 1) kSoftReach straightens smoothly; 0 = off
-  float most_stretch = 1.0f;                                 ///< >= 1: bones may grow by this factor; 1 = off
-  float least_bend_rad = 0.0f, most_bend_rad = 3.14159265f;  ///< [0, pi] between straight and folded
-  float pole_fade = kPoleFade;  ///< [0, 1) 0 obeys the pole up to the line, and snaps there
+  float twist_rad = 0.0f;     ///< turns the limb about the line from root to target
+  float weight = 1.0f;        ///< [0, 1]; 0 keeps every bit of the pose
+  float soft_reach = 0.0f;    ///< [0, 1) share of the length that straightens smoothly (kSoftReach); 0 = off
+  float most_stretch = 1.0f;  ///< >= 1: factor by which bones may lengthen; 1 = off
+  float least_bend_rad = 0.0f, most_bend_rad = 3.14159265f;  ///< [0, pi]; 0 = straight, pi = folded
+  float pole_fade = kPoleFade;  ///< [0, 1) as kPoleFade; 0: no fade, so the limb snaps at the pole
   float tolerance = 1e-5f;      ///< share of the length that counts as reached
 };
 
 /// Two-bone inverse kinematics on a local pose.
-/// eq   Everything is solved in the space of the parent of the root joint, so parents of any scale and place are exact.
-///      The middle joint turns about its hinge until the tip is as far from the root as the target is: the corner of
-///      a triangle (two_bones::corner), or bisection where joints of the limb scale unevenly. Then the root joint
-///      turns the tip to the target. Without a pole it takes the shortest way, which carries the bend plane along;
-///      a pole turns that plane about the line to the target.
-///      Degenerate input keeps the bend plane of the pose: a target at the root keeps the direction of the tip, a
-///      folded limb opens to the side of its hinge, a bone without length only follows.
-/// in   goal    finite; joints in one line
-///      above   model matrix of the parent of goal.root, if the caller has it; null: composed from `local`
+/// eq   All is solved in the space of the root joint's parent, so parents of any scale and place are exact.
+///      The middle joint turns about its hinge until the tip is as far from the root as the target is. This is the
+///      corner of a triangle (two_bones::corner), or a bisection if joints of the limb scale unevenly. Then the root
+///      joint turns the tip to the target. Without a pole it takes the shortest way, which carries the bend plane
+///      along. A pole turns that plane about the line to the target.
+///      Degenerate input keeps the bend plane of the pose. A target at the root keeps the direction of the tip, a
+///      folded limb opens to the side of its hinge, and a bone without length only follows.
+/// in   goal    finite; the three joints lie on one path to the root of the skeleton
+///      above   model matrix of the parent of goal.root; null: it is computed from `local`
 /// out  local   rotations of root and middle joint, and of the tip unless it follows; translations if the limb
 ///              stretches
 ///      result  may be null

@@ -20,7 +20,8 @@ Row row_of(const SyncTrack& track, std::uint32_t mask) noexcept {
   return row;
 }
 
-/// The beats of a track that say the row, begun at any of them; 0 if there are none.
+/// Finds the beats of a track that have the names of the row in order, from any first beat on. Returns their bits, or 0
+/// if there are none.
 std::uint32_t beats_of_row(const SyncTrack& track, const Row& row) noexcept {
   const std::size_t beats = track.beats.size();
   for (std::size_t first = 0; first < beats; ++first) {

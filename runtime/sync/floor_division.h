@@ -19,7 +19,7 @@ inline FloorDivision floor_division(std::int64_t x, std::size_t by) noexcept {
                   : FloorDivision{truncated, static_cast<std::size_t>(rest)};
 }
 
-/// Shares and phases that round up to 1.
+/// Keeps shares and phases below 1 if rounding made them 1.
 inline double below_1(double x) noexcept { return x < 1.0 ? x : 1.0 - std::numeric_limits<double>::epsilon() / 2; }
 
 }  // namespace sinew

@@ -31,7 +31,7 @@ double segment_length_s(SyncGroup group, std::int64_t segment) noexcept {
   });
 }
 
-/// Beats of the same name in a common cycle.
+/// Number of segments of the common cycle in which both members have beats of the same name.
 std::uint32_t equal_names(const SyncTrack& a, const SyncMember& b, std::uint32_t segments) noexcept {
   std::uint32_t count = 0;
   for (std::uint32_t k = 0; k < segments; ++k)
@@ -39,7 +39,7 @@ std::uint32_t equal_names(const SyncTrack& a, const SyncMember& b, std::uint32_t
   return count;
 }
 
-/// The first beat of that name; `otherwise` without one.
+/// Index of the first beat with this name, or `otherwise` if there is none.
 std::size_t beat_of_name(const SyncTrack& track, std::uint32_t name, std::size_t otherwise) noexcept {
   for (std::size_t k = 0; k < track.beats.size(); ++k)
     if (name_of_beat(track, static_cast<std::int64_t>(k)) == name) return k;
@@ -100,7 +100,7 @@ BeatPlace advance(SyncGroup group, const BeatPlace& place, double dt_s) noexcept
   BeatPlace at = place;
   const std::uint32_t segments = common_segments(group);
   at.beat += static_cast<std::int64_t>(rounds) * segments;
-  double left_s = std::clamp(dt_s - rounds * cycle_s, 0.0, cycle_s);  // backwards, one round more and then forwards
+  double left_s = std::clamp(dt_s - rounds * cycle_s, 0.0, cycle_s);  // backwards: one round too far, then forwards
   for (std::uint32_t k = 0; k <= segments; ++k) {
     const double length_s = segment_length_s(group, at.beat), to_end_s = (1.0 - at.share) * length_s;
     if (left_s < to_end_s) break;

@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-/// The start of a beat of round 0; that of beat n is 1 later than that of beat 0.
+/// Phase at which a beat of round 0 starts. For index = number of beats it is the start of beat 0 plus 1.
 double start_of(const SyncTrack& track, std::size_t beat) noexcept {
   if (track.beats.empty()) return static_cast<double>(beat);
   const std::size_t count = track.beats.size();
@@ -47,7 +47,7 @@ BeatPlace beat_place(const SyncTrack& track, const CyclePlace& place) noexcept {
   const auto count = static_cast<std::int64_t>(beat_count(track));
   std::int64_t k = count - 1;
   while (k >= 0 && start_of(track, static_cast<std::size_t>(k)) > place.phase) --k;
-  const bool in_round_before = k < 0;  // its last beat reaches into this round
+  const bool in_round_before = k < 0;  // the last beat of the round before lasts into this round
   const auto beat = static_cast<std::size_t>(in_round_before ? count - 1 : k);
   const double start = start_of(track, beat), phase = in_round_before ? place.phase + 1.0 : place.phase;
   return {place.round * count + k, below_1((phase - start) / (start_of(track, beat + 1) - start))};

@@ -18,12 +18,12 @@ struct SyncBeat {
 /// The beats of a motion that repeats.
 /// owns  nothing: views of the caller's memory
 struct SyncTrack {
-  std::span<const SyncBeat> beats;                     ///< phases rise; no beat = one, the whole cycle
+  std::span<const SyncBeat> beats;                     ///< phases increase; empty = one beat, the whole cycle
   double length_s = 1.0;                               ///< of one cycle, > 0
-  std::span<const std::uint32_t> mirrored_names = {};  ///< [names] what a mirrored motion calls each; empty = unchanged
+  std::span<const std::uint32_t> mirrored_names = {};  ///< [names] the mirrored name of each; empty = not mirrored
 };
 
-/// A place in the beats of a motion, over any number of rounds. Beat 0 is the first one of round 0.
+/// A place in the beats of a motion, counted over all rounds. Beat 0 is the first beat of round 0.
 struct BeatPlace {
   std::int64_t beat = 0;
   double share = 0.0;  ///< [0, 1) of the beat
@@ -39,19 +39,19 @@ struct CyclePlace {
   friend bool operator==(const CyclePlace&, const CyclePlace&) = default;
 };
 
-/// err  not_finite, times_not_increasing (phases, or one outside [0, 1)), not_a_fraction (the length is not above 0),
-///      index_out_of_range (a name without a mirrored one);   cost O(beats)
+/// err  not_finite, times_not_increasing (phases, or a phase outside [0, 1)), not_a_fraction (length_s is not above 0),
+///      index_out_of_range (mirrored_names has no entry for a name);   cost O(beats)
 SINEW_API ErrorCode check(const SyncTrack& track) noexcept;
 
-/// Beats of one round, at least 1.
+/// Number of beats in one round, at least 1.
 SINEW_API std::size_t beat_count(const SyncTrack& track) noexcept;
-/// The name of any beat, counted over rounds, mirrored where the track is.
+/// The name of a beat, counted over all rounds; its mirrored name if the track is mirrored.
 SINEW_API std::uint32_t name_of_beat(const SyncTrack& track, std::int64_t beat) noexcept;
 /// The share of the cycle that a beat takes, (0, 1].
 SINEW_API double beat_length(const SyncTrack& track, std::int64_t beat) noexcept;
 
-/// Both maps are inverse to each other up to rounding of the share or phase. Rounds are counted, so no number of them
-/// adds an error.
+/// Convert between places in cycles and places in beats. The two are inverse to each other up to rounding of share or
+/// phase. Rounds are integers, so many rounds add no error.
 /// in   track  checked;   cost O(beats)
 SINEW_API BeatPlace beat_place(const SyncTrack& track, const CyclePlace& place) noexcept;
 SINEW_API CyclePlace cycle_place(const SyncTrack& track, const BeatPlace& place) noexcept;

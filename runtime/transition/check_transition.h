@@ -5,7 +5,7 @@
 
 namespace sinew {
 
-/// Checks what both kinds of transitions promise.     err  size_mismatch, not_a_fraction
+/// Checks the rules that both kinds of transitions share.     err  size_mismatch, not_a_fraction
 inline ErrorCode check_transition(const TransitionNumbers& numbers, float progress,
                                   const TransitionPose& pose) noexcept {
   constexpr std::size_t kParts = TransitionNumbers::kParts;

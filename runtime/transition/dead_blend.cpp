@@ -13,12 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Share of the target's pose, and the way that the source went on, in durations at its first velocity.
+/// Weight `w` of the target's pose, and how far the source has moved: `way` durations at its first velocity.
 struct Fade {
   float w, way;
 };
 
-/// The source's number and the target's one, mixed.
+/// Mixes numbers of the extrapolated source with numbers of the target.
 HWY_INLINE Lanes faded(Lanes source, Lanes velocity, Lanes target, const Fade& fade) {
   const Floats d;
   const Lanes went_on = hn::Add(source, hn::Mul(velocity, hn::Set(d, fade.way)));
@@ -71,7 +71,7 @@ namespace {
 
 HWY_EXPORT(fade_all);
 
-/// e^-x by its Taylor series. Basic operations alone give the same bits with every C library.
+/// e^-x by its Taylor series. It uses only basic operations, so the bits do not depend on the C library.
 /// in   x  [0, ln 2];   acc  1e-15
 double exp_minus(double x) noexcept {
   double sum = 1.0;

@@ -15,18 +15,19 @@ struct DeadBlendStart {
 };
 
 /// Finds the source's pose and velocity when a dead blending starts.
-/// eq   v = steps (x - x_before), the change per duration; rotations as 2 log(q conj(q_before)) along the short arc, in
-///      the parent's space, slowed down to half a turn in all
-/// out  numbers  translations and their v in planes 0-5, rotations in 6-9, their v in 10-12, scales and their v in 13-18
+/// eq   v = steps (x - x_before), the change per duration; for rotations 2 log(q conj(q_before)) along the short arc,
+///      in the parent's space. Faster rotations are slowed down so that they turn half a turn in all.
+/// out  numbers  translations in planes 0-2 and their v in 3-5, rotations in 6-9 and their v in 10-12, scales in 13-15
+///      and their v in 16-18
 /// cost O(J), with a logarithm for each joint; no allocation. Internal to the runtime
 void make_extrapolation(const DeadBlendStart& start, const TransitionNumbers& numbers) noexcept;
 
-/// Dead blending (Holden 2023): the source goes on with a velocity that decays, and fades into the target's pose.
+/// Dead blending (Holden 2023): the source moves on with a decaying velocity and fades into the target's pose.
 /// eq   u = progress;  e = (1 - 2^(-4 u)) / (4 ln 2): the velocity halves in each quarter of the duration
 ///      x_source(u) = x + e v,  q_source(u) = exp(e v / 2) q;  mix of both by w = u^2 (3 - 2 u), rotations by
 ///      normalised linear interpolation along the short arc
-/// in   progress  [0, 1] of the duration. From 1 on the pose keeps its bits
-/// out  pose      in place: the target's pose now
+/// in   progress  [0, 1] of the duration. At 1 the pose keeps its bits
+/// out  pose      in place; holds the target's current pose on input
 /// err  size_mismatch (planes, numbers), not_a_fraction (progress)
 /// cost O(J), no allocation. The same bits on all instruction sets
 struct DeadBlendJob {

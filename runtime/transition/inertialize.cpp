@@ -20,7 +20,7 @@ struct Offsets {
   Lanes x, y, z;
 };
 
-/// Factors that all joints share.
+/// Factors of this moment that are the same for all joints.
 struct Moment {
   Lanes u, across;
 };
@@ -85,7 +85,7 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-/// As the lanes, number by number.
+/// Adds the decayed offsets to morph weights or properties, with the formula of the SIMD code.
 void offset_numbers(std::span<const float> offsets, float u, std::span<float> numbers) noexcept {
   const float gone = 1.0f - u, across = u * ((gone * gone) * (gone * gone));
   for (std::size_t i = 0; i < numbers.size(); ++i) {

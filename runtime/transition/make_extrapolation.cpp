@@ -49,7 +49,7 @@ void make_extrapolation(const DeadBlendStart& start, const TransitionNumbers& nu
         now.scale.y,       now.scale.z,       growth.x,          growth.y, growth.z};
     for (std::size_t p = 0; p < kUsedPlanes; ++p) numbers.plane(p)[j] = values[p];
   }
-  for (std::size_t p = 0; p < kUsedPlanes; ++p)  // rotations of the padding stay unit ones
+  for (std::size_t p = 0; p < kUsedPlanes; ++p)  // padding keeps unit rotations
     std::fill(numbers.plane(p) + numbers.joint_count, numbers.plane(p) + numbers.stride(), p == 9 ? 1.0f : 0.0f);
   make_number_extrapolation(start.source.weights, start.source_before.weights, steps, numbers.weights);
   make_number_extrapolation(start.source.properties, start.source_before.properties, steps, numbers.properties);

@@ -12,7 +12,7 @@ using Vec = Vec3<double>;
 
 constexpr std::size_t kPlanesOfPart = 8;
 
-/// An offset and its velocity per duration, the velocity along the offset as a ratio.
+/// An offset x and its velocity per duration, k x + r with r perpendicular to x.
 template <class V>
 struct Offset {
   V x;
@@ -25,21 +25,21 @@ double product(const Vec& a, const Vec& b) noexcept { return a.x * b.x + a.y * b
 
 template <class V>
 Offset<V> offset_of(const V& x, const V& v) noexcept {
-  constexpr double kNoLength2 = 1e-20;  // of offsets without a direction
+  constexpr double kNoLength2 = 1e-20;  // squared length below which an offset has no direction
   const double length2 = product(x, x);
   if (!(length2 > kNoLength2)) return {x, 0.0, v};
   const double k = product(v, x) / length2;
   return {x, k, v - x * k};
 }
 
-/// Twice the logarithm. The sign of q counts.
+/// Rotation vector of q: twice its logarithm. q and -q give different vectors.
 Vec turn_of(const Quat<double>& q) noexcept { return quat_log(q) * 2.0; }
 
-/// A bound of the rotation's length during the transition.
+/// Upper bound of the rotation's angle during the transition, in radians.
 double largest_turn(const Offset<Vec>& turn) noexcept {
   const double k = std::max(turn.k, 0.0), lengthened = (4.0 / 5.0) * (k + 5.0) / (k + 4.0);
   const double peak = k > 0.0 ? lengthened * lengthened * lengthened * lengthened * (1.0 + k / 5.0) : 1.0;
-  constexpr double kMostAcross = 0.08192;  // of u (1 - u)^4
+  constexpr double kMostAcross = 0.08192;  // maximum of u (1 - u)^4
   return std::sqrt(product(turn.x, turn.x)) * peak + kMostAcross * std::sqrt(product(turn.r, turn.r));
 }
 
@@ -57,8 +57,8 @@ Offset<Vec> rotation_offset(const InertializeStart& start, double steps, std::si
   return largest_turn(moving) <= kHalfTurn ? moving : Offset<Vec>{x, 0.0, Vec(0.0)};
 }
 
-/// The kernel's series take a quarter of the rotation. Components that nobody sees become 0, since their squares would
-/// be denormal numbers.
+/// A quarter of the rotation, which the series of the kernel need. Invisibly small components become 0, since their
+/// squares would be denormal numbers.
 Offset<Vec> quarter_of(const Offset<Vec>& turn) noexcept {
   const auto seen = [](const Vec& v) {
     const auto or_zero = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x * 0.25; };

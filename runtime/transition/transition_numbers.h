@@ -7,12 +7,12 @@
 
 namespace sinew {
 
-/// Numbers that stay the same during a transition, made from the poses at its start. Each kind of transition documents
-/// its own planes.
+/// Numbers that stay the same during a transition, computed from the poses at its start. Each kind of transition
+/// documents its own planes.
 /// owns  nothing: a view of floats_for(...) floats, 64-byte aligned
 struct TransitionNumbers {
-  static constexpr std::size_t kPlanes = 25;  ///< of joints, as long as those of a pose
-  static constexpr std::size_t kBlock = 16;   ///< joints that are skipped together; a plane has whole blocks
+  static constexpr std::size_t kPlanes = 25;  ///< each as long as a plane of a pose
+  static constexpr std::size_t kBlock = 16;   ///< joints that can be skipped together; planes have whole blocks
   static constexpr std::size_t kParts = 3;    ///< floats for each morph weight and property
 
   float* planes = nullptr;

@@ -21,8 +21,8 @@ HWY_INLINE Lanes polynomial(Lanes x, const float (&coefficients)[kCount]) {
   return sum;
 }
 
-/// The rotation by four times |t| about t. It is the square of the rotation by half that angle, so that short Taylor
-/// series reach half a turn.
+/// The rotation about t by four times the length of t. It is the square of a rotation by half that angle, so short
+/// Taylor series suffice for half a turn.
 /// in   t  [rad] up to an eighth of a turn;   acc  2e-7
 HWY_INLINE Rotations rotation_by_quarter(Lanes x, Lanes y, Lanes z) {
   const Floats d;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blended joint matrices of a quarter tile. They are blended vertex by vertex and then transposed into columns.
+// Blended joint matrices of a quarter tile (a fourth of the vertices in a vector). They are blended vertex by vertex
+// and then transposed into columns.
 #if defined(SINEW_BLEND_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_COLUMNS_INL_H_
 #undef SINEW_BLEND_COLUMNS_INL_H_
@@ -14,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Columns of the matrices of a quarter tile, one vertex per 128-bit block.
+/// Matrices of a quarter tile, column by column. Each 128-bit block holds the column of one vertex.
 struct Columns {
   Wide c0, c1, c2, c3;
 };
@@ -22,7 +23,7 @@ struct Columns {
 HWY_INLINE Columns columns_of(const MatrixVectors (&m)[kBlocks]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
-  // Blocks are swapped before halves; in the other order compilers extract the halves twice.
+  // Blocks are swapped before halves, because in the reverse order compilers extract the halves twice.
   const auto even = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); };
   const auto odd = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); };
   const Wide even_01 = even(m[0].part[0], m[1].part[0]), even_23 = even(m[2].part[0], m[3].part[0]);
@@ -38,7 +39,7 @@ HWY_INLINE Columns columns_of(const MatrixVectors (&m)[kBlocks]) {
 #endif
 }
 
-/// Columns of one quarter tile. The loop must be unrolled, or compilers keep the matrices in memory.
+/// Blended matrices of one quarter tile. The loop must be unrolled, or compilers keep the matrices in memory.
 template <int kCount>
 HWY_INLINE Columns blend_columns(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
   MatrixVectors matrices[kBlocks];
@@ -75,7 +76,8 @@ HWY_INLINE Columns cofactor(const Columns& m) {
 /// x + y + z of every block, in all lanes of the block.
 HWY_INLINE Wide component_sums(Wide v) { return hn::Add(hn::Add(broadcast<0>(v), broadcast<1>(v)), broadcast<2>(v)); }
 
-/// Moved normals, not normalised; zero where the scalar path must decide their side (OutwardSide).
+/// Moved normals, not normalised. A normal is zero where float cannot tell its side (OutwardSide); the scalar path then
+/// computes it.
 /// eq   M n, or sign(det M) cof(M) n
 HWY_INLINE Wide moved_normals(const Columns& m, const Spread3& n, bool cofactor_rule) {
   if (!cofactor_rule) return transform_vectors(m, n);

@@ -56,14 +56,14 @@ HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileIn
 struct DualQuatLanes {
   Lanes4 real, dual;
   Wide twice_over_square;   ///< 2 / |real|^2
-  hn::Mask<TileTag> sound;  ///< the blend did not cancel
+  hn::Mask<TileTag> sound;  ///< lanes whose blend did not cancel
 };
 
 template <int kCount>
 HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
-  // One by one: compilers keep copies of structs of four vectors in memory.
+  // Copied member by member: compilers keep whole-struct copies in memory instead of registers.
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
   DualQuatLanes out;

@@ -50,7 +50,8 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
 
-/// Moved normals, not normalised. Clears the lanes of `sound` whose side is in doubt (OutwardSide).
+/// Moved normals, not normalised. Clears the lanes of `sound` where float cannot tell the side of the normal
+/// (OutwardSide).
 /// eq   n' = sign(det S) cof(S) n   (conventions.h)
 HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n, hn::Mask<TileTag>& sound) {
   const StretchLanes cof = cofactor(s);

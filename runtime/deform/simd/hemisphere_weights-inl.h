@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Real part of the pivot, to find the hemisphere of other rotations.
+/// Real part of the pivot, which is the vertex's first influence. Other rotations are aligned to its hemisphere.
 class Pivot {
  public:
 #if HWY_TARGET == HWY_SCALAR
@@ -40,7 +40,7 @@ class Pivot {
     const auto products = hn::Mul(real_, hn::LoadDup128(d, real));
     const auto pairs = hn::Add(products, hn::Shuffle2301(products));
     const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)),
-                             hn::Zero(d));  // adding 0 turns -0 into +0, which counts as positive
+                             hn::Zero(d));  // adding 0 turns -0 into +0, so that it counts as positive
     return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
   }
 
@@ -50,8 +50,8 @@ class Pivot {
 };
 
 /// True if both rotations of every pair are in one hemisphere. Signs then need not be compared per vertex. The dot
-/// products must be clearly positive, so that the result does not depend on the order of the sum. False for an empty
-/// list: then the pairs are not known.
+/// products must exceed a small positive limit, so that the result does not depend on the order of summation. False for
+/// an empty list, which means that the pairs are not known.
 HWY_INLINE bool are_in_one_hemisphere(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
   constexpr float kClearlyPositive = 1e-5f;
 #if HWY_TARGET == HWY_SCALAR

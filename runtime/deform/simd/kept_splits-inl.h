@@ -50,11 +50,11 @@ class KeptSplits {
 
  private:
   static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
-  /// If true floats_ holds kFloats vectors with one vertex per lane, else kFloats per vertex
+  /// True: floats_ holds kFloats vectors with one vertex per lane. False: it holds kFloats numbers per vertex.
   bool share_joints_ = false;
   HWY_ALIGN float floats_[kTileSize][kFloats];
 
-  /// Blends dual quaternion and stretch together: they share address and weight.
+  /// Blends dual quaternion and stretch in one loop, because they share addresses and weights.
   template <int kCount>
   HWY_INLINE void keep_whole(const RigidStretch* split, const TileInfluences<kCount>& tile) {
     const TileTag d;

@@ -50,7 +50,8 @@ HWY_INLINE Lanes3 transform_vectors(const LaneMatrix& m, const Lanes3& v) {
   return plus_product(plus_product(times(m.c0, v.x), m.c1, v.y), m.c2, v.z);
 }
 
-/// Moved normals, not normalised; zero where the scalar path must decide their side (OutwardSide).
+/// Moved normals, not normalised. A normal is zero where float cannot tell its side (OutwardSide); the scalar path then
+/// computes it.
 /// eq   M n, or sign(det M) cof(M) n
 HWY_INLINE Lanes3 moved_normals(const LaneMatrix& m, const Lanes3& n, bool cofactor_rule) {
   if (!cofactor_rule) return transform_vectors(m, n);

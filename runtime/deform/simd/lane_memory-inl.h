@@ -15,7 +15,7 @@ namespace sinew::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// With 512 bits, lanes stay in the order of transposed quarters: moving blocks would cost more than it saves.
+/// The scalar target has one lane, so lanes need no reordering.
 constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane; }
 constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane; }
 
@@ -34,7 +34,8 @@ HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
 
 #else
 
-/// Transposes four vertices in each 128-bit block, or back.
+/// Transposes four vertices (x y z w) in each 128-bit block to x, y, z and w of four vertices. Also the inverse of
+/// itself.
 HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) { return transpose_blocks(TileTag(), a, b, c, e); }
 
 #if HWY_MAX_BYTES >= 64

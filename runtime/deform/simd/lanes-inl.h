@@ -19,6 +19,7 @@ struct Lanes3 {
 
 using Lanes4 = FourVectors<Wide>;
 
+/// Dot product.
 /// eq   a.x b.x + a.y b.y + a.z b.z, summed in that order
 HWY_INLINE Wide dot(const Lanes3& a, const Lanes3& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
@@ -44,8 +45,8 @@ HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) {
   return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)};
 }
 
-/// Normalises vectors, with an exact square root and division. Returns the lanes whose squared length is in the range
-/// in which float keeps its digits; the others need the scalar path.
+/// Normalises vectors, with an exact square root and division. Returns the lanes whose squared length lies where float
+/// keeps its digits. All other lanes need the scalar path.
 HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
   const TileTag d;
   const Wide squared = dot(v, v);

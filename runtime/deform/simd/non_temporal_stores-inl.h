@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decides which stores are non-temporal. Normal stores first read the line into the caches, which is wasted for output
-// that exceeds the caches or is not read soon.
+// Decides which stores are non-temporal. A normal store first reads the cache line. This is wasted if the output
+// exceeds the caches or is not read soon.
 #if defined(SINEW_NON_TEMPORAL_STORES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_NON_TEMPORAL_STORES_INL_H_
 #undef SINEW_NON_TEMPORAL_STORES_INL_H_
@@ -20,15 +20,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< more than one core's share of the last-level cache
+constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< exceeds a core's share of last-level cache
 
-/// Finds the vertices at which a tile may be written by non-temporal stores: they write whole aligned vectors.
+/// Finds the vertices at which non-temporal stores may begin to write a tile. These stores write whole aligned vectors.
 class NonTemporalStores {
  public:
   NonTemporalStores() = default;
   NonTemporalStores(const VertexOutput& out, AttributesPresent wanted, bool asked) {
     const std::size_t bytes = sizeof(glm::vec3) * (1 + wanted.normals) + sizeof(glm::vec4) * wanted.tangents;
-    // With four lanes arithmetic, not memory, limits the speed, and alignment costs each group one more tile.
+    // With four lanes arithmetic limits the speed, not memory. Alignment would also cost each group one more tile.
     const bool pays = (asked && kTileSize >= 8) || out.positions.size() * bytes >= kStreamedBytes;
     if (kTileSize == 1 || !pays) return;
     for (std::size_t first = 0; first < kTileSize && !first_; ++first)

@@ -18,7 +18,7 @@ namespace sinew::HWY_NAMESPACE {
 
 constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices per quarter
 
-/// Components of the vertices of a quarter, each broadcast over the block of its vertex.
+/// Components of the vertices of a quarter. Each component fills the 128-bit block of its vertex.
 struct Spread3 {
   Wide x, y, z;
 };
@@ -54,7 +54,7 @@ HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
 
-/// Loads and broadcasts a quarter: one shuffle across blocks and three within, which are faster.
+/// Loads a quarter and spreads its components. Four lanes need no shuffle across 128-bit blocks.
 template <std::size_t kQuarter>
 HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   if constexpr (kTileSize > 4) return spread(load_quarter<kQuarter>(tile));
@@ -85,7 +85,8 @@ HWY_INLINE PackedTile packed(const Wide (&quarter)[4]) {
           hn::ConcatUpperLower(d, packed_third<1>(quarter[2]), packed_third<1>(quarter[1])),
           hn::IfThenElse(hn::FirstN(d, kBlocks), packed_third<2>(quarter[2]), packed_third<2>(quarter[3]))};
 #else
-  // (x y z -) becomes (- x y z), followed by the next vertex: fewer steps than tables and masks of four lanes.
+  // (x y z -) becomes (- x y z) and is joined with the next vertex. With four lanes this takes fewer steps than tables
+  // and masks.
   const Wide first = hn::Shuffle2103(quarter[0]), second = hn::Shuffle2103(quarter[1]);
   const Wide third = hn::Shuffle2103(quarter[2]);
   return {hn::CombineShiftRightLanes<1>(d, quarter[1], first), hn::CombineShiftRightLanes<2>(d, quarter[2], second),
@@ -93,7 +94,7 @@ HWY_INLINE PackedTile packed(const Wide (&quarter)[4]) {
 #endif
 }
 
-/// Stores a tile of packed vec3. Non-temporal only if `out` is aligned to vectors.
+/// Stores a tile of packed vec3. Use `past_caches` (non-temporal stores) only if `out` is aligned to vectors.
 HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
@@ -114,7 +115,7 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past
 constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
 /// Normalises the vectors of a tile, with an exact square root and division. Returns the lanes (vertex_of_quarter_lane)
-/// whose squared length is in the range in which float keeps its digits; the others are wrong.
+/// whose squared length lies where float keeps its digits. All other lanes are wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
   const FourVectors<Wide> v = transpose_blocks(d, quarter[0], quarter[1], quarter[2], quarter[3]);

@@ -13,9 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Writes the attributes that `out` has room for. Returns the lanes whose directions keep their digits; the others need
-/// the scalar path (scalar_blend.h). Directions are normalised before they are rotated, so that the square root does
-/// not wait for the blend.
+/// Writes the attributes that `out` has room for. Returns the lanes whose directions keep their digits. All other lanes
+/// need the scalar path (scalar_blend.h). Directions are normalised before they are rotated, so that the square root
+/// does not wait for the blend.
 template <bool kStretch>
 HWY_INLINE hn::Mask<TileTag> rotate_directions(const DualQuatLanes& motion, const StretchLanes& stretch,
                                                const TileInput& in, const TileOutput& out) {

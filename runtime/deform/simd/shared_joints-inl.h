@@ -17,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Influence counts with kernels for such tiles. One influence needs no blend; with five and more, vertices rarely
-/// share all joints.
+/// True for influence counts that have kernels for vertices with the same joints. One influence needs no blend; with
+/// five and more, vertices rarely share all joints.
 template <int kCount>
 constexpr bool kMayShareJoints = kCount >= 2 && kCount <= 4;
 
@@ -26,7 +26,7 @@ constexpr bool kMayShareJoints = kCount >= 2 && kCount <= 4;
 template <int kCount, std::size_t kVertices = kTileSize>
 HWY_INLINE bool share_joints(const std::uint16_t* joints) {
   constexpr std::size_t kCompared = (kVertices - 1) * kCount;
-  if (joints[0] != joints[kCompared]) return false;  // most tiles that do not share end here
+  if (joints[0] != joints[kCompared]) return false;  // quick test, which rejects most tiles
   constexpr std::size_t kLanes = std::min(std::bit_floor(kCompared), 2 * kTileSize);
   const hn::CappedTag<std::uint16_t, kLanes> d;
   const auto same = [&](std::size_t at)
@@ -42,7 +42,7 @@ struct WeightLanes {
   Wide of[kCount];
 };
 
-/// In the order of lane_memory-inl.h.
+/// Loads the weights of a tile. Lanes are in the order of lane_memory-inl.h.
 HWY_INLINE WeightLanes<2> weight_lanes(const TileInfluences<2>& tile) {
   WeightLanes<2> w;
   hn::LoadInterleaved2(TileTag(), tile.first.weights, w.of[0], w.of[1]);

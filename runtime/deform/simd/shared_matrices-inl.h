@@ -17,9 +17,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Packed vec3 of such a tile are loaded in the order of triples-inl.h, which crosses lanes less often. With four lanes
-/// they are loaded in the order of lane_memory-inl.h: SSE instructions overwrite an operand, so triples would copy more
-/// than they save.
+/// Order of lanes for packed vec3 of tiles whose vertices share joints. The order of triples-inl.h needs fewer shuffles
+/// across lanes. With four lanes the order is that of lane_memory-inl.h: SSE instructions overwrite an operand, so
+/// triples would copy too much.
 constexpr bool kInTriples = kTileSize > 4;
 
 constexpr std::size_t vertex_of_shared_lane(std::size_t lane) {
@@ -85,8 +85,8 @@ HWY_INLINE WeightLanes<4> shared_weight_lanes(const TileInfluences<4>& tile) {
       {shared_from_lanes(w.of[0]), shared_from_lanes(w.of[1]), shared_from_lanes(w.of[2]), shared_from_lanes(w.of[3])}};
 }
 
-/// The matrices that some tiles share. Without AVX a broadcast from memory takes two instructions, while products can
-/// read one operand from memory. There the entries are broadcast to memory once.
+/// The matrices that the vertices of some tiles share. Without AVX, a broadcast from memory takes two instructions, but
+/// a multiplication can read an operand from memory. There, each matrix entry is broadcast to memory once.
 template <int kCount>
 class SharedMatrices {
  public:

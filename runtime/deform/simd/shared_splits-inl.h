@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Dual quaternions and stretches that all vertices of a tile share (shared_joints-inl.h), blended with one vertex per
 // lane. The operations are those of blend_dual_quaternions-inl.h in the same order, so results have the same bits.
-// Signs are found once for all vertices.
+// Hemisphere signs depend on joints alone, so they are computed once per tile.
 #if defined(SINEW_SHARED_SPLITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SHARED_SPLITS_INL_H_
 #undef SINEW_SHARED_SPLITS_INL_H_
@@ -27,14 +27,14 @@ class SharedSplits {
     }
   }
 
-  /// Writes eight vectors.
+  /// Writes eight vectors of kTileSize floats.
   /// eq   sum(w sign(r . r_pivot) d_i)
   HWY_INLINE void blend_dual_quaternions(const WeightLanes<kCount>& weights, float* to) const {
     WeightLanes<kCount> w = weights;
     for (std::size_t i = 1; i < kCount; ++i) w.of[i] = hn::Xor(w.of[i], hn::Set(TileTag(), sign_[i]));
     blend<0, 8>(w, to);
   }
-  /// Writes eight vectors: six entries of the stretch and two unused ones.
+  /// Writes the six entries of the stretch as vectors of kTileSize floats.
   /// eq   sum(w S_i)
   HWY_INLINE void blend_stretches(const WeightLanes<kCount>& weights, float* to) const { blend<8, 6>(weights, to); }
 

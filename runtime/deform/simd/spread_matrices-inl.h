@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matrices of a run of tiles, blended with one vertex per lane.
+// Blends the matrices of a run (vertices with the same set of joints, vertex_tiles.h), with one vertex per lane.
 #if defined(SINEW_SPREAD_MATRICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SPREAD_MATRICES_INL_H_
 #undef SINEW_SPREAD_MATRICES_INL_H_
@@ -13,12 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// A base and differences from it, of up to `kRoom` matrices. Products can read one operand from memory: on x86 below
-/// AVX-512 the numbers are broadcast to memory once a run, while AVX-512 broadcasts as it reads.
+/// Up to `kRoom` joint matrices: a base, and the differences of the other matrices from it. On x86 below AVX-512 each
+/// entry is broadcast to memory once per run, because a multiplication can read an operand from memory. AVX-512
+/// broadcasts as it reads.
 template <std::size_t kRoom>
 class KeptMatrices {
  public:
-  /// in   joints[count]  the base is the last one, and becomes entry 0
+  /// in   joints[count]  the matrix of the last joint is the base and becomes entry 0
   HWY_INLINE void fill(const JointMatrix* palette, const std::uint16_t* joints, std::size_t count) {
     const JointMatrix& base = palette[joints[count - 1]];
     keep(0, base);
@@ -69,7 +70,7 @@ class KeptMatrices {
   HWY_ALIGN float spread_[kSpread ? kRoom : 1][4][3][kTileSize];
 };
 
-/// The matrices of a run.
+/// Blended matrices of the vertices of a run, with a number of joints known at compile time.
 /// eq   M = B + sum(w_i (M_i - B)), B the matrix of the last joint
 /// in   kCount  joints of the run; 0 = known at run time only
 template <int kCount>
@@ -86,7 +87,8 @@ class SpreadMatrices {
   KeptMatrices<kCount> kept_;
 };
 
-/// Any number of joints, with the same bits. Differences of more than kRoom are made anew for each vector.
+/// Same for any number of joints, with the same bits. With more than kRoom joints, the differences are computed again
+/// for each vector.
 template <>
 class SpreadMatrices<0> {
  public:

@@ -26,7 +26,8 @@ constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Lane `kLane` of each block in all lanes of the block. As integers on SSE4, where only that shuffle needs no copy.
+/// Copies lane `kLane` of each 128-bit block to all lanes of the block. SSE4 shuffles integers, because its float
+/// shuffle would need a register copy.
 template <int kLane>
 HWY_INLINE Wide broadcast(Wide v) {
 #if HWY_TARGET == HWY_SSE4
@@ -50,8 +51,8 @@ HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
 ///      sign, and the normal the right side. Rounding changes the determinant by at most 5 u times the permanent of
 ///      |M|, which is at most 0.223 F^3. It changes the normal by at most 3.1 u F^2, and the normal is at least 8 u F^2
 ///      long, since F is not less than the largest singular value. The constant covers products that underflow.
-/// Otherwise the scalar path computes the lane with the exact sign (determinant_sign.h). Callers keep the mask, or set
-/// the normal to zero, which keeps_digits rejects.
+/// Where this does not hold, the scalar path computes the lane with the exact sign (determinant_sign.h). Callers keep
+/// the mask, or set the normal to zero, which keeps_digits rejects.
 class OutwardSide {
  public:
   HWY_INLINE OutwardSide(Wide determinant, Wide squared_norm) {
@@ -61,9 +62,9 @@ class OutwardSide {
     sign_ = hn::And(determinant, hn::SignBit(d));
   }
   HWY_INLINE hn::Mask<TileTag> certain() const { return certain_; }
-  /// Zero where the side is in doubt.
+  /// The normal, negated where the determinant is negative. Its side may be wrong in lanes that are not certain().
   HWY_INLINE Wide turned(Wide normal) const { return hn::Xor(normal, sign_); }
-  /// Zero where the side is in doubt.
+  /// As turned(), but zero in lanes that are not certain().
   HWY_INLINE Wide turn(Wide normal) const { return hn::IfThenElseZero(certain_, turned(normal)); }
 
  private:
@@ -71,7 +72,8 @@ class OutwardSide {
   Wide sign_;
 };
 
-/// Calls `body(vertex of the tile)` for all vertices, four per step: the loop itself costs a tenth of a blend.
+/// Calls `body(vertex of the tile)` for all vertices. The loop is unrolled by four, since its own cost is a tenth of a
+/// blend.
 template <class Body>
 HWY_INLINE void for_each_of_tile(const Body& body) {
   constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
@@ -79,7 +81,7 @@ HWY_INLINE void for_each_of_tile(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
-/// Same, in steps that compilers do not unroll, for bodies whose results for a whole tile exceed the registers.
+/// Same, but the steps are not unrolled. For bodies whose results for a whole tile exceed the registers.
 template <class Body>
 HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
   constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
@@ -90,7 +92,7 @@ HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
-/// Calls `body(lane)` for the lanes that are not in the mask, which are rare.
+/// Calls `body(lane)` for each lane that is not in the mask. Such lanes are rare.
 template <class Body>
 HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
   const TileTag d;

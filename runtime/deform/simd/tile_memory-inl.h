@@ -16,7 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Influences of a tile, `stride` apart. The stride equals kCount unless the count is known only at run time.
+/// Influences of a tile. Each vertex starts `stride` entries after the one before: kCount, or runtime_stride if kCount
+/// is 0.
 template <int kCount>
 struct TileInfluences {
   VertexJoints<kCount> first;
@@ -27,9 +28,9 @@ struct TileInfluences {
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
 
-  /// Byte offset of joint `i` of vertex `k` in a palette. Wide tiles read four indices at once, because loads limit the
-  /// speed of blending, and rotate them into byte offsets. Shifting would need a copy of all four each time. Narrow
-  /// tiles load each index, since rotating would need that copy there.
+  /// Byte offset of joint `i` of vertex `k` in a palette. Wide tiles load four indices at once, because loads limit the
+  /// speed of blending. A rotation then turns an index into a byte offset; a shift would need a copy of the four
+  /// indices. In narrow tiles a rotation would need that copy too, so they load each index.
   template <std::size_t kEntrySize>
   HWY_INLINE std::size_t offset(std::size_t k, std::size_t i) const {
     if constexpr (!kFourAtOnce) return at(k).joints[i] * kEntrySize;
@@ -50,7 +51,7 @@ struct TileInfluences {
   static constexpr bool kFourAtOnce = kCount > 0 && kTileSize > 4 && std::endian::native == std::endian::little;
 };
 
-/// Attributes from the first vertex of a tile on; nullptr in the output = not wanted.
+/// Attributes of a tile, as pointers to its first vertex. A null output means that the attribute is not wanted.
 template <class V3, class V4>
 struct TileAttributes {
   V3* positions;
@@ -64,7 +65,7 @@ struct TileAttributes {
 using TileInput = TileAttributes<const glm::vec3, const glm::vec4>;
 using TileOutput = TileAttributes<glm::vec3, glm::vec4>;
 
-/// Copies for an incomplete tile, so that nothing is read or written past the arrays.
+/// Padded copies of an incomplete tile, so that SIMD code reads and writes nothing past the arrays.
 template <int kCount>
 struct TileCopies {
   glm::vec3 positions[kTileSize], normals[kTileSize], out_positions[kTileSize], out_normals[kTileSize];
@@ -78,7 +79,8 @@ struct TileCopies {
     if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
-  /// A count known only at run time is not bounded, so there all vertices of the tile are the first one.
+  /// With kCount = 0 the number of influences has no bound and nothing is copied. All vertices then use the influences
+  /// of the first vertex, so a tile may hold one vertex only.
   TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
     if constexpr (kCount == 0) return {in, 0};
     for (std::size_t k = 0; k < kTileSize; ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moves attributes between planes of tiles, lanes and arrays of vertices. Lanes keep the order of the tile.
+// Moves attributes between planes of tiles (TilePlane), lanes and arrays of vertices. Lane i holds vertex i of the
+// vector.
 #if defined(SINEW_TILE_PLANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TILE_PLANES_INL_H_
 #undef SINEW_TILE_PLANES_INL_H_
@@ -21,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Lanes from the front of a run that are vectors of vertices in a row.
+/// Number of lanes at the front of a run that form vectors of consecutive vertices.
 HWY_INLINE std::size_t lanes_in_a_row(const TileRun& run) {
   return kTileSize == 1   ? run.lane_count
          : kTileSize == 4 ? run.in_fours
@@ -36,10 +37,10 @@ HWY_INLINE Lanes3 load_planes3(const TilePlane* planes, std::size_t lane) {
   return {load_plane(planes[0], lane), load_plane(planes[1], lane), load_plane(planes[2], lane)};
 }
 
-/// Packs lanes to vec3.
+/// Writes lanes as packed vec3.
 HWY_INLINE void pack(const Lanes3& v, glm::vec3* to) {
 #if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
-  // Each lane position of the three vectors has one x, one y and one z (triples-inl.h).
+  // At each lane position, the three vectors in memory have one x, one y and one z (triples-inl.h).
   struct Table {
     HWY_ALIGN std::int32_t of[kTileSize];
     explicit constexpr Table(std::size_t component) : of() {
@@ -61,11 +62,11 @@ HWY_INLINE void pack(const Lanes3& v, glm::vec3* to) {
 }
 HWY_INLINE void pack(const Lanes4& v, glm::vec4* to) { hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &to->x); }
 
-/// The vertices of a vector of lanes.
+/// The mesh vertices that one vector of lanes holds.
 struct LaneVertices {
-  const std::uint32_t* vertices;  ///< [kTileSize]
-  const std::uint32_t* fours;     ///< [kTileSize / 4]
-  std::size_t count;              ///< later lanes are copies, unless the run goes on
+  const std::uint32_t* vertices;  ///< [kTileSize] vertex of each lane
+  const std::uint32_t* fours;     ///< [kTileSize / 4] as VertexTiles::fours
+  std::size_t count;              ///< lanes left in the run, which may exceed kTileSize; lanes from here on are padding
   bool in_a_row;
 };
 
@@ -78,8 +79,8 @@ void scatter(const V* packed, const LaneVertices& at, bool, V* all) {
 
 #else
 
-/// Copies the vertices of four lanes. Each load reads bytes of only one of the vector stores that wrote `packed`. A
-/// load that spans two stores is not forwarded from the store buffer and stalls.
+/// Copies the vertices of four lanes. Each load lies within one of the vector stores that wrote `packed`. A load that
+/// spans two stores is not forwarded from the store buffer and stalls.
 template <std::size_t kFirst, std::size_t... kLanes, class V>
 HWY_INLINE void copy_four(const V* packed, const std::uint32_t* vertices, V* all, std::index_sequence<kLanes...>) {
   const auto copy = [&](auto lane) {
@@ -93,7 +94,7 @@ HWY_INLINE void copy_four(const V* packed, const std::uint32_t* vertices, V* all
   (copy(std::integral_constant<std::size_t, kFirst + kLanes>()), ...);
 }
 
-/// Same, for four vertices in a row.
+/// Copies four consecutive vertices.
 template <class V>
 HWY_INLINE void copy_row(const V* packed, V* to) {
   const hn::CappedTag<float, 4> d;
@@ -101,8 +102,8 @@ HWY_INLINE void copy_row(const V* packed, V* to) {
     hn::StoreU(hn::Load(d, &packed->x + i), d, &to->x + i);
 }
 
-/// Copies packed attributes to where their vertices lie.
-/// in   past_caches  bypass the caches where vertices in a row are aligned to vectors
+/// Copies packed attributes to the places of their vertices.
+/// in   past_caches  true: consecutive vertices that are aligned to vectors bypass the caches
 template <class V>
 void scatter(const V* packed, const LaneVertices& at, bool past_caches, V* all) {
   const TileTag d;

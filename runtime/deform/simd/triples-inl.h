@@ -25,7 +25,8 @@ struct Triples {
   Wide thirds[3];
 };
 
-/// The vertex of a lane: the one whose x is float `lane` of its third.
+/// Vertex that a lane holds in the order of lanes_of(). The x of this vertex is float number `lane` of one of the
+/// thirds.
 constexpr std::size_t vertex_of_triple_lane(std::size_t lane) {
   std::size_t at = lane;
   while (at % 3 != 0) at += kTileSize;
@@ -39,8 +40,8 @@ HWY_INLINE Triples triples_of(const Lanes3& v) { return {{v.x, v.y, v.z}}; }
 
 #else
 
-// Blends that take lane i from the vector number i % 3. A blend by a constant is one instruction, by a mask up to three
-// (Intel). Highway's emulated vectors (EMU128) are arrays, which __builtin_shufflevector does not take.
+// blend3() takes lane i from vector number i % 3. On Intel a blend by a constant is one instruction, by a mask up to
+// three. Highway's emulated vectors (EMU128) are arrays, which __builtin_shufflevector does not take.
 #undef SINEW_BLENDS_BY_CONSTANTS
 #if defined(__has_builtin) && HWY_TARGET != HWY_EMU128
 #if __has_builtin(__builtin_shufflevector)
@@ -103,7 +104,7 @@ HWY_INLINE Wide rotated(Wide v) {
   }
 }
 
-/// The third that holds x in lanes i with i % 3 == 0, 1 and 2.
+/// Index of the third that holds x in lanes i with i % 3 = 0, 1 and 2.
 constexpr std::size_t kThirdOfX[3] = {0, kTileSize % 3 == 2 ? 1u : 2u, kTileSize % 3 == 2 ? 2u : 1u};
 
 HWY_INLINE Lanes3 lanes_of(const Triples& t) {
@@ -132,7 +133,7 @@ HWY_INLINE Triples minus(const Triples& a, const Triples& b) {
   return {{hn::Sub(a.thirds[0], b.thirds[0]), hn::Sub(a.thirds[1], b.thirds[1]), hn::Sub(a.thirds[2], b.thirds[2])}};
 }
 
-/// Non-temporal only if `tile` is aligned to vectors.
+/// Stores a tile of packed vec3. Use `past_caches` (non-temporal stores) only if `tile` is aligned to vectors.
 HWY_INLINE void store_triples(const Triples& t, glm::vec3* tile, bool past_caches = false) {
   const TileTag d;
   float* to = &tile->x;

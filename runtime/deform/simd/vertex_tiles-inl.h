@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Vertices of a tile; an incomplete tile is padded with copies of its last vertex.
+/// Vertices of a tile. An incomplete tile (`whole` is false) is padded with copies of its last vertex.
 struct TilePlace {
   std::size_t first_vertex, count;
   bool whole;
@@ -40,28 +40,28 @@ struct TileRow {
   HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 
-  // Same, for an attribute that is known to exist.
+  // Normals and tangents of a tile, for callers that know that the attribute exists.
   HWY_INLINE const glm::vec3* normals_in(std::size_t tile) const { return all_in.normals + tile * kTileSize; }
   HWY_INLINE const glm::vec4* tangents_in(std::size_t tile) const { return all_in.tangents + tile * kTileSize; }
   HWY_INLINE glm::vec3* normals_out(std::size_t tile) const { return all_out.normals + tile * kTileSize; }
   HWY_INLINE glm::vec4* tangents_out(std::size_t tile) const { return all_out.tangents + tile * kTileSize; }
 };
 
-/// Influences that a kernel is compiled for; 0 = any number. Each kernel takes a third of a second to compile. Rare
-/// ones, and all of the scalar target, have one for two influences and more.
+/// Number of influences that a kernel is compiled for; 0 = any number. Each kernel takes a third of a second to
+/// compile. So rare kernels, and all kernels of the scalar target, use 0 for two influences and more.
 template <int kCount, bool kRare>
 constexpr int kKernelCount = kCount != 1 && (kRare || HWY_TARGET == HWY_SCALAR) ? 0 : kCount;
 
-/// A kernel for rows and its context. All kernels of one number of influences share for_each_row(), which is longer
-/// than most of them.
+/// A kernel for rows of tiles, and its context. All kernels with the same kCount share one compiled for_each_row(),
+/// which is longer than most kernels.
 template <int kCount>
 struct RowKernel {
   const void* context;
   void (*call)(const void* context, const TileRow<kCount>& row);
 };
 
-/// Works on copies that no store can change, so that loops over tiles keep them in registers. Kernels for any number of
-/// influences have no registers left for them.
+/// Calls the kernel with copies of itself and of the row. No store can change the copies, so loops over tiles keep them
+/// in registers. With kCount = 0 no registers are left, so the row is not copied.
 template <int kCount, class Skin>
 void skin_row(const void* context, const TileRow<kCount>& row) {
   const Skin skin = *static_cast<const Skin*>(context);
@@ -72,8 +72,8 @@ void skin_row(const void* context, const TileRow<kCount>& row) {
 }
 
 /// Calls the kernel for all vertices of a group. Vertices after the last whole tile form a tile that ends with the
-/// group; it skins some vertices again, with the same result. With non-temporal stores, vertices before the first
-/// aligned one are handled the same way. A group smaller than a tile goes through copies.
+/// group. It skins some vertices again, with the same result. With non-temporal stores, vertices before the first
+/// aligned vertex are handled the same way. A group smaller than a tile goes through copies.
 template <int kCount>
 HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                                const VertexOutput& out, const RowKernel<kCount>& kernel,

@@ -26,8 +26,9 @@ struct WeightStep {
   static constexpr float kRest = static_cast<float>(1.0 / kMost - 1.0 / (kMost + 1.0));
 };
 
-/// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2) as c 2^-bits + c r. The first product is exact, so for every 8-bit
-///      and 16-bit c the sum has the bits of the quotient. A division would take longer than blending
+/// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2), computed as c 2^-bits + c r with r = 1 / (2^bits - 1) - 2^-bits
+///      The first product is exact, so for every 8-bit and 16-bit c the sum has the bits of the quotient. A division
+///      would take longer than blending.
 template <class Number>
 HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) {
   using Step = WeightStep<Number>;
@@ -45,7 +46,8 @@ HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) 
   }
 }
 
-/// Influences of consecutive vertices: converted if they are small integers, otherwise used in place.
+/// Influences of consecutive vertices. Small integers are converted into a buffer; 16-bit joints and float weights are
+/// used in place.
 template <int kCount>
 class WidenedInfluences {
  public:

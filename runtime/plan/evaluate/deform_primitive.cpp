@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-/// Displacements that this frame adds.
+/// Number of morph displacements that this frame adds, to vertices and to colors.
 struct ActiveDeltas {
   std::uint64_t shape = 0, colors = 0;
 };
@@ -34,7 +34,7 @@ ActiveDeltas active_deltas(const MorphSet& morphs, std::span<const float> weight
   return active;
 }
 
-/// The stages of one primitive in order; `now` is the state of its vertices so far.
+/// Runs the stages of one primitive in order. `now` holds the state of its vertices after the stages run so far.
 struct Deformation {
   const CompiledPlan& plan;
   const PrimitivePlan& planned;

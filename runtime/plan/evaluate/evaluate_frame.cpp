@@ -36,13 +36,13 @@ std::span<const float> correct_weights(const CompiledPlan& plan, const PoseSpan&
   return weights;
 }
 
-/// A mean or an overlay of poses rounds joints that rest.
+/// True if poses are mixed, which rounds joints that should stay exactly at rest.
 bool mixes_poses(const CompiledPlan& plan, const FrameInput& input) noexcept {
   return plan.poses && (!input.program.empty() || input.interpolation_factor != 0.0f || !plays_alone(input.layers));
 }
 
-/// Sets joints that nothing moves to the rest pose, to the last bit. Writes the frame's own pose, since `local` may be
-/// a pose that is kept for later frames.
+/// Sets joints that nothing moves to the bits of the rest pose. It writes the frame's own pose, since `local` may be a
+/// pose that later frames use.
 PoseSpan with_unmoved_at_rest(const CompiledPlan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
   if (plan.unmoved_joints.empty()) return local;
   const PoseSpan rest = memory.of(plan.layout.rest_pose), own = memory.of(plan.layout.pose.pose);
@@ -51,7 +51,7 @@ PoseSpan with_unmoved_at_rest(const CompiledPlan& plan, const PoseSpan& local, F
   return own;
 }
 
-/// Stage local_to_model: the world matrices of all joints. Empty where the plan leaves them out.
+/// Stage local_to_model: the world matrices of all joints. Empty if the plan needs none.
 std::span<const Affine> compose(const CompiledPlan& plan, const PoseSpan& local, const FrameInput& input,
                                 const FrameStep& step, FrameWork& work) noexcept {
   if (!plan.local_to_model) return {};
@@ -67,8 +67,8 @@ std::span<const Affine> compose(const CompiledPlan& plan, const PoseSpan& local,
   return model;
 }
 
-/// The hidden joints; empty when the plan hides nothing. Without animated flags the frame buffer found them once for
-/// all frames.
+/// The hidden joints; empty if the plan hides nothing. If no flag is animated, the frame buffer found the hidden joints
+/// once for all frames.
 std::span<const bool> hide(const CompiledPlan& plan, std::span<const float> properties, FrameMemory memory,
                            FrameWork& work) noexcept {
   if (!plan.hide) return {};
@@ -99,7 +99,7 @@ void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) no
   result.work = FrameWork(reuse.tables().stage_ns).counters();
 }
 
-/// in   ops  operations of a program that run
+/// in   ops  number of operations of the pose program to run
 PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, std::size_t ops,
                    FrameWork& work) noexcept {
   const PoseStep pose_step{
@@ -109,7 +109,7 @@ PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const Fram
                           : evaluate_layers(plan, input.layers, pose_step, work);
 }
 
-/// The stages that follow a pose.
+/// Runs the stages that follow the pose.
 void run_stages_after_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, PoseSpan local,
                            FrameWork& work, FrameResult& result) noexcept {
   const FrameMemory memory = step.memory;
@@ -157,7 +157,7 @@ void evaluate_to_cut(const CompiledPlan& plan, const FrameInput& input, FrameMem
   FrameWork work(step.tables.stage_ns);
   const PoseSpan own = memory.of(plan.layout.pose.pose);
   pose.local = make_pose(plan, input, step, ops, work);
-  if (input.program.empty() && pose.local.planes != own.planes) {  // a pose that is kept for later frames
+  if (input.program.empty() && pose.local.planes != own.planes) {  // `local` is a pose that later frames use
     copy_pose(pose.local, own);
     pose.local = own;
   }

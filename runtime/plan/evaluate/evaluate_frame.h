@@ -8,22 +8,23 @@
 
 namespace sinew {
 
-/// Evaluates one frame: runs the stages of the plan in their order. The result follows from plan and input alone; what
-/// `reuse` says stands is left as it is, and has the bits that it would get.
+/// Evaluates one frame: runs the stages of the plan in their order. The result depends on plan and input alone. Parts
+/// that `reuse` finds still valid are left as they are, since they already have the bits that they would get.
 /// in   input   checked;   memory  of a frame buffer of the plan;   past_caches  FrameBuffer::write_past_caches
-/// out  result  views of the memory; all but `frame` and `since_frame`
+/// out  result  views of the memory; all fields but `frame` and `since_frame` are set
 /// cost the sum of the stages that run, no allocation. Internal to plan/
 void evaluate_frame(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
                     bool past_caches, FrameResult& result) noexcept;
 
-/// The first half of a frame with a cut: the pose, in the frame's own memory, and its world matrices.
-/// in   ops  operations of the program that run
-/// out  pose     result.work  of this half
+/// The first half of a frame in which the caller changes the pose (a cut): the pose, in the frame's own memory, and its
+/// world matrices.
+/// in   ops  number of operations of the pose program to run
+/// out  pose     result.work  counters of this half
 void evaluate_to_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
                      std::size_t ops, CutPose& pose, FrameResult& result) noexcept;
 
-/// The second half, from the pose in the frame's own memory.
-/// in   ops  as before
+/// The second half: runs all stages after the pose, which the frame's own memory holds.
+/// in   ops  as in evaluate_to_cut
 void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameMemory memory, const Reuse& reuse,
                        std::size_t ops, bool past_caches, FrameResult& result) noexcept;
 

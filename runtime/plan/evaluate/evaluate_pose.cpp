@@ -23,7 +23,7 @@ Stage stage_of(PosePhase phase) noexcept {
 
 void charge_time(void* work, PosePhase phase) noexcept { static_cast<FrameWork*>(work)->spent_on(stage_of(phase)); }
 
-/// The lowest pose of the stack: the frame's own.
+/// The lowest pose of the stack: the frame's own output.
 PoseSlot own_slot(const CompiledPlan& plan, const PoseStep& step) noexcept {
   const PoseNumbers own = step.memory.of(plan.layout.pose);
   return {own.pose, step.given_weights.empty() ? own.weights : std::span<float>{}, own.properties};
@@ -41,7 +41,7 @@ PoseMachine machine_for(const CompiledPlan& plan, const PoseProgramInputs& input
           {work.measures() ? &charge_time : nullptr, &work}};
 }
 
-/// The pose of a plan whose frames all show the rest pose.
+/// Writes the pose of a plan without animation: the rest pose.
 PoseSpan show_rest(const CompiledPlan& plan, const PoseStep& step) noexcept {
   const std::span<const float> weights =
       step.given_weights.empty() ? std::span<const float>(plan.rest_weights) : step.given_weights;
@@ -49,7 +49,7 @@ PoseSpan show_rest(const CompiledPlan& plan, const PoseStep& step) noexcept {
   return step.memory.of(plan.layout.rest_pose);
 }
 
-/// The clip goes beside it.
+/// Sample operation for a layer. The clip index does not fit into it and is passed in PoseMachine::Step.
 PoseOp sample_of(const ClipLayer& layer) noexcept {
   return {.time_s = layer.time_s,
           .weight = layer.weight,
@@ -74,7 +74,7 @@ void add(PoseMachine& machine, const ClipLayer& layer) noexcept {
   machine.run({.kind = PoseOpKind::add}, kWithoutProperties);
 }
 
-/// Runs the operations of a program, but for those whose results earlier frames have kept.
+/// Runs the operations of a program, except those whose results are kept from earlier frames.
 void run_keeping(PoseMachine& machine, const FrameInput& input, const PoseStep& step, const ReadProperties& properties,
                  const Reuse& reuse) noexcept {
   const PoseProgramSpan program = input.program;
@@ -103,7 +103,7 @@ PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> la
   static constexpr PoseProgramInputs kNothing{};
   PoseMachine machine = machine_for(plan, kNothing, step, work);
   std::uint16_t blended = 0;
-  bool plays_alone = false;  // the mean of one pose of full weight is that pose, to the bit
+  bool plays_alone = false;  // the mean of a single pose of full weight has the bits of that pose
   for (const ClipLayer& layer : layers) {
     if (!takes_part(layer, false)) continue;
     machine.run(sample_of(layer), {.clip = layer.clip, .page = layer.page, .holds_clip = step.has_base});

@@ -6,12 +6,12 @@
 
 namespace sinew {
 
-/// A frame under evaluation.
+/// Memory and tables of a frame that is being evaluated.
 struct FrameStep {
   FrameMemory memory;
   const Reuse& reuse;
-  const FrameTables& tables;  ///< of `memory`
-  bool past_caches = false;   ///< FrameBuffer::write_past_caches
+  const FrameTables& tables;  ///< tables in `memory`
+  bool past_caches = false;   ///< as FrameBuffer::write_past_caches
 };
 
 }  // namespace sinew

@@ -10,12 +10,11 @@
 
 namespace sinew {
 
-/// Counts the work of a frame while it runs, and measures the time of each stage where Needs::out.stage_times asks for
-/// it.
+/// Counts the work of a frame while it runs. Measures the time of each stage if Needs::out.stage_times asks for it.
 struct FrameWork : WorkCounters {
   /// in   stage_ns[kStageCount]  set to zero here; empty = no times are wanted, and no clock is read
   explicit FrameWork(std::span<std::uint64_t> stage_ns) noexcept;
-  /// Goes on counting from `counters`, and keeps the times so far.
+  /// Continues to count from `counters`, and keeps the times in `stage_ns`.
   FrameWork(std::span<std::uint64_t> stage_ns, const WorkCounters& counters) noexcept;
 
   /// Adds the time since the last call to this stage.

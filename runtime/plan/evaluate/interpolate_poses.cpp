@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Provides the pose of these layers in the frame's memory. Evaluates it where no earlier frame has it.
+/// Makes sure that the frame's memory holds the pose of these layers. Evaluates it if no earlier frame holds it.
 /// in   update  0 for FrameInput::layers, 1 for FrameInput::next_layers
 void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t update,
                     const FrameStep& step, FrameWork& work) noexcept {
@@ -24,7 +24,7 @@ void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers,
 }
 
 /// eq   out = (1 - interpolation_factor) first + interpolation_factor second
-/// in   out   has the numbers of `first` already
+/// in   out   already holds the numbers of `first`
 void mix(const PoseNumbers& first, const PoseNumbers& second, float interpolation_factor,
          const PoseNumbers& out) noexcept {
   const BlendLayer shares[2] = {{first.pose, 1.0f - interpolation_factor, {}}, {second.pose, interpolation_factor, {}}};

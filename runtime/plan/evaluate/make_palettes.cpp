@@ -22,8 +22,8 @@ void split(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatr
   work.spent_on(Stage::split_palette);
 }
 
-/// Blends one matrix for each combination of joints and weights that several vertices have. These matrices lie in the
-/// palette behind those of the joints.
+/// Blends one matrix for each combination of joints and weights that several vertices share. The blended matrices
+/// follow the joint matrices in the palette.
 void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
              FrameWork& work) noexcept {
   for (const CombinedInfluences& combined : plan.combined[skin]) {
@@ -38,7 +38,8 @@ void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMa
   }
 }
 
-/// Palette of a skin from the model matrices. Returns true if it is that of the frame before.
+/// Computes the palette of a skin from model matrices. Returns true if it has the bits of the palette of the frame
+/// before.
 bool compute(const CompiledPlan& plan, std::size_t s, std::span<const Affine> model, std::span<JointMatrix> palette,
              const FrameStep& step, FrameWork& work) noexcept {
   bool unchanged = false;

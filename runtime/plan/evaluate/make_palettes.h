@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Runs the stages palette, split_palette and combinations. A palette is kept if its model matrices have not changed.
-/// One that comes out with the bits that the memory holds is neither split nor combined again.
+/// Runs the stages palette, split_palette and combinations. A palette is kept if its model matrices have not changed. A
+/// new palette with the bits that the memory already holds is neither split nor combined again.
 /// in   model[joints of poses];   wanted[skins]  needed by this frame; empty = all that are planned
 /// cost O(joints of the skins), no allocation. Internal to plan/
 void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std::span<const bool> wanted,

@@ -10,12 +10,13 @@
 namespace sinew {
 namespace {
 
-/// Unskinned meshes are blended in their own space with a source that is in it.
+/// True if the instance is unskinned and its source gives vertices in mesh space. Pose and source are then blended in
+/// that space.
 bool blends_in_mesh_space(const CompiledPlan& plan, std::size_t instance, VertexSpace space) noexcept {
   return space == VertexSpace::mesh && !plan.instance_skinned[instance];
 }
 
-/// Vertices of a source, with the normals and tangents that it lacks.
+/// Writes the vertices of a source, and computes the normals and tangents that the source lacks.
 void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& source, bool turned,
                   const VertexOutput& out, FrameMemory memory, FrameWork& work) noexcept {
   const PrimitivePlan& planned = plan.primitives[p];
@@ -24,7 +25,7 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
       source.write(source.context, planned.instance, planned.primitive, out.positions, out.normals);
   work.vertices_from_cache += primitive.vertex_count();
   const SurfaceFaces* const faces = plan.surface_faces[p].get();
-  if (faces == nullptr) {  // points and lines keep those of rest
+  if (faces == nullptr) {  // points and lines keep normals and tangents of the rest mesh
     if (!has_normals) std::copy_n(primitive.normals.begin(), out.normals.size(), out.normals.begin());
     std::copy_n(primitive.tangents.begin(), out.tangents.size(), out.tangents.begin());
     return;
@@ -43,7 +44,7 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
   if (derives_normals || !out.tangents.empty()) work.smooth_triangles += faces->count();
 }
 
-/// Moves vertices to where they are blended.
+/// Moves vertices to the space in which they are blended.
 struct Mover {
   explicit Mover(const Affine& m)
       : matrix(m), cofactors(cofactor(Mat3<double>(linear_part(m))) * (determinant_sign(m) < 0 ? -1.0 : 1.0)) {}
@@ -59,10 +60,10 @@ struct Mover {
   }
 
   const Affine& matrix;
-  const Mat3<double> cofactors;  ///< with the sign of the determinant
+  const Mat3<double> cofactors;  ///< cofactor matrix times the sign of the determinant
 };
 
-/// Blends vertices of a pose and of a source.
+/// Blends vertices of the pose with vertices of a source.
 struct GeometryBlend {
   float weight;
   Mover pose, source;

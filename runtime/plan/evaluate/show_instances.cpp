@@ -14,15 +14,15 @@ namespace {
 /// How FrameInput::root scales the joints below it.
 struct RootScale {
   int sign;     // of its determinant
-  bool uneven;  // false where the normal rule does not ask
+  bool uneven;  // always false if the plan's normal rule does not depend on it
 
   RootScale(const CompiledPlan& plan, const Affine& root) noexcept
       : sign(determinant_sign(root)),
         uneven(plan.needs.skin.normal_rule == NormalRule::cofactor && scale_kind(root) == ScaleKind::uneven) {}
 };
 
-/// True if the matrix that places an instance mirrors it. Its determinant is computed only where a scale can change its
-/// sign; elsewhere the plan knows it.
+/// True if the matrix that places an instance mirrors it. The determinant is computed only if a scale can change its
+/// sign; otherwise the plan knows the sign.
 bool is_mirrored(const CompiledPlan& plan, std::size_t instance, std::span<const Affine> model, const RootScale& root,
                  FrameWork& work) noexcept {
   const JointScale& scale = plan.instance_scales[instance];
@@ -47,7 +47,8 @@ InstanceResult place_instance(const CompiledPlan& plan, std::size_t instance, st
   return placed;
 }
 
-/// Adds one primitive to the box of its instance: the moved rest box where it rests in this frame, else its vertices.
+/// Adds one primitive to the box of its instance: its rest box, moved, if it is at rest in this frame, else its
+/// vertices.
 void bound(InstanceResult& placed, const MeshInstance& instance, const Primitive& primitive,
            const DeformedPrimitive& shape, FrameWork& work) noexcept {
   const bool rests = shape.positions.empty() || shape.positions.data() == primitive.positions.data();
@@ -68,14 +69,14 @@ struct SeenInstance {
   const VertexSource* source = nullptr;
 };
 
-/// Sets the box of an instance from the box that its source knows.
+/// Sets the box of an instance from the box that its source provides.
 void bound(InstanceResult& placed, const MeshInstance& instance, const Aabb& box, FrameWork& work) noexcept {
   for_each_copy(instance, placed.world_from_mesh,
                 [&](const Affine& world_from_copy) { grow_bounds(placed.bounds, box, world_from_copy); });
   work.spent_on(Stage::bounds);
 }
 
-/// The vertices and the box of one instance, where they are not in the memory already.
+/// Computes the vertices and the box of one instance, except parts that are still valid in the memory.
 void deform_instance(const CompiledPlan& plan, SeenInstance& seen, const FrameStep& step, FrameWork& work) noexcept {
   const std::uint32_t first = plan.first_primitive[seen.i], end = plan.first_primitive[seen.i + 1];
   const std::span<DeformedPrimitive> shapes = step.tables.primitives;
@@ -101,7 +102,7 @@ void deform_instance(const CompiledPlan& plan, SeenInstance& seen, const FrameSt
   }
 }
 
-/// Finds what an instance plays.
+/// Finds the geometry that an instance plays.
 void play(const CompiledPlan& plan, const EvaluatedPose& pose, const RootScale& root, SeenInstance& seen,
           const FrameStep& step) noexcept {
   const std::uint32_t slot = geometry_slot_of(plan, seen.i);
@@ -117,7 +118,7 @@ void play(const CompiledPlan& plan, const EvaluatedPose& pose, const RootScale& 
   if (played.weight > 0.0f) seen.played = &step.tables.played[slot];
 }
 
-/// Leaves the primitives of an instance undeformed: nobody sees it.
+/// Leaves the primitives of an invisible instance undeformed.
 void deform_nothing(const CompiledPlan& plan, std::size_t instance, const FrameTables& tables) noexcept {
   for (std::uint32_t p = plan.first_primitive[instance]; p < plan.first_primitive[instance + 1]; ++p)
     tables.primitives[p] = nothing_deformed(plan.primitives[p]);

@@ -7,24 +7,24 @@
 
 namespace sinew {
 
-/// All that mesh instances follow, beside their palettes.
+/// Inputs of all mesh instances, apart from their palettes.
 struct EvaluatedPose {
-  std::span<const Affine> model;   ///< [joints of poses]; empty where no stage makes it
-  std::span<const float> weights;  ///< [W] with correctives
+  std::span<const Affine> model;   ///< [joints of poses]; empty if no stage computes model matrices
+  std::span<const float> weights;  ///< [W] morph weights, after correctives
   const Affine& root;
   const Visibility& visibility;
-  std::span<const GeometryInput> geometry;  ///< [cached instances] or empty; `shown` of the tables is theirs
+  std::span<const GeometryInput> geometry;  ///< [cached instances] or empty; FrameTables::shown has their vertices
 };
 
-/// Stages winding, morph, skin, geometry_cache, flat normals and bounds: the results of all mesh instances. Vertices
-/// that stand are left as they are.
-/// in   step  its palettes are those of this frame
+/// Runs the stages winding, morph, skin, geometry_cache, flat normals and bounds for all mesh instances. Vertices that
+/// are still valid from an earlier frame are kept.
+/// in   step  its palettes are already computed for this frame
 /// out  step.tables  instances and primitives
-/// cost the sum of the instances that are seen, no allocation. Internal to plan/
+/// cost the sum over visible instances, no allocation. Internal to plan/
 void show_instances(const CompiledPlan& plan, const EvaluatedPose& pose, const FrameStep& step,
                     FrameWork& work) noexcept;
 
-/// The results of all mesh instances of a sleeping character: nothing is visible.
+/// Writes the results of all mesh instances of a sleeping character: nothing is visible.
 void hide_instances(const CompiledPlan& plan, const FrameTables& tables) noexcept;
 
 }  // namespace sinew

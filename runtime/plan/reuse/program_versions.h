@@ -11,7 +11,8 @@ inline std::size_t version_count(const PoseProgramInputs& inputs) noexcept {
   return inputs.externals.size() + inputs.overrides.size() + inputs.procedures.size() + inputs.masks.size();
 }
 
-/// Calls `see(version)` for each entry of the lists until `see` returns false.     out  false if it returned false
+/// Calls `see(version)` for the version of each list entry until `see` returns false.     out  false if it returned
+/// false
 template <class See>
 bool each_version(const PoseProgramInputs& inputs, const See& see) noexcept {
   const auto all = [&](const auto& entries) {
@@ -20,7 +21,7 @@ bool each_version(const PoseProgramInputs& inputs, const See& see) noexcept {
   return all(inputs.externals) && all(inputs.overrides) && all(inputs.procedures) && all(inputs.masks);
 }
 
-/// True if the versions of the inputs promise the same content as that of the inputs which had `versions`.
+/// True if the inputs promise the same content as the inputs whose versions are in `versions`.
 inline bool has_versions(const PoseProgramInputs& inputs, std::span<const ContentVersion> versions) noexcept {
   if (version_count(inputs) != versions.size()) return false;
   auto next = versions.begin();

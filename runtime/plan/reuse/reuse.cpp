@@ -40,7 +40,7 @@ Reuse::Reuse(const CompiledPlan& plan, const FrameInput& input, const FrameTable
   last_input_ = &last.input;
 }
 
-/// Kept operands lack morph weights where the input gave all of them.
+/// If a frame's input gives all morph weights, its kept operands hold none. They only fit inputs that also give them.
 LastProgram Reuse::last_program(const FrameInput& input) const noexcept {
   if (last_input_ == nullptr || !last_input_->is_known || last_input_->asleep) return {};
   if (input.weights.empty() != (last_input_->weight_count == 0)) return {};
@@ -143,7 +143,7 @@ void Reuse::add_weights(std::span<const float> weights) const noexcept {
 }
 
 void Reuse::keep_all() const noexcept {
-  if (&before_ == &tables_) return;  // the same memory: all parts have their numbers
+  if (&before_ == &tables_) return;  // it used the same memory, where all parts already have their numbers
   for (std::size_t s = 0; s < tables_.palettes.size(); ++s)
     if (tables_.palettes[s].since_frame != 0) keep_palette(s);
   for (std::size_t i = 0; i < tables_.instances.size(); ++i)

@@ -9,9 +9,9 @@
 
 namespace sinew {
 
-/// Decides which parts of earlier frames are still valid in this one: these parts *stand*. The constructor compares the
-/// inputs. Then evaluate/ reports each part that it made, and asks which of the parts that depend on it stand. A new
-/// part gets the number of this frame. A part that stands keeps the number of the frame that made it. Internal to
+/// Decides which results of earlier frames are still valid in this frame: such a part *stands*. The constructor
+/// compares the inputs. Then evaluate/ reports each part that it computed, and asks which dependent parts stand. A new
+/// part gets the number of this frame. A part that stands keeps the number of the frame that computed it. Internal to
 /// plan/.
 class Reuse {
  public:
@@ -21,7 +21,7 @@ class Reuse {
     const LastInput& input;
   };
 
-  /// For a frame that runs as a whole: compares its input with those of earlier frames.
+  /// For a frame that runs as a whole: compares its input with the inputs of earlier frames.
   /// in   tables  of the frame's memory, which are kept by reference
   ///      last    run into the frame's memory;   before  the character's last run, perhaps the same
   ///      had_it  had_same_input of the last run
@@ -39,20 +39,20 @@ class Reuse {
   /// The tables in the frame's memory.
   const FrameTables& tables() const noexcept { return tables_; }
 
-  /// The program of the last run, whose kept operands the memory has; empty if they do not fit this input.
+  /// The program of the last run, if the memory holds kept operands that fit this input; else empty.
   LastProgram last_program(const FrameInput& input) const noexcept;
 
-  /// Copies the pose of these layers to place `update` of FrameLayout::updates, if an earlier frame has it in its
-  /// memory.
-  /// out  false: no frame has it
+  /// Copies the pose of these layers to place `update` of FrameLayout::updates, if this memory or that of the last
+  /// frame holds it.
+  /// out  false: neither memory holds it
   bool find_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept;
-  /// Records that place `update` has the pose of these layers.
+  /// Records that place `update` holds the pose of these layers.
   void keep_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept;
 
   /// True if the palette in the memory is valid for this frame.
   bool palette_stands(std::size_t skin) const noexcept;
   void keep_palette(std::size_t skin) const noexcept;
-  /// The character's palette in the frame before; empty if it had none.
+  /// The character's palette of the frame before; empty if there was none.
   std::span<const JointMatrix> palette_before(std::size_t skin) const noexcept;
   /// Records a palette that was just computed.
   /// in   as_before  the palette has the bits of palette_before
@@ -61,13 +61,13 @@ class Reuse {
 
   /// Reports the morph weights and the winding of an instance.
   void add_instance(std::size_t instance, std::span<const float> weights, bool mirrored) const noexcept;
-  /// Reports what an instance of Needs::in.cached_instances plays.
+  /// Reports the geometry that a cached instance (Needs::in.cached_instances) plays.
   void add_geometry(std::size_t slot, const PlayedGeometry& played) const noexcept;
 
-  /// The instance is out of view, so what it plays is unknown afterwards.
+  /// Call it for an instance out of view: nothing is known about its geometry afterwards.
   void forget_geometry(std::size_t slot) const noexcept { tables_.geometry_since[slot] = 0; }
 
-  /// Number of the frame since which nothing has changed that the vertices of a primitive depend on.
+  /// Number of the newest frame that changed an input of the primitive's vertices.
   std::uint64_t vertices_since(const PrimitivePlan& planned) const noexcept;
   /// True if the vertices in the memory are valid for this frame.
   /// in   since  vertices_since
@@ -80,8 +80,8 @@ class Reuse {
   /// Keeps the morph weights of the frame, for comparison with those of the next frame.
   void add_weights(std::span<const float> weights) const noexcept;
 
-  /// Call it if everything stands: gives all parts the numbers that they have in this frame.
-  /// cost O(instances); compares palettes with those of the frame before, if that frame had another input
+  /// Call it if all parts stand: gives each part the number that it has in this frame.
+  /// cost O(instances). Also compares palettes with those of the frame before, if that frame had another input
   void keep_all() const noexcept;
   /// The character falls asleep: no part will stand in its next frame.
   void forget_all() const noexcept;
@@ -94,7 +94,7 @@ class Reuse {
   const FrameTables& before_;
   std::uint64_t number_;
   WhatStands stands_;
-  const LastInput* last_input_ = nullptr;  // null: nothing stands by comparing inputs
+  const LastInput* last_input_ = nullptr;  // null: inputs were not compared
 };
 
 }  // namespace sinew

@@ -13,12 +13,12 @@ namespace {
 
 using Layers = std::span<const ClipLayer>;
 
-/// The value for FrameTables::input_out_of_view.
+/// The value to store in FrameTables::input_out_of_view.
 std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
 
-/// True if no clip that plays moves joints.
+/// True if no clip of the layers moves joints. Layers of weight 0 do not count.
 bool leave_joints_at_rest(const CompiledPlan& plan, Layers layers) noexcept {
   return std::none_of(layers.begin(), layers.end(), [&](const ClipLayer& layer) {
     return layer.weight != 0.0f && plan.clip_tracks[layer.clip].moves_joints;
@@ -41,7 +41,7 @@ bool has_lengths(const FrameTables& tables, const FrameInput& input) noexcept {
          (input.geometry.empty() || input.geometry.size() == tables.input_geometry.size());
 }
 
-/// The value for FrameTables::input_geometry.
+/// The value to store in FrameTables::input_geometry.
 GeometryInput playing(const FrameTables& tables, const FrameInput& input, std::size_t slot) noexcept {
   const bool plays =
       !input.geometry.empty() && input.geometry[slot].plays() && out_of_view(input, tables.cached_instances[slot]) == 0;

@@ -11,16 +11,17 @@ namespace sinew {
 /// World matrices of the last run into the memory that are still valid for this frame.
 enum class StandingMatrices : std::uint8_t {
   none,
-  of_unmoved_joints,  ///< only those of joints that no clip moves
+  of_unmoved_joints,  ///< only matrices of joints that no clip moves
   all
 };
 
-/// The parts of the memory that stand: comparing inputs shows that they are still valid. By default nothing stands.
+/// The parts of the memory that stand: a comparison of inputs shows that they are still valid. By default nothing
+/// stands.
 struct WhatStands {
-  bool all = false;               ///< the memory holds the result of this very input
-  bool all_since_before = false;  ///< the character's frame before had this input too, perhaps in other memory
+  bool all = false;               ///< the memory holds the result of the same input
+  bool all_since_before = false;  ///< the character's previous frame had the same input, perhaps in other memory
   StandingMatrices matrices = StandingMatrices::none;
-  bool base_pose = false;  ///< one clip plays in both frames: only its tracks need be sampled
+  bool base_pose = false;  ///< the same single clip plays in both frames, so only its tracks are sampled
 };
 
 /// The last run that used some frame memory.
@@ -40,8 +41,8 @@ bool had_same_input(const LastFrame& last, const FrameInput& input) noexcept;
 WhatStands find_what_stands(const CompiledPlan& plan, const FrameInput& input, const LastFrame& last,
                             const LastFrame& before, bool had_it) noexcept;
 
-/// Keeps the input of a frame that was evaluated. If it has more layers than there is room for, nothing stands in the
-/// next frame.
+/// Stores the input of an evaluated frame for later comparison. If it has more layers than there is room for, nothing
+/// stands in the next frame.
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept;
 
 }  // namespace sinew

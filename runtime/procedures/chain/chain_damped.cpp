@@ -14,13 +14,13 @@ using V = Vec3<double>;
 using Matrix = Eigen::Map<Eigen::MatrixXd>;
 using Vector = Eigen::Map<Eigen::VectorXd>;
 
-constexpr std::size_t kRows = 6;     ///< of an effector: place and rotation
-constexpr std::size_t kColumns = 6;  ///< of a joint: turn and move
+constexpr std::size_t kRows = 6;     ///< rows of an effector: place and rotation
+constexpr std::size_t kColumns = 6;  ///< columns of a joint: turn and move
 
-/// The most that a joint turns in one iteration: the linear system says little about larger turns.
+/// Largest turn of a joint in one iteration. The linear system is a poor model of larger turns.
 constexpr double kMostTurn_rad = 0.5;
 
-/// The linear system, in the numbers of the tree.
+/// The linear system, stored in ChainTree::numbers.
 struct System {
   Eigen::Index rows, columns;
   Matrix jacobian, square;
@@ -39,7 +39,7 @@ void set_column(System& system, Eigen::Index row, Eigen::Index column, const V& 
   for (int k = 0; k < 3; ++k) system.jacobian(row + k, column) = value[k];
 }
 
-/// Fills in what a small turn or move of a joint, in the space of its parent, does to an effector.
+/// Fills in the effect of a small turn or move of a joint, in the space of its parent, on an effector.
 void fill(const ChainTree& tree, System& system, std::size_t part, std::size_t effector) noexcept {
   const std::uint32_t at = tree.moving[part], end = tree.effectors[effector];
   const ChainNode& node = tree.nodes[at];

@@ -8,7 +8,7 @@ namespace {
 
 using V = Vec3<double>;
 
-/// A point of the drawing: a moving joint or an effector.
+/// True if fabrik places this node: a moving joint or an effector.
 bool is_point(const ChainTree& tree, std::uint32_t node) noexcept {
   if (tree.nodes[node].part != kNone) return true;
   for (const std::uint32_t effector : tree.effectors)
@@ -16,19 +16,19 @@ bool is_point(const ChainTree& tree, std::uint32_t node) noexcept {
   return false;
 }
 
-/// The moving joint above a point, or kNone.
+/// The nearest moving joint above a point, or kNone.
 std::uint32_t point_above(const ChainTree& tree, std::uint32_t node) noexcept {
   std::uint32_t above = tree.nodes[node].parent;
   while (above != kNone && tree.nodes[above].part == kNone) above = tree.nodes[above].parent;
   return above;
 }
 
-/// The place at a fixed distance from `end`, in the direction of `at`.
+/// The place at distance `length` from `end`, in the direction of `at`.
 V at_length(const V& end, const V& at, double length, const V& fallback) noexcept {
   return end + normalised_or(at - end, fallback) * length;
 }
 
-/// Draws a point to its target, and to those below it: the mean of what each asks for.
+/// Weighted mean of the places that a point's target and the points below it ask for.
 struct Pull {
   V sum{0.0};
   double weights = 0.0;
@@ -83,7 +83,7 @@ void draw_back(ChainTree& tree) noexcept {
   }
 }
 
-/// Turns joints, parents first, so that what is below them comes to the points.
+/// Turns joints, parents first, so that the joints below come to their computed points.
 void turn_to_points(ChainTree& tree) noexcept {
   for (const std::uint32_t at : tree.moving) {
     ChainNode& node = tree.nodes[at];

@@ -10,7 +10,7 @@
 namespace sinew::ik {
 namespace {
 
-/// Takes arrays from a block, each on a boundary of 64 bytes. Without a block it counts.
+/// Takes arrays from a block of memory, each aligned to 64 bytes. Without a block it only counts bytes.
 class Block {
  public:
   explicit Block(std::byte* begin) : begin_(begin) {}
@@ -62,7 +62,7 @@ ChainNode make_node(const ChainIkJob& job, std::uint32_t joint) noexcept {
   return node;
 }
 
-/// Sum of the bones from the first moving joint above an effector to it.
+/// Length of the bones from the uppermost moving joint above an effector to the effector.
 double length_to(const ChainTree& tree, std::uint32_t effector) noexcept {
   double length = 0.0, to_moving = 0.0;
   for (std::uint32_t n = effector; n != kNone; n = tree.nodes[n].parent) {

@@ -10,26 +10,26 @@
 
 namespace sinew::ik {
 
-/// The joints between the root of the skeleton and the effectors, in double. Internal to procedures/
+/// A copy of the joints between the root of the skeleton and the effectors, in double. Internal to procedures/
 
-/// A joint of the tree. Parents come first.
+/// A joint of the tree. Parents come before their children.
 struct ChainNode {
-  std::uint32_t joint = 0, parent = kNone;  ///< parent: index of a node
-  std::uint32_t part = kNone;               ///< index into ChainGoal::joints
-  bool is_fixed = false;                    ///< `matrix` is the joint's own and stays
-  std::uint64_t effectors = 0;              ///< those at and below this joint, one bit each
+  std::uint32_t joint = 0, parent = kNone;  ///< parent: index of a node, not of a joint
+  std::uint32_t part = kNone;               ///< index into ChainGoal::joints; kNone: the joint does not turn
+  bool is_fixed = false;                    ///< `matrix` is a fixed matrix of the skeleton and never changes
+  std::uint64_t effectors = 0;              ///< bit i: effector i is at or below this joint
   Transformd local;
   Affined matrix, model;
   Quat<double> model_rotation{1.0, 0.0, 0.0, 0.0};
 };
 
-/// Error of an effector.
+/// The remaining error of an effector.
 struct ChainError {
-  Vec3<double> way{0.0};                  ///< from its place to its target
-  Quat<double> turn{1.0, 0.0, 0.0, 0.0};  ///< in model space, to its rotation; the identity if none is asked for
+  Vec3<double> way{0.0};                  ///< from its place to its target, in model space
+  Quat<double> turn{1.0, 0.0, 0.0, 0.0};  ///< in model space, to the wanted rotation; identity if none is wanted
 };
 
-/// The largest errors, and their weighted sum of squares.
+/// The largest errors of all effectors, and the weighted sum of their squares.
 struct ChainErrors {
   double metres = 0.0, radians = 0.0, cost = 0.0;
 };
@@ -37,13 +37,13 @@ struct ChainErrors {
 struct ChainTree {
   const ChainIkJob& job;
   std::span<ChainNode> nodes;
-  std::span<std::uint32_t> moving;     ///< [goal.joints] nodes
-  std::span<std::uint32_t> effectors;  ///< [goal.effectors] nodes
-  std::span<Transformd> saved;         ///< [goal.joints] for a solver that goes back
+  std::span<std::uint32_t> moving;     ///< [goal.joints] index of the node of each joint
+  std::span<std::uint32_t> effectors;  ///< [goal.effectors] index of the node of each effector
+  std::span<Transformd> saved;         ///< [goal.joints] backup, for a solver that undoes an iteration
   std::span<JointLimiter> limiters;    ///< [goal.limits]
-  std::span<Vec3<double>> points;      ///< [nodes] places that fabrik draws
-  std::span<double> numbers;           ///< of `damped`
-  double length = 0.0;                 ///< of the longest way from a moving joint to an effector
+  std::span<Vec3<double>> points;      ///< [nodes] places that fabrik computes
+  std::span<double> numbers;           ///< matrices of `damped`
+  double length = 0.0;                 ///< length of the longest chain of bones from a moving joint to an effector
 
   const ChainGoal& goal() const noexcept { return job.goal; }
   const ChainIkJoint& part(const ChainNode& node) const noexcept { return goal().joints[node.part]; }
@@ -55,9 +55,10 @@ struct ChainTree {
     return node.parent == kNone ? quat_identity<double>() : nodes[node.parent].model_rotation;
   }
 
-  /// Turns a joint in the space of its parent: by at most ChainGoal::most_turn_rad, and within its limit.
+  /// Turns a joint in the space of its parent. The turn is clamped to ChainGoal::most_turn_rad and the joint to its
+  /// limit.
   void turn(std::uint32_t node, const Quat<double>& by) noexcept;
-  /// Matrices of the nodes from `first` on.
+  /// Recomputes the matrices of the nodes from `first` on.
   void update(std::uint32_t first) noexcept;
   ChainError error(std::size_t effector) const noexcept;
   ChainErrors errors() const noexcept;
@@ -69,13 +70,13 @@ std::size_t chain_bytes(const Skeleton& skeleton, const ChainGoal& goal) noexcep
 /// in   memory  chain_bytes
 ChainTree make_chain_tree(const ChainIkJob& job) noexcept;
 
-/// One iteration each.
+/// Each function runs one iteration of its solver.
 void step_ccd(ChainTree& tree) noexcept;
 void step_fabrik(ChainTree& tree) noexcept;
-/// in   damping  carried from one iteration to the next; begins at 0
+/// in   damping  updated from iteration to iteration; 0 before the first
 void step_damped(ChainTree& tree, double& damping) noexcept;
 
-/// Numbers that step_damped needs.
+/// Number of doubles that step_damped needs.
 std::size_t damped_numbers(std::size_t joints, std::size_t effectors) noexcept;
 
 }  // namespace sinew::ik

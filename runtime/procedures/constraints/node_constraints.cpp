@@ -38,7 +38,7 @@ Rotation goal_of(const NodeConstraintsJob& job, const NodeConstraint& constraint
 }
 
 void run_constraints(void* context, const ProcedurePose& pose) {
-  // The context of a procedure is not const; this one is only read.
+  // A procedure's context is not const, but this function only reads it.
   const auto* constraints = static_cast<const NodeConstraints*>(context);
   (void)run(NodeConstraintsJob{constraints, &pose.skeleton, pose.local, pose.share});
 }

@@ -19,9 +19,9 @@ namespace sinew {
 /// A joint whose rotation follows another joint (VRMC_node_constraint 1.0).
 struct NodeConstraint {
   enum class Kind : std::uint8_t {
-    roll,      ///< takes over the part of the source's rotation about `axis`
-    aim,       ///< turns `axis` to the source
-    rotation,  ///< takes over the source's rotation from its rest
+    roll,      ///< copies the part of the source's turn that is about `axis`
+    aim,       ///< turns the joint so that `axis` points to the source
+    rotation,  ///< copies the source's turn since its rest
   };
   Kind kind = Kind::rotation;
   std::uint32_t joint = kNone, source = kNone;
@@ -29,7 +29,7 @@ struct NodeConstraint {
   double weight = 1.0;     ///< [0, 1]
 };
 
-/// Constraints in an order in which each comes after those that it reads. Immutable.
+/// Constraints in order of evaluation: each comes after the constraints of joints that it reads. Immutable.
 class SINEW_API NodeConstraints {
  public:
   std::span<const NodeConstraint> ordered() const noexcept { return ordered_; }
@@ -41,13 +41,14 @@ class SINEW_API NodeConstraints {
   std::size_t joints_ = 0;
 };
 
-/// The part of a list that cannot be used, and why: "constraints[2]: joint "a" follows "b", which follows "a"".
+/// The constraint that cannot be used, and why: "constraints[2]: joint "a" follows "b", which follows "a"".
 struct ConstraintFault {
   ErrorCode code = ErrorCode::ok;
   std::string text;
 };
 
-/// Sorts constraints by what they read: the source; for aim also all joints above source and joint.
+/// Sorts constraints by the joints that they read: the source. An aim also reads all joints above the source and above
+/// the joint.
 /// err  index_out_of_range   a joint or source does not exist, or a joint has two constraints
 ///      not_finite, not_a_fraction   an axis or a weight;  unsupported   an axis without a direction, a fixed matrix
 ///      follows_itself       constraints read each other in a circle, which the text names
@@ -61,9 +62,10 @@ SINEW_API tl::expected<NodeConstraints, ConstraintFault> sort_constraints(const 
 ///      roll:     e = rest^-1 rest(source) d rest(source)^-1 rest;  goal = rest s^-1 e, s the shortest turn from the
 ///                axis to e(axis)
 ///      aim:      goal = s rest, s the shortest turn from rest(axis) to the direction of the source, in the parent's
-///      space result = slerp(rest, goal, weight) The rotation of the joint in the pose is not read. An aim at the place
-///      of the joint itself keeps the rest.
-/// in   pose  [J of the skeleton] local transforms;   share  [0, 1] of the results against the pose
+///      space
+///      result = slerp(rest, goal, weight). The joint's rotation in the pose is not read. If the source is at the same
+///      place as the joint, an aim keeps the rest.
+/// in   pose  [J of the skeleton] local transforms;   share  [0, 1] of the results in a mix with the pose
 /// out  pose  rotations of constrained joints
 /// err  size_mismatch, not_a_fraction     cost O(constraints), of aims O(depth); no allocation
 struct NodeConstraintsJob {
@@ -76,8 +78,8 @@ struct NodeConstraintsJob {
 SINEW_API ErrorCode check(const NodeConstraintsJob& job) noexcept;
 SINEW_API void run_unchecked(const NodeConstraintsJob& job) noexcept;
 
-/// The job as a step of a pose program. It depends on nothing but the pose, so it has one version for ever.
-/// in   constraints  live as long as the program runs
+/// The job as a procedure of a pose program. Its output depends on the pose alone, so its version never changes.
+/// in   constraints  must outlive the program's runs
 SINEW_API PoseProcedure constraints_procedure(const NodeConstraints& constraints) noexcept;
 
 }  // namespace sinew

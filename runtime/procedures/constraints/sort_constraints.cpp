@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// Depth-first sort: each constraint comes after those of the joints that it reads.
+/// Depth-first sort: each constraint is placed after the constraints of the joints that it reads.
 class ConstraintSorter {
  public:
   ConstraintSorter(const Skeleton& skeleton, std::span<const NodeConstraint> constraints)
@@ -29,8 +29,8 @@ class ConstraintSorter {
   /// A constraint that is being placed, and the joint whose constraint it waits for.
   struct Visit {
     std::uint32_t constraint;
-    std::uint32_t next;  ///< joint to look at, up to the roots
-    std::uint32_t then;  ///< joint to go on from after that; kNone = none
+    std::uint32_t next;  ///< next joint to look at; then its parents
+    std::uint32_t then;  ///< second joint to start from afterwards; kNone = none
   };
 
   void refuse(std::size_t index, ErrorCode code, const std::string& rule) {
@@ -62,7 +62,7 @@ class ConstraintSorter {
     return {constraint, c.source, is_aim ? skeleton_.parents[c.joint] : kNone};
   }
 
-  /// Without recursion, since a file may have a chain of any length.
+  /// Places a constraint and all that it needs. No recursion, since a file may have a chain of any length.
   void visit(std::uint32_t first) {
     if (stages_[first] != Stage::waiting) return;
     std::vector<Visit> open{opened(first)};

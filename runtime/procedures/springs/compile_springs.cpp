@@ -10,9 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr double kLargest = 1e15;  ///< Squares and products of such numbers are far from overflow.
+constexpr double kLargest = 1e15;  ///< Squares and products of numbers up to this one do not overflow.
 
-/// The rule that a number breaks; ok if it is finite and of a size that can be computed with.
+/// Returns the error of a number: not_finite, or too_large if products could overflow; else ok.
 ErrorCode check_number(double value) noexcept {
   if (!std::isfinite(value)) return ErrorCode::not_finite;
   return std::abs(value) > kLargest ? ErrorCode::too_large : ErrorCode::ok;
@@ -131,7 +131,7 @@ class SpringsCompiler {
     }
   }
 
-  /// Marks the joints of the setup and those between them, then lists them in the order of the skeleton.
+  /// Finds the joints of the setup and the joints between them, and lists them in the order of the skeleton.
   void add_records() {
     std::vector<std::uint32_t> setup_of(skeleton_.joint_count(), kNone);
     for (std::size_t j = 0; j < setup_.joints.size(); ++j)
@@ -177,8 +177,8 @@ class SpringsCompiler {
     record.length = safe_length(given.tail_m);
     record.axis = normalised_or(given.tail_m, Vec3<double>(0.0, 1.0, 0.0));
     if (record.length > 1e-9) record.group = given.group;
-    // At the usual rate the file's numbers are used as they are. A pull adds to the velocity in each tick, so at other
-    // rates it follows the square of the tick.
+    // At the usual rate of 60 ticks per second the file's numbers are used unchanged. A pull adds to the velocity in
+    // each tick, so at other rates it scales with the square of the tick's length.
     const double ticks = is_usual ? 1.0 : tick_s * 60.0;
     record.kept = is_usual ? kept : std::pow(kept, ticks);
     record.pull = given.stiffness * tick_s * ticks;
@@ -205,7 +205,7 @@ class SpringsCompiler {
     }
   }
 
-  /// The frame of a joint, or of the root for kNone; made once.
+  /// Index of the input frame of a joint, or of the root for kNone. Adds the frame if it is new.
   std::uint32_t frame_for(std::uint32_t joint) {
     const auto [at, is_new] = frame_of_.try_emplace(joint, static_cast<std::uint32_t>(out_.frames.size()));
     if (is_new) out_.frames.emplace_back();

@@ -8,7 +8,7 @@
 
 namespace sinew::springs {
 
-/// The shape of a collider in the world.
+/// Moves the shape of a collider into the world.
 template <class Frame>
 WorldShape world_shape(const SpringCollider& shape, const Frame& frame) noexcept {
   using Kind = SpringCollider::Kind;
@@ -21,9 +21,9 @@ WorldShape world_shape(const SpringCollider& shape, const Frame& frame) noexcept
   return out;
 }
 
-/// Pushes a tail out of a shape, or back into it.
-/// in   away  direction for a tail in the very centre
-/// out  true if the tail moved
+/// Moves a tail out of a shape, or into it for inside colliders.
+/// in   away  direction to take for a tail exactly at the centre
+/// out  returns true if the tail was moved
 inline bool push_out(const WorldShape& shape, double hit_radius, const Vec& away, Vec& tail) noexcept {
   Vec from = tail - shape.at;
   if (shape.kind == SpringCollider::Kind::plane) {
@@ -45,14 +45,15 @@ inline bool push_out(const WorldShape& shape, double hit_radius, const Vec& away
   return true;
 }
 
-/// A bone at its goal: its head, direction and length.
+/// Head, direction and length of a bone whose joint is at its goal.
 struct Bone {
   Vec head, axis;
   double length;
 };
 
-/// Pushes a tail out of all colliders of its group, in their order. It keeps its distance from the head.
-/// out  along  direction from the head to the tail
+/// Moves a tail out of all colliders of its group, in their order. After each one its distance from the head is
+/// restored.
+/// out  along  unit direction from the head to the tail
 inline void keep_out(const SpringTables& tables, std::span<const WorldShape> shapes, const SpringRecord& record,
                      const Bone& bone, Vec& along, Vec& tail) noexcept {
   const SpringGroupRecord& group = tables.groups[record.group];

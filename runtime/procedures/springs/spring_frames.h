@@ -37,7 +37,7 @@ inline Rot turn_between(const Vec& from, const Vec& to) noexcept {
   return quat_xyzw(v.x * inverse, v.y * inverse, v.z * inverse, w * inverse);
 }
 
-/// Transform of a joint in the world where all scales above it are uniform: position, rotation, and one signed factor.
+/// World transform of a joint if all scales above it are uniform: position, rotation, and a signed scale factor.
 struct UniformFrame {
   Vec at;
   Rot rotation;
@@ -48,11 +48,11 @@ struct UniformFrame {
   Vec point(const Vec& p) const noexcept { return at + vector(p); }
   Vec normal(const Vec& n) const noexcept { return rotate_vector(rotation, n) * sign(); }
 
-  /// Length and direction of the image of a vector, given its own.
+  /// Length and direction of a vector after the transform, given its own length and direction.
   double length_of(const Vec&, double length) const noexcept { return std::abs(scale) * length; }
   Vec direction_along(const Vec&, const Vec& axis) const noexcept { return normal(axis); }
 
-  /// A vector, of any length, whose image points along `v`.
+  /// A vector of any length that the transform turns to the direction `v`.
   Vec local_direction(const Vec& v) const noexcept { return rotate_vector(quat_conjugate(rotation), v) * sign(); }
   Vec local_point(const Vec& p) const noexcept {
     return scale != 0.0 ? rotate_vector(quat_conjugate(rotation), p - at) * (1.0 / scale) : Vec(0.0);
@@ -64,7 +64,7 @@ struct UniformFrame {
   UniformFrame scaled(const Vec& factors) const noexcept { return {at, rotation, scale * factors.x}; }
 };
 
-/// Transform of a joint in the world for scales of any kind, which shear joints that are rotated below them.
+/// World transform of a joint for scales of any kind. Such scales shear joints that are rotated below them.
 struct MatrixFrame {
   Vec at;
   Mat linear;

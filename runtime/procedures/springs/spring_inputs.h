@@ -13,7 +13,7 @@ inline bool scales_evenly(const Transform& local) noexcept {
   return local.scale.x == local.scale.y && local.scale.x == local.scale.z;
 }
 
-/// The numbers of a local transform that ticks need.
+/// Converts a local transform to the numbers that ticks need.
 inline JointInput joint_input(const SpringRecord& record, const Transform& local) noexcept {
   const Vec scale(local.scale), bone = record.tail * scale;
   const Rot goal = record.goal == SpringGoal::rest ? record.rest : normalised(quat_cast<double>(local.rotation));
@@ -21,8 +21,8 @@ inline JointInput joint_input(const SpringRecord& record, const Transform& local
   return {Vec(local.translation), goal, scale, bone, axis, std::abs(scale.x) * record.length};
 }
 
-/// A joint that springs read, as it is kept and interpolated between frames. Rotation and shape are apart, because a
-/// mean of two matrices would shrink.
+/// World transform of a joint that springs read. It is kept to be interpolated between frames. Rotation and shape
+/// (scale and shear) are separate, because the mean of two rotation matrices shrinks.
 /// eq   linear part = R(rotation) * shape
 struct InputFrame {
   Vec at{0.0};
@@ -32,25 +32,27 @@ struct InputFrame {
   friend bool operator==(const InputFrame&, const InputFrame&) = default;
 };
 
-/// eq   the rotation has the first axis of M, and the second as near as it can be; of -M where M mirrors
+/// Splits a world matrix M.
+/// eq   the first axis of the rotation is that of M, the second is as near as possible to that of M. If M mirrors, -M
+///      is used
 InputFrame input_frame_of(const Affined& world) noexcept;
 
-/// Weights of three frames at a time between the last two, or behind them.
+/// Weights of three frames for a time between the last two frames, or after them.
 struct FrameWeights {
   double earlier = 0.0, before = 0.0, now = 1.0;
 };
 
-/// in   fraction   of the way from the frame before to this one; beyond 1 it is extrapolated
-///      now_s, before_s   lengths of the last two frames; 0 = unknown
-/// eq   the parabola through the three places (Newton). It is a line where the two lengths differ by a factor of 4 or
-///      more, and for extrapolation, since noise would grow.
+/// in   fraction   of the way from the previous frame to this one; above 1 it extrapolates
+///      now_s, before_s   seconds of the last two frames; 0 = unknown
+/// eq   the parabola through the three places (Newton). A line is used if the two lengths differ by a factor of 4 or
+///      more, and for extrapolation, because a parabola would amplify noise.
 FrameWeights weights_at(double fraction, double now_s, double before_s) noexcept;
 
-/// The sum of three frames with weights.
+/// Weighted sum of three frames.
 InputFrame interpolated(const InputFrame& earlier, const InputFrame& before, const InputFrame& now,
                         const FrameWeights& weights) noexcept;
 
-/// True if the frame scales all directions alike, within a rounding of float.
+/// True if the frame scales all directions equally, up to rounding of float.
 bool is_uniform(const InputFrame& frame) noexcept;
 
 inline void place(const InputFrame& from, UniformFrame& out) noexcept {

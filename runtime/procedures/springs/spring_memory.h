@@ -10,25 +10,25 @@
 
 namespace sinew::springs {
 
-/// Time and sleep of one character.
+/// Clock and sleep state of a character.
 struct Clock {
-  double left_s;          ///< time of frames that no tick has covered; slightly below 0 after rounding
-  double before_s;        ///< length of the frame before; 0 = there is no frame before that
+  double left_s;          ///< seconds of past frames that no tick has simulated yet; slightly below 0 after rounding
+  double before_s;        ///< seconds of the previous frame; 0 = unknown
   std::uint32_t started;  ///< 0 before the first frame
   std::uint32_t asleep;
-  std::uint32_t at_rest;      ///< all joints had their rest transforms in the last frame; `read` was not written
-  std::uint32_t quiet_ticks;  ///< ticks in a row in which nothing moved or changed
+  std::uint32_t at_rest;      ///< all joints had rest transforms in the last frame, so `read` was not written
+  std::uint32_t quiet_ticks;  ///< consecutive ticks in which nothing moved or changed
   std::uint64_t sleeps;       ///< how often the springs fell asleep
-  Affined root;               ///< of the last frame
+  Affined root;               ///< root transform of the last frame
 };
 
-/// A tail in the space of its centre: now, and a tick before.
+/// Place of a tail now and a tick ago, in the space of its centre.
 struct Tail {
   Vec now, before;
-  Vec end;  ///< end of the bone now, in the space of the frame that the chain hangs on
+  Vec end;  ///< current end of the bone, in the space of the frame above the chain
 };
 
-/// A tail after a tick, as Tail::now and Tail::end.
+/// A tail after the next tick: values for Tail::now and Tail::end.
 struct NextTail {
   Vec now, end;
 };
@@ -39,7 +39,7 @@ struct WorldShape {
   bool inside;
   Vec at;          ///< centre, first end, or a point of the plane
   Vec along;       ///< capsule: to the second end; plane: the normal
-  double inverse;  ///< 1 / |along|^2; 0 if that is none
+  double inverse;  ///< 1 / |along|^2, or 0 if `along` is zero
   double radius;
 };
 
@@ -47,21 +47,21 @@ struct WorldShape {
 
 namespace sinew {
 
-static_assert(sizeof(springs::UniformFrame) <= sizeof(springs::MatrixFrame));  // which the memory is made for
+static_assert(sizeof(springs::UniformFrame) <= sizeof(springs::MatrixFrame));  // memory is sized for MatrixFrame
 
-/// Cuts a character's state and the working memory into arrays. All element types are trivially copyable.
+/// Divides a character's state and the working memory into arrays. All element types are trivially copyable.
 struct SpringMemory {
   springs::Clock* clock = nullptr;
   std::span<springs::InputFrame> before;   ///< [frames] of the frame before
   std::span<springs::InputFrame> earlier;  ///< [frames] of the frame before that
   std::span<springs::Tail> tails;          ///< [records]
-  std::span<springs::Rot> shown;           ///< [records] result of the last frame
-  std::span<Transform> read;               ///< [records] local transforms of the last frame
+  std::span<springs::Rot> shown;           ///< [records] rotations that the last frame wrote
+  std::span<Transform> read;               ///< [records] local transforms that the last frame read
 
   std::span<Affined> ancestors;            ///< [ancestors]
   std::span<springs::InputFrame> now;      ///< [frames] of this frame
-  std::span<springs::MatrixFrame> frames;  ///< [frames] at the time of a tick
-  std::span<springs::MatrixFrame> joints;  ///< [records] at the time of a tick
+  std::span<springs::MatrixFrame> frames;  ///< [frames] input frames, interpolated to the time of a tick
+  std::span<springs::MatrixFrame> joints;  ///< [records] transforms of the joints at the time of a tick
   std::span<springs::WorldShape> shapes;   ///< [colliders]
   std::span<springs::JointInput> inputs;   ///< [records]
   std::span<springs::NextTail> next;       ///< [records] tails after a tick

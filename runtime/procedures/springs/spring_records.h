@@ -13,45 +13,45 @@ namespace sinew {
 
 namespace springs {
 
-/// The local transform of a record in a frame, ready for ticks.
+/// Local transform of a record's joint in a frame, prepared for ticks.
 struct JointInput {
   Vec3<double> translation;
   Quat<double> goal;  ///< rest or animated rotation, unit
   Vec3<double> scale;
-  Vec3<double> bone;  ///< the tail, scaled
-  Vec3<double> axis;  ///< its direction
+  Vec3<double> bone;  ///< vector to the tail, scaled
+  Vec3<double> axis;  ///< unit direction of `bone`
   double length;
 };
 
 }  // namespace springs
 
-/// A joint that springs compute: it swings, or it is carried between two that swing.
+/// A joint that springs compute. It either swings, or it lies between two swinging joints and is carried along.
 struct SpringRecord {
   std::uint32_t joint = 0;
-  std::uint32_t parent = kNone;  ///< an earlier record; kNone = the joint hangs on `frame`
-  std::uint32_t frame = kNone;   ///< into SpringTables::frames: the joint above the whole chain
-  std::uint32_t group = kNone;   ///< kNone = carried
-  std::uint32_t setup = kNone;   ///< index of the joint in the setup
+  std::uint32_t parent = kNone;  ///< an earlier record; kNone = the joint is a child of `frame`
+  std::uint32_t frame = kNone;   ///< index into SpringTables::frames: the joint above the whole chain
+  std::uint32_t group = kNone;   ///< kNone = the joint is carried along
+  std::uint32_t setup = kNone;   ///< index of the joint in SpringSetup::joints
   SpringGoal goal = SpringGoal::pose;
   Quat<double> rest = quat_identity<double>();  ///< used for SpringGoal::rest
-  Vec3<double> tail{0.0}, axis{0.0, 1.0, 0.0};  ///< and its direction
+  Vec3<double> tail{0.0}, axis{0.0, 1.0, 0.0};  ///< vector to the tail, and its unit direction
   double length = 0.0;                          ///< of the tail
-  double kept = 0.0;                            ///< part of the velocity that a tick keeps
-  double pull = 0.0;                            ///< metres that stiffness moves the tail in a tick
-  Vec3<double> gravity{0.0};                    ///< metres that gravity moves the tail in a tick
+  double kept = 0.0;                            ///< factor of the velocity per tick, 1 - drag at 60 ticks per second
+  double pull = 0.0;                            ///< metres per tick by which stiffness moves the tail
+  Vec3<double> gravity{0.0};                    ///< metres per tick by which gravity moves the tail
   double hit_radius = 0.0;
   bool lagging = false;  ///< SpringJoint::lagging_length
 };
 
-/// A joint whose transform springs read and do not change: they hang on it, or a collider or centre does.
+/// A joint whose transform springs read but do not change: chains, colliders or centres are attached to it.
 struct SpringInputFrame {
-  std::uint32_t ancestor = kNone;  ///< into SpringTables::ancestors; kNone = the root
+  std::uint32_t ancestor = kNone;  ///< index into SpringTables::ancestors; kNone = the root transform
 };
 
-/// A joint above a frame, which is composed once a frame.
+/// A joint above an input frame. Its world transform is computed once per frame.
 struct SpringAncestor {
   std::uint32_t joint = 0;
-  std::uint32_t parent = kNone;  ///< an earlier ancestor; kNone = the root
+  std::uint32_t parent = kNone;  ///< an earlier ancestor; kNone = the root transform
 };
 
 struct SpringGroupRecord {
@@ -64,18 +64,18 @@ struct SpringColliderRecord {
   std::uint32_t frame = 0;  ///< into SpringTables::frames
 };
 
-/// Everything that SpringsJob reads of a definition, in the order of the skeleton.
+/// All data of a definition that SpringsJob reads, in the order of the skeleton.
 struct SpringTables {
   std::vector<SpringRecord> records;
   std::vector<SpringAncestor> ancestors;
   std::vector<SpringInputFrame> frames;
   std::vector<SpringGroupRecord> groups;
-  std::vector<SpringColliderRecord> colliders;  ///< those that groups use
+  std::vector<SpringColliderRecord> colliders;  ///< colliders that some group uses
   std::vector<std::uint32_t> collider_lists;
-  bool has_carried = false;                      ///< some records are carried
+  bool has_carried = false;                      ///< some records are carried along
   std::vector<Transform> rest;                   ///< [records]
-  std::vector<springs::JointInput> rest_inputs;  ///< [records] of joints at rest
-  bool is_rest_uniform = true;                   ///< no rest scale shears
+  std::vector<springs::JointInput> rest_inputs;  ///< [records] inputs of the joints at rest
+  bool is_rest_uniform = true;                   ///< no scale at rest shears joints
 };
 
 }  // namespace sinew

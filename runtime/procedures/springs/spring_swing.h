@@ -5,9 +5,10 @@
 
 namespace sinew::springs {
 
-/// swung() turns a joint from its goal, so that its bone points along a direction of the world.
-/// local_rotation() is the rotation of that joint in the space of the joint above it.
-/// in   goal   frame of the joint at its goal, without its own scale;   axis, along   unit: the bone at the goal, and now
+/// swung() turns a joint away from its goal, so that its bone points along a world direction.
+/// local_rotation() returns the rotation of the turned joint in its parent's space.
+/// in   goal   frame of the joint at its goal, without its own scale;   axis, along   unit: direction of the bone at
+///      the goal, and after the turn
 
 inline UniformFrame swung(const UniformFrame& goal, const JointInput&, const Vec& axis, const Vec& along) noexcept {
   return UniformFrame{goal.at, turn_between(axis, along) * goal.rotation, goal.scale};

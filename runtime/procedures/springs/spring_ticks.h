@@ -10,7 +10,7 @@
 
 namespace sinew::springs {
 
-/// The steps of one frame, for frames of one kind.
+/// The simulation steps of one frame. Frame is UniformFrame or MatrixFrame.
 template <class Frame>
 class Ticks {
  public:
@@ -23,7 +23,7 @@ class Ticks {
         joints_(reinterpret_cast<Frame*>(memory.joints.data())),
         threshold_(threshold) {}
 
-  /// Places all input frames and colliders at a time between the last frames, or behind them.
+  /// Places all input frames and colliders at a time between the last frames, or after them.
   void place_inputs(const FrameWeights& weights) noexcept {
     for (std::size_t f = 0; f < memory_.now.size(); ++f)
       place(interpolated(memory_.earlier[f], memory_.before[f], memory_.now[f], weights), frames_[f]);
@@ -33,7 +33,7 @@ class Ticks {
     }
   }
 
-  /// Puts all tails at rest where their goals are.
+  /// Puts all tails at their goals, without velocity.
   void reset() noexcept {
     for_each([&](std::size_t r, const SpringRecord& record, const Frame& goal) {
       const Vec end = goal.point(inputs_[r].bone), tail = to_center(record, end);
@@ -42,9 +42,9 @@ class Ticks {
     });
   }
 
-  /// One tick, from SpringMemory::tails to SpringMemory::next. True if a joint moved faster than the threshold.
-  /// in   kShows   also writes the rotations, as show() would after it
-  /// out  tails    [joints of the setup] or empty; only if the tick shows
+  /// Runs a tick from SpringMemory::tails to SpringMemory::next. True if a joint moved faster than the threshold.
+  /// in   kShows   true: also writes the rotations, as a show() after the tick would
+  /// out  tails    [joints of the setup] or empty; written only with kShows
   template <bool kShows>
   bool tick(std::span<Vec> tails = {}) noexcept {
     bool moves = false;
@@ -78,14 +78,14 @@ class Ticks {
     return moves;
   }
 
-  /// Makes the last tick's result the state.
+  /// Makes the result of the last tick the current state.
   void commit() noexcept {
     for (std::size_t r = 0; r < memory_.tails.size(); ++r)
       memory_.tails[r] = {memory_.next[r].now, memory_.tails[r].now, memory_.next[r].end};
   }
 
-  /// Rotations of all joints for tails at a fraction of the way from the last tick to `next`; 0 needs no `next`.
-  /// out  tails[joints of the setup] or empty; rotations of sleeping joints keep their bits
+  /// Writes all rotations for tails at `fraction` of the way from the last tick to `next`. At 0 `next` is not read.
+  /// out  tails[joints of the setup] or empty; sleeping joints keep the bits of their rotations
   void show(double fraction, std::span<Vec> tails, bool writes_rotations = true) noexcept {
     for_each([&](std::size_t r, const SpringRecord& record, const Frame& goal) {
       const JointInput& input = inputs_[r];
@@ -105,7 +105,7 @@ class Ticks {
   }
 
  private:
-  /// Calls swing(record, its goal) for each joint that swings, parents first; it returns the joint's new frame.
+  /// Calls swing(r, record, its goal) for each joint that swings, parents first. swing returns the joint's new frame.
   template <class Swing>
   void for_each(const Swing& swing) noexcept {
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {

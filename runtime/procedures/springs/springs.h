@@ -19,11 +19,11 @@ namespace sinew {
 /// Springs of one skeleton, prepared for SpringsJob. Immutable, and shared by all characters on that skeleton.
 class SINEW_API Springs {
  public:
-  std::size_t joint_count() const noexcept { return joint_count_; }  ///< joints of the setup
+  std::size_t joint_count() const noexcept { return joint_count_; }  ///< number of joints of the setup
   std::size_t skeleton_joint_count() const noexcept { return skeleton_joints_; }
   const SpringSettings& settings() const noexcept { return settings_; }
 
-  /// Bytes of a character's state: a block of the caller, trivially copyable, aligned to 8. A copy restores it.
+  /// Bytes of a character's state. The caller owns this block, aligned to 8 bytes; a copy of it restores the character.
   std::size_t state_bytes() const noexcept;
 
   /// Bytes of working memory, aligned to 8. Characters that run one after another may share it.
@@ -39,13 +39,13 @@ class SINEW_API Springs {
   SpringTables tables_;
 };
 
-/// The part of a setup that cannot be used, and why.
+/// The entry of a setup that cannot be used, and why.
 struct SpringsFault {
   ErrorCode code = ErrorCode::ok;
   std::string text;  ///< names list, index and rule: "joints[3]: another entry has the same joint"
 };
 
-/// Prepares springs. Joints between two joints of a spring keep their animated rotation and are carried along.
+/// Prepares springs. Joints that lie between two joints of a spring keep their animated rotation and are carried along.
 /// in   skeleton  of the poses;   setup  indices into that skeleton and into its own lists
 /// err  index_out_of_range     a joint, group, collider or centre does not exist, or a joint has two springs
 ///      not_finite, too_large, negative_weight, not_a_fraction   a number of the setup or the settings
@@ -56,8 +56,9 @@ struct SpringsFault {
 SINEW_API tl::expected<Springs, SpringsFault> compile_springs(const Skeleton& skeleton, const SpringSetup& setup,
                                                               const SpringSettings& settings = {});
 
-/// Adds `root` and all joints below it to a setup, with the values of `like`, depth first. The tail of a joint is its
-/// first child. The tail of a joint without children is `end_m` behind it, along its own translation, as VRM 0 has it.
+/// Adds `root` and all joints below it to a setup, depth first, with the values of `like`. The tail of a joint is its
+/// first child. A joint without children has its tail at `end_m` metres behind it, in the direction of its own
+/// translation, as in VRM 0.
 /// limits  A joint with a fixed matrix cannot swing: it is left out, with all below it.
 /// cost O(J), allocates
 SINEW_API void add_chain_below(const Skeleton& skeleton, std::uint32_t root, const SpringJoint& like, double end_m,

@@ -13,10 +13,10 @@ namespace {
 
 using namespace springs;
 
-constexpr double kRounding = 1e-6;  ///< part of a tick by which sums of frame times may miss it
-constexpr double kFarthest = 8.0;   ///< frames that transforms are extrapolated by, at most
+constexpr double kRounding = 1e-6;  ///< part of a tick by which rounded sums of frame times may miss a tick's end
+constexpr double kFarthest = 8.0;   ///< most frames by which transforms are extrapolated
 
-/// One frame of one character.
+/// Simulates one frame of one character.
 class SpringsFrame {
  public:
   explicit SpringsFrame(const SpringsJob& job) noexcept
@@ -50,7 +50,7 @@ class SpringsFrame {
   }
 
  private:
-  /// Reads the local transforms of all joints. True if one differs from the frame before.
+  /// Reads the local transforms of all joints. Returns true if one differs from the previous frame.
   bool read_joints() noexcept {
     const bool was_at_rest = clock_.at_rest != 0;
     clock_.at_rest = is_at_rest() ? 1 : 0;
@@ -63,7 +63,7 @@ class SpringsFrame {
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {
       const SpringRecord& record = tables_.records[r];
       Transform local = job_.pose.get(record.joint);
-      if (record.goal == SpringGoal::rest) local.rotation = quat_identity<float>();  // it is not used
+      if (record.goal == SpringGoal::rest) local.rotation = quat_identity<float>();  // animation is ignored
       changed |= !same_bits(local, memory_.read[r]);
       memory_.read[r] = local;
       is_uniform_ &= scales_evenly(local);
@@ -73,7 +73,7 @@ class SpringsFrame {
     return changed;
   }
 
-  /// True if all joints have their rest transforms; rotations count only where they are used.
+  /// True if all joints have their rest transforms. Rotations that springs ignore do not count.
   bool is_at_rest() const noexcept {
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {
       const SpringRecord& record = tables_.records[r];
@@ -85,7 +85,8 @@ class SpringsFrame {
     return true;
   }
 
-  /// Composes the joints that springs hang on. True if one differs from the frame before.
+  /// Computes the world transforms of the joints that springs hang on. Returns true if one differs from the previous
+  /// frame.
   bool read_frames() noexcept {
     for (std::size_t a = 0; a < tables_.ancestors.size(); ++a) {
       const SpringAncestor& ancestor = tables_.ancestors[a];
@@ -116,7 +117,8 @@ class SpringsFrame {
     starts_ = true;
   }
 
-  /// Moves tails rigidly with the frame that they hang on; those in the space of a centre are moved by it.
+  /// Moves tails rigidly with the input frame of their chain. Tails in the space of a centre move with the centre
+  /// anyway.
   void teleport() noexcept {
     for (std::size_t r = 0; r < tables_.records.size(); ++r) {
       const SpringRecord& record = tables_.records[r];
@@ -147,7 +149,7 @@ class SpringsFrame {
     }
     if (is_shown_) return;
     const double left = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
-    if (left > 0.0) {  // looks ahead to the next tick
+    if (left > 0.0) {  // the frame lies between two ticks: computes the next tick to interpolate
       const double ahead = job_.dt_s > 0.0 ? (std::min)((h - left) / job_.dt_s, kFarthest) : 0.0;
       ticks.place_inputs(weights_at(1.0 + ahead, job_.dt_s, 0.0));
       ticks.template tick<false>();
@@ -171,7 +173,7 @@ class SpringsFrame {
       const double after = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
       const double fraction = job_.dt_s > 0.0 ? (std::max)(1.0 - after / job_.dt_s, 0.0) : 1.0;
       ticks.place_inputs(weights_at(fraction, job_.dt_s, clock_.before_s));
-      is_shown_ = after == 0.0 && todo == 1.0;  // so no other pass is needed
+      is_shown_ = after == 0.0 && todo == 1.0;  // this last tick ends with the frame and also writes the rotations
       const bool moves = is_shown_ ? ticks.template tick<true>(job_.tails) : ticks.template tick<false>();
       ticks.commit();
       count_tick();
@@ -211,7 +213,7 @@ class SpringsFrame {
   const SpringSettings& settings_;
   SpringMemory memory_;
   Clock& clock_;
-  std::span<const JointInput> inputs_;  ///< [records] in scratch, or those of rest
+  std::span<const JointInput> inputs_;  ///< [records] in scratch, or SpringTables::rest_inputs
   SpringCounts counts_;
   bool is_uniform_ = true, starts_ = false, is_shown_ = false;
 };

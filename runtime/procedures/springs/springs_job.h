@@ -11,26 +11,27 @@
 
 namespace sinew {
 
-/// A jump between two frames.
+/// A discontinuity between two frames.
 enum class SpringEvent : std::uint8_t {
   none,
-  reset,     ///< springs take their goal and are at rest; no time passes
-  teleport,  ///< springs move along with the joint that they hang on, and keep their swing relative to it
+  reset,     ///< springs jump to their goals and rest there; no time passes
+  teleport,  ///< springs move along with the joint that they hang on, and keep their swing relative to that joint
 };
 
 /// Work of one frame.
 struct SpringCounts {
-  std::uint32_t ticks = 0;          ///< steps of the simulation, and the one that a frame between two ticks looks ahead
-  std::uint32_t joints = 0;         ///< joints computed in all ticks; 0 = asleep
-  std::uint32_t dropped_ticks = 0;  ///< time beyond SpringSettings::max_ticks
+  std::uint32_t ticks = 0;          ///< simulated ticks, including the look-ahead tick of a frame between two ticks
+  std::uint32_t joints = 0;         ///< sum over all ticks of the joints computed; 0 = asleep
+  std::uint32_t dropped_ticks = 0;  ///< ticks dropped because of SpringSettings::max_ticks
   bool asleep = false;
 };
 
-/// One frame of springs, in ticks of a fixed length. Ticks do the same at any frame rate.
+/// Simulates springs for one frame, in ticks of a fixed length. Ticks do not depend on the frame rate.
 /// eq   for each joint, parents first, in each tick (VRMC_springBone 1.0):
-///      n = x + (x - x_before)(1 - drag) + a stiffness h + gravity h, a the direction of the goal;
-///      n = head + length * direction(n - head); the same again after each collider that pushes n away;
-///      the bone points to n, and n need not be its end where SpringJoint::lagging_length is set or scales shear
+///      n = x + (x - x_before)(1 - drag) + a stiffness h + gravity h, a the direction of the goal, h the length of a
+///      tick;
+///      n = head + length * direction(n - head). This is repeated after each collider that moves n.
+///      The bone points to n. With SpringJoint::lagging_length or shear, its end may differ from n.
 ///      Transforms that springs hang on are interpolated between this frame and the two before. Between two ticks, the
 ///      result moves from the last tick towards the next one, computed with extrapolated transforms.
 /// in   pose    [J of the skeleton] local transforms;   root  world transform above all root joints, in double
@@ -40,7 +41,7 @@ struct SpringCounts {
 ///      tails   [joints of the setup] positions in the world, or empty;   counts  may be null
 /// err  size_mismatch (also memory that is not aligned to 8), overlapping_buffers, not_finite, times_not_increasing,
 ///      not_a_fraction
-/// cost O(ancestors + joints * (ticks + 1) * colliders of each), no allocation; asleep only reads the input
+/// cost O(ancestors + joints * (ticks + 1) * colliders of each), no allocation; sleeping springs only read the input
 struct SpringsJob {
   const Springs* springs = nullptr;
   const Skeleton* skeleton = nullptr;
@@ -57,11 +58,12 @@ struct SpringsJob {
 SINEW_API ErrorCode check(const SpringsJob& job) noexcept;
 SINEW_API void run_unchecked(const SpringsJob& job) noexcept;
 
-/// True if a state sleeps, and the root is that of its last frame: until the pose changes, frames leave it as it is.
+/// True if the springs sleep and `root` is the root of their last frame. Frames then change nothing until the pose
+/// changes.
 /// in   state  Springs::state_bytes of these springs
 SINEW_API bool springs_asleep(std::span<const std::byte> state, const Affined& root) noexcept;
 
-/// How often a state fell asleep: while it sleeps, a number above 0 that names this sleep.
+/// How often the springs fell asleep. During a sleep this number is above 0 and identifies the sleep.
 SINEW_API std::uint64_t springs_sleeps(std::span<const std::byte> state) noexcept;
 
 }  // namespace sinew
