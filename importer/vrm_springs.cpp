@@ -76,7 +76,7 @@ class SetupMaker {
     keep_usable(index, first);
   }
 
-  /// Leaves out joints from `first` on that have another spring, or a matrix that cannot turn.
+  /// Of the joints from `first` on, drops each that another spring already moves, or whose matrix is fixed.
   void keep_usable(std::size_t spring, std::size_t first) {
     auto& joints = out_.setup.joints;
     const auto refuses = [&](const SpringJoint& joint) {
@@ -107,7 +107,7 @@ class SetupMaker {
     return joint;
   }
 
-  /// Rest position of a joint in the space of one above it; nothing if that is not above.
+  /// Rest position of `joint` in the space of its ancestor `above`; nothing if `above` is no ancestor.
   std::optional<Vec3<double>> place_in(std::uint32_t joint, std::uint32_t above) const {
     Vec3<double> place(0.0);
     for (; joint != above; joint = skeleton_.parents[joint]) {

@@ -11,7 +11,7 @@
 
 namespace sinew::formats {
 
-/// Facts that a file does not say of itself, and those that count in place of what it says.
+/// Facts that a file does not state, and values that replace the ones that it states.
 struct FormatOptions {
   /// Length of a unit. Default: what an FBX or COLLADA file says; a BVH file says nothing and is in centimetres.
   std::optional<double> metres_per_unit;
@@ -22,16 +22,16 @@ struct FormatOptions {
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
 };
 
-/// A file of another format as glTF.
+/// A BVH, FBX or COLLADA file converted to glTF, and a summary for the user.
 struct ImportedFormat {
   std::vector<std::byte> glb;
   std::string format;               ///< "BVH", "FBX" or "COLLADA"
-  std::size_t joints = 0;           ///< nodes of the file that was made
-  std::size_t clips = 0, keys = 0;  ///< keys: of the track that has most
+  std::size_t joints = 0;           ///< Number of nodes in the glTF file.
+  std::size_t clips = 0, keys = 0;  ///< `keys` is the count of the track with the most keys.
   std::size_t vertices = 0;
   double duration_s = 0.0;            ///< of the longest clip
   std::vector<ImportIssue> warnings;  ///< repairs; json_pointer holds the place in the source
-  std::vector<std::string> left_out;  ///< what glTF or this reader does not carry, a sentence each
+  std::vector<std::string> left_out;  ///< A sentence for each thing that glTF or this reader cannot keep.
 };
 
 /// Reads a BVH, FBX or COLLADA file, told by its first bytes. Y is up and lengths are in metres afterwards; names are

@@ -19,8 +19,8 @@ namespace sinew::formats {
 struct FoldedJoint {
   static constexpr std::size_t kNoParent = static_cast<std::size_t>(-1);
 
-  const aiNode* node = nullptr;           ///< The end of the chain; it has the name and the meshes.
-  std::size_t parent = kNoParent;         ///< Before its children.
+  const aiNode* node = nullptr;    ///< Last node of the chain; it bears the joint's name and meshes.
+  std::size_t parent = kNoParent;  ///< Index of the parent, always lower than the joint's own; kNoParent for the root.
   std::vector<const aiNode*> links;       ///< From the parent inward; `node` is the last.
   std::vector<const aiNode*> mesh_links;  ///< Places the meshes below the joint, and nothing else.
 };
@@ -32,8 +32,8 @@ std::vector<FoldedJoint> fold_joints(const aiNode& root);
 using Channels = std::map<std::string_view, const aiNodeAnim*>;
 Channels channels_of(const aiAnimation& animation);
 
-/// The channel that gives the whole transform of a joint; null if there is none. assimp writes such a channel also for
-/// a chain whose parts are only translation, rotations and scale.
+/// Returns the channel that holds the joint's whole transform, or null. assimp also writes a whole-transform channel
+/// for a chain that consists of translation, rotations and scale only.
 const aiNodeAnim* whole_channel(const FoldedJoint& joint, const Channels& channels);
 
 /// True if a channel moves any link of the joint.
@@ -44,11 +44,11 @@ Affined matrix_of(const aiMatrix4x4& m) noexcept;
 /// Product of the matrices of nodes.
 Affined product_of(const std::vector<const aiNode*>& links) noexcept;
 
-/// Keys before and after a time, and how far the time is between them.
+/// The two keys around a time, and the time's position between them.
 template <class Key>
 struct KeysAround {
   const Key *before, *after;
-  double factor;  ///< 0 = at `before`, or outside of all keys
+  double factor;  ///< 0 to 1 from `before` to `after`; 0 if the time is outside of all keys.
 };
 
 /// in    keys[count]   ascending, at least one
@@ -61,7 +61,7 @@ KeysAround<Key> keys_around(const Key* keys, unsigned count, double ticks) noexc
   return {after - 1, after, (ticks - after[-1].mTime) / (after->mTime - after[-1].mTime)};
 }
 
-/// A channel at a time in ticks: linear between keys, held outside of them.
+/// Samples a channel at a time in assimp's ticks. Linear between keys; the first or last key holds outside of them.
 Transformd sample_channel(const aiNodeAnim& channel, double ticks) noexcept;
 
 /// The joint's transform in its parent's space at a time in ticks.

@@ -11,11 +11,11 @@
 
 namespace sinew::formats {
 
-/// A mesh with morph targets that a node shows.
+/// A node of the draft that shows a mesh with morph targets.
 struct MorphedNode {
   int node = -1;
-  unsigned mesh = 0;      ///< of assimp's scene
-  std::size_t joint = 0;  ///< that the mesh belongs to
+  unsigned mesh = 0;      ///< Index of the mesh in assimp's scene.
+  std::size_t joint = 0;  ///< Index of the joint that holds the mesh.
 };
 
 /// A scene of assimp on its way into a draft. Each step reads what the steps before it have filled.
@@ -27,7 +27,7 @@ struct SceneDraft {
   double metres_per_unit = 1.0;
   std::vector<FoldedJoint> joints;
   std::vector<int> node_of_joint;           ///< [joints]
-  std::map<std::string, int> node_of_name;  ///< first node of each name
+  std::map<std::string, int> node_of_name;  ///< If several nodes share a name, the first.
   std::vector<MorphedNode> morphed;
   std::map<unsigned, int> material_of_source;  ///< those that a mesh uses
 };

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// A motion graph as people write it: things have names, and refer to each other by name. Names are sorted, so a
-/// document has one text. graph_schema.h says how each member reads.
+/// A motion graph as its JSON file states it: nodes, parameters and masks refer to each other by name. The maps sort
+/// names, so equal documents give equal text. graph_schema.h lists the JSON key of each member.
 struct GraphDocument {
   struct Parameter {
     GraphParameterKind kind = GraphParameterKind::number;
@@ -47,7 +47,7 @@ struct GraphDocument {
     std::string weight_by, mask;
   };
 
-  /// Members of other kinds keep their defaults.
+  /// A node of the graph. `kind` selects the group of members that is used; all other members keep their defaults.
   struct Node {
     GraphNodeKind kind = GraphNodeKind::clip;
     std::string clip, speed_by;  // clip
@@ -69,7 +69,8 @@ struct GraphDocument {
   };
 
   std::map<std::string, Parameter> parameters;
-  std::map<std::string, std::vector<std::string>> masks;  ///< joints, each with all below it; indices are as sorted
+  /// Joint names of each mask; a joint stands for itself and all its descendants. Compiled masks are in name order.
+  std::map<std::string, std::vector<std::string>> masks;
   std::map<std::string, Node> nodes;
   std::string root;
 };

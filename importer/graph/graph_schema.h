@@ -5,13 +5,14 @@
 
 #include "importer/graph/graph_document.h"
 
-// The one description of graph files. Reader, writer and the table in README.md walk over these members; each is
-// described as (key, member, text). `required` members must be there, others keep their defaults.
+// Lists every member of a graph file as (JSON key, C++ member, description). The reader, the writer and the table in
+// README.md all use this list. A file must state each `required` member; any other member that it omits keeps its
+// default.
 namespace sinew::graph_schema {
 
 inline constexpr int kVersion = 1;
 
-/// Words of enumerations, in the order of their values.
+/// The JSON words of an enumeration; the index of a word is the enumerator's value.
 constexpr auto words_of(GraphParameterKind) { return std::array{"number", "flag", "trigger"}; }
 constexpr auto words_of(GraphConditionKind) {
   return std::array{"above", "below", "equal", "not_equal", "on", "off", "trigger", "time_in_state", "played", "phase"};

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-/// A fault of a graph file: the place (RFC 6901) and a sentence.
+/// An error in a graph file: its place as a JSON pointer (RFC 6901), and a sentence for the user.
 struct GraphTextFault {
   std::string json_pointer, sentence;
 };
@@ -22,19 +22,19 @@ using GraphTextResult = tl::expected<T, GraphTextFault>;
 /// err  the first fault: no JSON, an unknown or missing key, a wrong type or word
 GraphTextResult<GraphDocument> read_graph(std::string_view text);
 
-/// The text of a document: keys in one order, members that have their defaults left out.
+/// Writes a document as JSON text. The order of the keys is fixed, and members that equal their default are omitted.
 std::string write_graph(const GraphDocument& document);
 
-/// The tables of a document, checked.
-/// err  a name that nothing has; whatever find_fault refuses, with its place in the document
+/// Replaces the names of a document by indices, and checks the resulting tables.
+/// err  a reference to a name that is not defined; a fault found by find_fault, with its place in the document
 GraphTextResult<GraphDefinition> compile_graph(const GraphDocument& document);
 
 /// A table of all members in Markdown, as README.md shows it.
 std::string describe_graph_format();
 
-/// A locomotion graph from clip names: gaits on a line of speed, found by words such as idle, walk and run, and jumps
-/// beside them. Edit it.
-/// err  no clip is called like a gait
+/// Drafts a locomotion graph from clip names, for the user to edit. Clips whose names contain a gait (idle, walk, run)
+/// are blended by speed; a jump clip gets a state of its own.
+/// err  no clip name contains the word of a gait
 GraphTextResult<GraphDocument> new_graph(const std::vector<std::string>& clips);
 
 }  // namespace sinew

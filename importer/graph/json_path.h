@@ -5,7 +5,7 @@
 
 namespace sinew {
 
-/// A place in a document, as a chain up to its root.
+/// A place in a JSON document: a key and a pointer to the place that contains it. `parent` must outlive this.
 struct JsonPath {
   const JsonPath* parent = nullptr;
   std::string key;
@@ -13,7 +13,7 @@ struct JsonPath {
   JsonPath() = default;
   JsonPath(const JsonPath* above, std::string name) : parent(above), key(std::move(name)) {}
 
-  /// RFC 6901.
+  /// The place as a JSON pointer (RFC 6901), for example "/nodes/walk"; empty for the root.
   std::string text() const {
     if (parent == nullptr) return {};
     std::string out = parent->text();

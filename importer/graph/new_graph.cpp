@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// The words of gaits, from slow to fast, and how fast characters go with them.
+/// A gait: the word that marks its clips, and the assumed speed of a character. kGaits is ordered by speed.
 struct Gait {
   const char* word;
   float metres_a_second;
@@ -25,7 +25,7 @@ std::string lower(const std::string& name) {
   return out;
 }
 
-/// The shortest name with a word: "Walking" rather than "Walking_Backwards".
+/// Finds the shortest clip name that contains `word`, so "Walking" wins over "Walking_Backwards". Null if none does.
 const std::string* clip_called(const std::vector<std::string>& clips, const char* word) {
   const std::string* best = nullptr;
   for (const std::string& clip : clips)

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> kSteps = {"hold", "linear", "cubic"}; 
 constexpr std::array<std::string_view, 3> kBlends = {"mean", "sum", "heaviest"};  // in the order of CurveBlend
 constexpr std::string_view kRotation = "rotation";
 
-/// The index of a word in a list; `fallback` without a word, the length of the list for any other value.
+/// Index in `words` of the member's word. `fallback` if the member is absent; kCount if its value is not in the list.
 template <std::size_t kCount>
 std::size_t index_of(const Json& object, const char* member, const std::array<std::string_view, kCount>& words,
                      std::size_t fallback) {

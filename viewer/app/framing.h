@@ -15,7 +15,7 @@ enum class Framing : std::uint8_t {
 
 /// Points that the camera frames, and the path that it follows.
 struct Framed {
-  Outline outline;  ///< with Framing::follow: of all poses, each moved back by its point of `path`
+  Outline outline;  ///< Points to frame. Framing::follow: of all poses, each minus its path point.
 
   /// With Framing::follow: box centers of poses spread evenly over the clip, with y = 0. Otherwise one point, the
   /// origin.

@@ -27,7 +27,8 @@ class Headless {
 
   /// Draws one frame. Equal inputs give equal bytes on the same driver.
   /// in   variant  index of a material variant; kNone = the primitives' default materials
-  ///      source   frames of one frame buffer have the same number, so that what stays is kept; 0 = unknown
+  ///      source   identifies the frame buffer of `frame`: for an equal number, unchanged vertices are not uploaded
+  ///               again; 0 = unknown, all vertices are uploaded
   Picture render(const FrameResult& frame, const View& view, const RenderOptions& options,
                  std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone,
                  const VisibilityBlend& visibility = {}, std::uint64_t source = 0);

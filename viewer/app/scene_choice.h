@@ -26,8 +26,8 @@ std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view
 /// The names of the clips as in the file; some may be empty.
 std::vector<std::string> clip_names(const Scene& scene);
 
-/// Finds the clip, camera or variant of `now` with the same name as entry `index` before. Among equal names, their
-/// order decides. Only cameras on nodes count.
+/// After a reload, finds the clip, camera or variant of `now` that has the name of entry `index` of the earlier scene.
+/// The second entry of a name corresponds to the second again. Cameras that no node uses are skipped.
 /// in   index  kNone = none was chosen, returns kNone;   clips_before  clip_names() of the earlier scene
 /// err  empty if there is no such entry any more
 std::optional<std::uint32_t> same_clip(const std::vector<std::string>& clips_before, std::uint32_t index,

@@ -30,11 +30,11 @@ class UpdateLevels {
   UpdateLevels(const Plan& plan, Updates updates);
 
   /// Begins the next frame.
-  /// in   size_in_picture  of the last pose;   frame_s  time between pictures
+  /// in   size_in_picture  size of the character in its last pose;   frame_s  seconds between pictures
   void begin_frame(double size_in_picture, double frame_s) noexcept;
 
   /// Begins the next frame and forces its exact evaluation.
-  /// in   why  ends the sentence "every frame: ..." of reason()
+  /// in   why  the cause; reason() returns "every frame: " followed by it
   void begin_exact_frame(std::string_view why);
 
   /// Number of frames until the next evaluated frame.

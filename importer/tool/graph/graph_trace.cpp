@@ -146,7 +146,7 @@ Json trace_graph(const GraphOfModel& model, const GraphScript& script) {
   const auto count = static_cast<std::uint32_t>(std::floor(script.duration_s * script.fps + 1e-9));
   apply(0.0);
   ErrorCode code = tracer.start();
-  next = 0;  // a start forgets triggers
+  next = 0;  // start() forgets triggers, so the settings at time 0 are applied again
   for (std::uint32_t i = 0; i <= count && code == ErrorCode::ok; ++i) {
     const double time_s = i / script.fps;
     if (i > 0) apply((i - 1) / script.fps);

@@ -10,7 +10,7 @@
 
 namespace sinew::tool {
 
-/// A script: settings of parameters at times, and how long and fine the graph is played.
+/// A script for playing a graph: timed changes of parameters, the duration, and the frames per second.
 struct GraphScript {
   struct Setting {
     double time_s = 0.0;
@@ -21,16 +21,17 @@ struct GraphScript {
   double duration_s = 5.0, fps = 30.0;
 };
 
-/// Reads `NAME=VALUE@TIME`; "@TIME" may lack, then it is 0. A trigger takes any value but 0.
-/// err  a sentence
+/// Reads texts of the form `NAME=VALUE@TIME`, TIME in seconds. Without "@TIME" the time is 0. Any value but 0 fires a
+/// trigger.
+/// err  a sentence for the user that quotes the faulty text
 tl::expected<std::vector<GraphScript::Setting>, std::string> read_settings(const std::vector<std::string>& texts,
                                                                            const GraphDefinition& graph);
 
-/// Plays a graph and tells each frame: time, states with their weights and times, program, events. `hash` is that of
-/// the frames' text, so a golden test needs to keep no more.
+/// Plays a graph and records each frame: time, states with their weights and times, pose program, events. `hash` is a
+/// checksum of the recorded frames, so a golden test can store the hash alone.
 Json trace_graph(const GraphOfModel& model, const GraphScript& script);
 
-/// The same as a table: a line a frame, and the hash below it.
+/// Formats a result of trace_graph as a text table with one line per frame, and the hash below.
 std::string trace_text(const Json& trace);
 
 }  // namespace sinew::tool

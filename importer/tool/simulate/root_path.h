@@ -9,12 +9,13 @@
 
 namespace sinew::tool {
 
-/// A path of the root over time.
+/// Positions of the character's root over time.
 struct RootPath {
   std::vector<double> times_s;             ///< increasing
   std::vector<Vec3<double>> translations;  ///< [times]
 
-  /// Linear between times; the first and the last place outside of them. The origin for an empty path.
+  /// Position at `time_s`: linear between keys, the first or last position outside of them. The origin if there are
+  /// none.
   Vec3<double> at(double time_s) const;
 };
 

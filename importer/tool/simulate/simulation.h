@@ -16,7 +16,7 @@ namespace sinew::tool {
 /// A joint that a simulation computes, after one step.
 struct SimulatedJoint {
   Vec4<double> rotation{0.0, 0.0, 0.0, 1.0};  ///< x y z w, local
-  Vec3<double> tail{0.0};  ///< in the world: the end of the bone, or the joint itself without a spring
+  Vec3<double> tail{0.0};  ///< World position of the bone's end; of the joint itself if it has no spring.
 };
 
 /// The springs and constraints of a character, stepped frame by frame while a clip plays.
@@ -29,13 +29,14 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 
-  const std::vector<std::string>& joints() const noexcept;  ///< names of what is computed, springs first
+  /// Names of the joints that step() returns: joints with springs first, then joints with constraints alone.
+  const std::vector<std::string>& joints() const noexcept;
   const std::vector<std::string>& left_out() const noexcept;
 
   /// Puts springs at rest with the character in its pose at `time_s`.
   void reset(double time_s, const Vec3<double>& root);
 
-  /// The pose at `time_s`, `dt_s` after the one before.
+  /// Advances by `dt_s` to the pose of the clip at `time_s`.
   const std::vector<SimulatedJoint>& step(double time_s, double dt_s, const Vec3<double>& root);
 
  private:
