@@ -117,8 +117,7 @@ std::string describe_zip(std::string_view file) {
 
 std::string_view describe_xml(std::string_view text) {
   const std::string_view head = text.substr(0, 4096);
-  if (head.find("<COLLADA") != head.npos)
-    return "COLLADA (.dae); `sinew import IN OUT.glb` makes a .glb of it";
+  if (head.find("<COLLADA") != head.npos) return "COLLADA (.dae); `sinew import IN OUT.glb` makes a .glb of it";
   if (starts_with_any_case(text, "<?xml") && head.find("<html") != head.npos) return kWebPage;
   if (head.find("<X3D") != head.npos) return "an X3D model; convert it to glTF 2.0";
   return "XML, as servers send in place of a file; see what it says, and download the file again";

@@ -36,7 +36,7 @@ struct ImportedFormat {
 
 /// Reads a BVH, FBX or COLLADA file, told by its first bytes. Y is up and lengths are in metres afterwards; names are
 /// kept. FBX and COLLADA are read by assimp, which is not safe for files that somebody else made.
-/// err   "file-kind" (another format; the sentence says which), "no-assimp", "file-missing", rules of read_bvh(), "assimp"
+/// err   "file-kind" (another format, which the sentence names), "no-assimp", "file-missing", "assimp", rules of read_bvh()
 /// cost  O(file); holds it some five times
 ImportResult<ImportedFormat> import_format(const std::filesystem::path& file, const FormatOptions& options = {});
 

@@ -19,9 +19,9 @@ enum class CurveBlend : std::uint8_t {
 };
 
 /// Keys of a curve, in one of the types that curves have.
-using CurveKeys = std::variant<std::vector<CurveKey<float>>, std::vector<CurveKey<glm::vec2>>,
-                               std::vector<CurveKey<glm::vec3>>, std::vector<CurveKey<glm::vec4>>,
-                               std::vector<CurveKey<glm::quat>>, std::vector<CurveKey<bool>>>;
+using CurveKeys =
+    std::variant<std::vector<CurveKey<float>>, std::vector<CurveKey<glm::vec2>>, std::vector<CurveKey<glm::vec3>>,
+                 std::vector<CurveKey<glm::vec4>>, std::vector<CurveKey<glm::quat>>, std::vector<CurveKey<bool>>>;
 
 /// A curve of a clip that an engine reads by name, for example the width of a trail.
 struct NamedCurve {

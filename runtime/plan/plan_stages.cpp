@@ -89,7 +89,8 @@ PlanStage describe_add(const CompiledPlan& plan) {
 PlanStage describe_programs(const CompiledPlan& plan) {
   const PoseProgramRoom& room = plan.needs.in.program;
   if (room.ops == 0) return {"pose_program", false, "no pose programs are asked for", 0, 0};
-  if (!plan.poses) return {"pose_program", false, "no joints, local pose, vertices or morph weights are asked for", 0, 0};
+  if (!plan.poses)
+    return {"pose_program", false, "no joints, local pose, vertices or morph weights are asked for", 0, 0};
   std::string reason = "programs of up to " + counted(room.ops, "operation", "operations") + " on " +
                        counted(room.slots, "pose", "poses") + " at once are asked for";
   const auto add = [&](std::uint32_t count, const char* one, const char* many) {
