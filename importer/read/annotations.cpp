@@ -35,9 +35,6 @@ std::size_t index_of(const Json& object, const char* member, const std::array<st
 
 template <class V>
 constexpr std::size_t kComponents = sizeof(V) / sizeof(float);
-template <>
-constexpr std::size_t kComponents<bool> = 1;
-
 bool read(const Json& json, bool& out) {
   if (!json.is_boolean()) return false;
   out = json.get<bool>();

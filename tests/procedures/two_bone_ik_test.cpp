@@ -14,7 +14,6 @@ namespace sinew::test {
 namespace {
 
 using V = Vec3<double>;
-constexpr float kPi = std::numbers::pi_v<float>;
 
 const Vec3<float> kScales[] = {{1, 1, 1}, {2, 2, 2}, {1, 2, 1}, {-3, -3, -3}, {0.01f, 0.01f, 0.01f}, {1, 1, -2}};
 

@@ -27,7 +27,8 @@ class SpringsFrame {
         clock_(*memory_.clock) {}
 
   void run() noexcept {
-    const bool changed = read_joints() | read_frames();
+    const bool joints_changed = read_joints();
+    const bool changed = read_frames() || joints_changed;
     if (clock_.started == 0 || job_.event == SpringEvent::reset) {
       start();
     } else if (job_.event == SpringEvent::teleport) {
