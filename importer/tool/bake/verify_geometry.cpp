@@ -99,9 +99,9 @@ std::size_t print_errors(const GeometryCache& cache, const Errors& errors, bool 
       const bool kept = error <= s.asked * (1.0 + kRounding);
       above += kept ? 0 : 1;
       if (brief) continue;
-      print_result("  {} of {}: {} measured anew, {} in the file, {} asked{}\n", name_of(s.kind), in_quotes(mesh.name),
-                   error_text(s.kind, error), error_text(s.kind, s.measured), error_text(s.kind, s.asked),
-                   kept ? "" : ": NOT kept");
+      print_result("  {} of {}: {} measured anew, {} in the file, {} asked{}\n", tool::name_of(s.kind),
+                   in_quotes(mesh.name), error_text(s.kind, error), error_text(s.kind, s.measured),
+                   error_text(s.kind, s.asked), kept ? "" : ": NOT kept");
     }
   return above;
 }

@@ -32,7 +32,7 @@ struct SimulateOptions {
   double fps = 60.0, seconds = 1.0;
 };
 
-constexpr double kMostFrames = 1e6;  // so that a typing error does not fill the disk
+constexpr double kMostSimulatedFrames = 1e6;  // so that a typing error does not fill the disk
 
 std::string text_of(double x, double y, double z) { return fmt::format("[{},{},{}]", x, y, z); }
 
@@ -88,9 +88,9 @@ ExitCode write_frames(const SimulateOptions& options, const RootPath& path, Simu
 }
 
 ExitCode simulate(const SimulateOptions& options) {
-  if (options.fps * options.seconds > kMostFrames)
-    return fail_with(ExitCode::wrong_usage,
-                     fmt::format("--fps {} --for {}: more than {} frames", options.fps, options.seconds, kMostFrames));
+  if (options.fps * options.seconds > kMostSimulatedFrames)
+    return fail_with(ExitCode::wrong_usage, fmt::format("--fps {} --for {}: more than {} frames", options.fps,
+                                                        options.seconds, kMostSimulatedFrames));
   RootPath path;
   std::vector<std::filesystem::path> inputs;
   if (options.root) {

@@ -27,7 +27,7 @@ Needs needs_of_local_poses() {
   return needs;
 }
 
-std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
+std::string joint_name_of(const Skeleton& skeleton, std::uint32_t joint) {
   const std::string& name = skeleton.names[joint];
   return name.empty() ? "node " + std::to_string(skeleton.node_of_joint[joint]) : name;
 }
@@ -116,7 +116,7 @@ tl::expected<Simulation, std::string> Simulation::make(const ImportedFile& file,
   for (const NodeConstraint& constraint : parts->constraints.ordered())
     if (std::find(parts->joints.begin(), parts->joints.end(), constraint.joint) == parts->joints.end())
       parts->joints.push_back(constraint.joint);
-  for (const std::uint32_t joint : parts->joints) parts->names.push_back(name_of(skeleton, joint));
+  for (const std::uint32_t joint : parts->joints) parts->names.push_back(joint_name_of(skeleton, joint));
   parts->left_out = std::move(from.left_out);
   parts->result.resize(parts->names.size());
   return Simulation(std::move(parts));
