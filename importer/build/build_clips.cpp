@@ -26,11 +26,10 @@ Vec3Track vec3_track(SamplerData data) {
 /// Builds a rotation track. Linear and step keys are normalised. Cubic keys stay as stored, because they shape the
 /// curve together with their tangents; sampling normalises the result. Only cubic values that are zero, or whose square
 /// overflows or underflows float, are normalised, too.
-QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) {
+QuatTrack quat_track(SamplerData data, RotationTally& tally) {
   QuatTrack track{data.interpolation, std::move(data.times_s), {}};
   track.values.reserve(data.values.size() / 4);
   const bool cubic = data.interpolation == Interpolation::cubic_spline;
-  RotationTally tally;
   for (std::size_t i = 0; i + 3 < data.values.size(); i += 4) {
     const float* q = data.values.data() + i;
     const UnitRotation unit = unit_rotation(q[0], q[1], q[2], q[3]);
@@ -40,7 +39,6 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
     const bool stays = cubic && (!is_value || is_safe_square(square_of(stored)));
     track.values.push_back(stays ? stored : unit.rotation);
   }
-  tally.report(place, "a rotation key", "rotation keys", log);
   return track;
 }
 
@@ -79,9 +77,8 @@ class ClipBuilder {
   void add_channel(std::uint32_t channel) {
     const auto target = read_channel_target(document_, index_, channel, log_);
     if (!target) return;
-    const std::string place = place_of(channel);
     if (const auto other = taken_by(*target))
-      return log_.report(Rule::animation_duplicate, place,
+      return log_.report(Rule::animation_duplicate, place_of(channel),
                          "channel " + std::to_string(*other) + " has the same target; this one is ignored");
     targets_.emplace(*target, channel);
     switch (target->property) {
@@ -89,7 +86,7 @@ class ClipBuilder {
       case AnimatedProperty::rotation:
       case AnimatedProperty::scale: return add_bone(*target, channel);
       case AnimatedProperty::weights: return add_weights(*target, instances_.of_node[target->node], channel);
-      case AnimatedProperty::pointed: return add_property(*target, channel, place);
+      case AnimatedProperty::pointed: return add_property(*target, channel);
       case AnimatedProperty::mesh_weights: return;  // handled later: node weights take precedence over mesh weights
     }
   }
@@ -133,8 +130,13 @@ class ClipBuilder {
     BoneAnimation& bone = bones_[joint];
     bone.joint = joint;
     if (target.property == AnimatedProperty::translation) bone.translation = vec3_track(std::move(*data));
-    if (target.property == AnimatedProperty::rotation)
-      bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_);
+    if (target.property == AnimatedProperty::rotation) {
+      RotationTally tally;
+      bone.rotation = quat_track(std::move(*data), tally);
+      if (tally.has_issues())
+        tally.report(pointer("animations", index_, "channels", channel, "sampler"), "a rotation key", "rotation keys",
+                     log_);
+    }
     if (target.property == AnimatedProperty::scale) bone.scale = vec3_track(std::move(*data));
   }
 
@@ -169,13 +171,14 @@ class ClipBuilder {
     }
   }
 
-  void add_property(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
+  void add_property(const ChannelTarget& target, std::uint32_t channel) {
     const std::uint32_t components = component_count(target.pointed.kind);
     const auto data = read(channel, target, components);
     if (!data) return;
     const auto indices = placements_.indices_in_scene(target.pointed, order_);
     if (indices.empty())
-      return log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
+      return log_.report(Rule::animation_pointer, place_of(channel),
+                         "no node shows what it moves; the channel is ignored");
     lengthen(*data);
     for (const std::uint32_t index : indices)
       properties_[{target.pointed.kind, index, target.pointed.slot}] = number_track(*data, components);

@@ -29,6 +29,16 @@ class VrmReader {
     using Kind = VrmLookAt::Kind;
     out_.look_at.kind = kind == "bone" ? Kind::bones : kind == "expression" ? Kind::expressions : Kind::none;
     look.numbers("offsetFromHeadBone", &out_.look_at.offset_from_head_m.x, 3);
+    const double output = out_.look_at.kind == Kind::expressions ? 1.0 : 10.0;
+    const auto read = [&](const char* name, VrmLookAt::Range& range) {
+      const ExtensionFields fields = look.object(name);
+      range.most_input_deg = static_cast<float>(fields.number("inputMaxValue", 90.0, 0.0));
+      range.output = static_cast<float>(fields.number("outputScale", output));
+    };
+    read("rangeMapHorizontalInner", out_.look_at.inner);
+    read("rangeMapHorizontalOuter", out_.look_at.outer);
+    read("rangeMapVerticalDown", out_.look_at.down);
+    read("rangeMapVerticalUp", out_.look_at.up);
   }
 
   void read_animation(const ExtensionFields& animation) {
@@ -36,8 +46,13 @@ class VrmReader {
     out_.is_animation = true;
     read_bones(animation);
     for (const bool preset : {true, false})
-      for (const auto& [name, at] : animation.object("expressions").object(preset ? "preset" : "custom").members())
-        out_.expressions.push_back({name, preset, false, {}});
+      for (const auto& [name, at] : animation.object("expressions").object(preset ? "preset" : "custom").members()) {
+        VrmExpression& expression = out_.expressions.emplace_back();
+        expression.name = name;
+        expression.is_preset = preset;
+        expression.value_joint = joint_in(at, "node");
+      }
+    out_.look_at.gaze_joint = joint_in(animation.object("lookAt"), "node");
   }
 
   void read_springs(const ExtensionFields& extension) {

@@ -116,7 +116,18 @@ class Vrm0Reader {
     const std::string kind = person.text("lookAtTypeName");
     using Kind = VrmLookAt::Kind;
     out_.look_at.kind = kind == "Bone" ? Kind::bones : kind == "BlendShape" ? Kind::expressions : Kind::none;
-    out_.look_at.offset_from_head_m = vector_in(person, "firstPersonBoneOffset");
+    out_.look_at.offset_from_head_m = vector_in(person, "firstPersonBoneOffset", out_.look_at.offset_from_head_m);
+    out_.look_at.offset_from_head_m.z *= -1.0f;  // Unity's axes, as those of colliders
+    const double output = out_.look_at.kind == Kind::expressions ? 1.0 : 10.0;
+    const auto read = [&](const char* name, VrmLookAt::Range& range) {  // the curves of VRM 0 are taken as lines
+      const ExtensionFields fields = person.object(name);
+      range.most_input_deg = static_cast<float>(fields.number("xRange", 90.0, 0.0));
+      range.output = static_cast<float>(fields.number("yRange", output));
+    };
+    read("lookAtHorizontalInner", out_.look_at.inner);
+    read("lookAtHorizontalOuter", out_.look_at.outer);
+    read("lookAtVerticalDown", out_.look_at.down);
+    read("lookAtVerticalUp", out_.look_at.up);
   }
 
   void add_colliders(const ExtensionFields& group) {

@@ -27,7 +27,7 @@ class Subtrees {
   }
 
   bool lies_below(std::uint32_t joint, std::uint32_t root) const noexcept {
-    // Unsigned arithmetic: also false if the joint lies before the range.
+    // Unsigned arithmetic: also false if the joint lies before `root` and the joints below it.
     return begin_[joint] - begin_[root] < size_[root];
   }
 

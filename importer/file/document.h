@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <deque>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "importer/file/document_animations.h"
@@ -70,8 +69,6 @@ inline constexpr int kAbsent = -1;
 
 struct Primitive : tinygltf::Primitive {
   Primitive() { mode = TINYGLTF_MODE_TRIANGLES; }
-  Primitive(tinygltf::Primitive&& read, Json own_extensions)
-      : tinygltf::Primitive(std::move(read)), extensions(std::move(own_extensions)) {}
 
   Json extensions;  ///< hides tinygltf's member, which stays empty
 };

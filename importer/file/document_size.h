@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Memory in bytes of the gltf::Document entries that tinygltf reads, without their strings and arrays. It is computed
+/// Memory in bytes of the gltf::Document entries of tinygltf's types, without their strings and arrays. It is computed
 /// before reading, because a material of two characters ("{}") takes two thousand bytes.
 /// in    root   passed check_shape(root, gltf_shape())
 /// cost  O(meshes)

@@ -2,7 +2,9 @@
 #include "importer/file/json_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "importer/file/json_place.h"
@@ -82,11 +84,21 @@ class Checker {
 
   void check_object(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     if (shape.object == nullptr) return;
-    check_names(value, place);
-    for (const auto& property : shape.object->properties) {
-      const JsonNode* found = find_member(value, property.name);
-      if (found != nullptr)
-        check(*found, property.value, {&place, property.name});
+    const auto properties = shape.object->properties;
+    std::array<const JsonNode*, JsonObjectShape::kMost> found;
+    std::fill_n(found.begin(), properties.size(), nullptr);
+    bool repeated = false;
+    std::size_t unknown = 0;
+    for (const auto& [name, member] : value.GetObject())
+      if (const std::size_t p = shape.object->find(text_of(name)); p < properties.size())
+        repeated |= std::exchange(found[p], &member) != nullptr;
+      else
+        ++unknown;
+    if (repeated || unknown > 1) check_names(value, place);
+    for (std::size_t p = 0; p < properties.size(); ++p) {
+      const JsonProperty& property = properties[p];
+      if (found[p] != nullptr)
+        check(*found[p], property.value, {&place, property.name});
       else if (property.required)
         log_.report(Rule::json_missing, place.text(), "has no " + in_quotes(property.name));
     }

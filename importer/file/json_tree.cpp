@@ -8,6 +8,12 @@
 namespace sinew {
 namespace {
 
+/// Compares lengths and first letters before all: names of one object rarely share both.
+bool is_named(const JsonNode::Member& member, std::string_view name) noexcept {
+  const std::string_view own = text_of(member.name);
+  return own.size() == name.size() && (own.empty() || (own.front() == name.front() && own == name));
+}
+
 rapidjson::SizeType size_of(const std::string& text) { return static_cast<rapidjson::SizeType>(text.size()); }
 
 }  // namespace
@@ -16,7 +22,7 @@ JsonNode* find_member(JsonNode& object, std::string_view name) noexcept {
   const auto first = object.MemberBegin();
   for (auto left = static_cast<std::ptrdiff_t>(object.MemberCount()); left > 0;
        --left)  // of duplicate names, the last one counts
-    if (const auto member = first + (left - 1); text_of(member->name) == name) return &member->value;
+    if (const auto member = first + (left - 1); is_named(*member, name)) return &member->value;
   return nullptr;
 }
 

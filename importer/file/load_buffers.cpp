@@ -110,18 +110,18 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
 void point_view(Document& document, std::size_t index, const BufferUse& use, IssueLog& log) {
   auto& view = document.buffer_views[index];
   const auto& buffer = document.buffers[view.buffer];
-  const std::string place = pointer("bufferViews", index);
-  if (view.byte_length == 0) log.report(Rule::buffer_view_empty, pointer(place, "byteLength"), "has no bytes");
+  const auto place = [&](const char* part) { return pointer("bufferViews", index, part); };
+  if (view.byte_length == 0) log.report(Rule::buffer_view_empty, place("byteLength"), "has no bytes");
   if (view.byte_offset > buffer.byte_length || view.byte_length > buffer.byte_length - view.byte_offset)
     return log.report(
-        Rule::buffer_view_range, pointer(place, view.byte_offset >= buffer.byte_length ? "byteOffset" : "byteLength"),
+        Rule::buffer_view_range, place(view.byte_offset >= buffer.byte_length ? "byteOffset" : "byteLength"),
         std::to_string(view.byte_length) + " bytes from byte " + std::to_string(view.byte_offset) + " leave the " +
             std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
   if (!buffer.placeholder)
     view.bytes =
         buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
   else if (!meshopt_extension(view.extensions) && use.in_accessor)
-    log.report(Rule::buffer_missing, pointer(place, "buffer"), "is a placeholder, and the view is not compressed");
+    log.report(Rule::buffer_missing, place("buffer"), "is a placeholder, and the view is not compressed");
 }
 
 }  // namespace

@@ -4,12 +4,11 @@
 #include <memory>
 #include <span>
 
+#include "importer/file/json_reader.h"
 #include "importer/file/json_tree.h"
 #include "importer/issue_log.h"
 
 namespace sinew {
-
-inline constexpr std::size_t kMaxJsonDepth = 256;
 
 /// Parses JSON text into a tree. Nesting is limited, because later code is recursive. Numbers become the nearest
 /// doubles.

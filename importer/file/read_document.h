@@ -5,8 +5,7 @@
 
 namespace sinew {
 
-/// Converts checked JSON (gltf_shape.h) to a Document. tinygltf reads the core properties of most entries
-/// (read_lists.h); the rest is read from the tree. Buffers and images are not loaded, only their URIs are stored
+/// Converts checked JSON (gltf_shape.h) to a Document. Buffers and images are not loaded, only their URIs are stored
 /// (load_buffers.h).
 /// cost  O(values)
 gltf::Document read_document(const JsonNode& json);

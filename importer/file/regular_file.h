@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "importer/platform/files.h"
 
@@ -33,6 +35,14 @@ class RegularFile {
 
   /// Reads the next bytes into `out`; false if the file ends before it is full.
   bool read(std::span<std::byte> out) const noexcept { return platform::read_all(descriptor_, out); }
+
+  /// Returns the first bytes, at most `most`; none if the file is not regular or was not opened.
+  std::vector<std::byte> read_up_to(std::uint64_t most) const {
+    const auto whole = opened() ? size() : std::nullopt;
+    std::vector<std::byte> bytes(static_cast<std::size_t>(std::min(most, whole.value_or(0))));
+    if (!read(bytes)) bytes.clear();
+    return bytes;
+  }
 
   /// The file descriptor, for libraries that need one. This object closes it.
   int descriptor() const noexcept { return descriptor_; }

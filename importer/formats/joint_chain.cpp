@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <glm/gtc/quaternion.hpp>
+#include "runtime/math/interpolate.h"
 
 namespace sinew::formats {
 namespace {
@@ -51,13 +51,13 @@ Quat<double> rotation_of(const aiQuaternion& q) {
 Vec3<double> sample(const aiVectorKey* keys, unsigned count, double ticks, const Vec3<double>& without) {
   if (count == 0) return without;
   const auto at = keys_around(keys, count, ticks);
-  return glm::mix(vector_of(at.before->mValue), vector_of(at.after->mValue), at.factor);
+  return vector_of(at.before->mValue) * (1.0 - at.factor) + vector_of(at.after->mValue) * at.factor;
 }
 
 Quat<double> sample(const aiQuatKey* keys, unsigned count, double ticks) {
   if (count == 0) return {1.0, 0.0, 0.0, 0.0};
   const auto at = keys_around(keys, count, ticks);
-  return glm::slerp(rotation_of(at.before->mValue), rotation_of(at.after->mValue), at.factor);
+  return slerp_short_arc(rotation_of(at.before->mValue), rotation_of(at.after->mValue), at.factor);
 }
 
 const aiNodeAnim* find(const Channels& channels, const aiNode& node) {

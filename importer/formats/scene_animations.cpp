@@ -8,6 +8,7 @@
 
 #include "importer/formats/scene_draft.h"
 #include "runtime/math/decompose.h"
+#include "runtime/math/interpolate.h"
 
 namespace sinew::formats {
 namespace {
@@ -168,7 +169,7 @@ class ChainSampler {
     const double size = glm::length(exact.translation) + glm::distance(a.translation, b.translation);
     const bool straight =
         glm::distance(exact.translation, 0.5 * (a.translation + b.translation)) <= kBend * size &&
-        1.0 - std::abs(glm::dot(exact.rotation, glm::slerp(a.rotation, b.rotation, 0.5))) <= kBend * kBend &&
+        1.0 - std::abs(glm::dot(exact.rotation, slerp_short_arc(a.rotation, b.rotation, 0.5))) <= kBend * kBend &&
         glm::distance(exact.scale, 0.5 * (a.scale + b.scale)) <= kBend * glm::length(exact.scale);
     if (straight || halvings == 0) return;
     split(t0, a, middle, exact, halvings - 1);

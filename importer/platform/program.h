@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
+
+#include "importer/platform/files.h"
 
 /// Calls of the operating system about this process and its machine, in program_posix.cpp and program_windows.cpp. All
 /// texts are UTF-8.
@@ -37,11 +40,29 @@ std::filesystem::path program_folder();
 /// Adds .exe to the name of a program on Windows.
 std::string program_file(const std::string& name);
 
-/// Runs a program and waits for its end. It inherits the environment; its stderr is discarded.
-/// out  its stdout
+/// How a program ended, and what it printed.
+struct EndedProgram {
+  int status = 0;      ///< its exit status; 128 + N if signal N ended it
+  std::string output;  ///< its stdout, with its stderr in between if that was wanted
+};
+
+/// Runs a program and waits for its end. It inherits the environment, and reads nothing.
+/// in   with_messages  false: its stderr is discarded
+/// err  a sentence for the user, if the program cannot be started
+tl::expected<EndedProgram, std::string> run_program(const std::filesystem::path& program,
+                                                    const std::vector<std::string>& arguments, bool with_messages);
+
+/// The stdout of a program.
 /// err  a sentence for the user, if the program cannot be started or does not end with status 0
-tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
-                                                 const std::vector<std::string>& arguments);
+inline tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
+                                                        const std::vector<std::string>& arguments) {
+  auto ended = run_program(program, arguments, false);
+  if (!ended) return tl::unexpected(ended.error());
+  const std::string name = text_of(program.filename());
+  if (ended->status > 128) return tl::unexpected(name + " was ended by signal " + std::to_string(ended->status - 128));
+  if (ended->status != 0) return tl::unexpected(name + " ended with status " + std::to_string(ended->status));
+  return std::move(ended->output);
+}
 
 // Facts for reports; "unknown" if the system does not tell.
 std::string processor_name();

@@ -27,8 +27,9 @@ std::string read_to_end(int from) {
   return text;
 }
 
-/// Starts a program with its stdout going to `out` and its stderr discarded; false when that fails.
-bool start(const std::string& path, const std::vector<std::string>& arguments, int out, pid_t& process) {
+/// Starts a program with its stdout going to `out`, and its stderr too or nowhere; false when that fails.
+bool start(const std::string& path, const std::vector<std::string>& arguments, int out, bool with_messages,
+           pid_t& process) {
   std::vector<std::string> words{path};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -37,7 +38,11 @@ bool start(const std::string& path, const std::vector<std::string>& arguments, i
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (with_messages)
+    posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   const bool started = posix_spawn(&process, path.c_str(), &actions, nullptr, argv.data(), environ) == 0;
   posix_spawn_file_actions_destroy(&actions);
   return started;
@@ -71,12 +76,12 @@ std::filesystem::path program_folder() {
 
 std::string program_file(const std::string& name) { return name; }
 
-tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
-                                                 const std::vector<std::string>& arguments) {
+tl::expected<EndedProgram, std::string> run_program(const std::filesystem::path& program,
+                                                    const std::vector<std::string>& arguments, bool with_messages) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return tl::unexpected(std::string("there are too many open files"));
   pid_t process = 0;
-  const bool started = start(program.string(), arguments, ends[1], process);
+  const bool started = start(program.string(), arguments, ends[1], with_messages, process);
   ::close(ends[1]);
   std::string text = started ? read_to_end(ends[0]) : std::string();
   ::close(ends[0]);
@@ -84,11 +89,7 @@ tl::expected<std::string, std::string> output_of(const std::filesystem::path& pr
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  const std::string name = program.filename().string();
-  if (WIFSIGNALED(status)) return tl::unexpected(name + " was ended by signal " + std::to_string(WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0)
-    return tl::unexpected(name + " ended with status " + std::to_string(WEXITSTATUS(status)));
-  return text;
+  return EndedProgram{WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), std::move(text)};
 }
 
 std::string processor_name() {

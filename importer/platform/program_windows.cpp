@@ -108,24 +108,24 @@ std::filesystem::path program_folder() {
 
 std::string program_file(const std::string& name) { return name + ".exe"; }
 
-tl::expected<std::string, std::string> output_of(const std::filesystem::path& program,
-                                                 const std::vector<std::string>& arguments) {
+tl::expected<EndedProgram, std::string> run_program(const std::filesystem::path& program,
+                                                    const std::vector<std::string>& arguments, bool with_messages) {
   SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
   HANDLE ends[2];
   if (!::CreatePipe(&ends[0], &ends[1], &inherited, 0)) return tl::unexpected(std::string("no pipe can be made"));
   const Handle from(ends[0]);
   Handle to(ends[1]);
   ::SetHandleInformation(from.get(), HANDLE_FLAG_INHERIT, 0);
-  const Handle nothing(
-      ::CreateFileW(L"NUL", GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited, OPEN_EXISTING, 0, nullptr));
+  const Handle nothing(::CreateFileW(L"NUL", GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE,
+                                     &inherited, OPEN_EXISTING, 0, nullptr));
   std::wstring line = as_word(program.wstring());
   for (const std::string& word : arguments) line += L' ' + as_word(wide(word));
   STARTUPINFOW start{};
   start.cb = sizeof start;
   start.dwFlags = STARTF_USESTDHANDLES;
-  start.hStdInput = ::GetStdHandle(STD_INPUT_HANDLE);
+  start.hStdInput = nothing.get();
   start.hStdOutput = to.get();
-  start.hStdError = nothing.get();
+  start.hStdError = with_messages ? to.get() : nothing.get();
   PROCESS_INFORMATION started{};
   if (!::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &start, &started))
     return tl::unexpected(program.string() + " cannot be started");
@@ -135,8 +135,7 @@ tl::expected<std::string, std::string> output_of(const std::filesystem::path& pr
   ::WaitForSingleObject(process.get(), INFINITE);
   DWORD status = 0;
   ::GetExitCodeProcess(process.get(), &status);
-  if (status != 0) return tl::unexpected(program.filename().string() + " ended with status " + std::to_string(status));
-  return text;
+  return EndedProgram{static_cast<int>(status), std::move(text)};
 }
 
 std::string processor_name() {

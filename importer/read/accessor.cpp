@@ -123,7 +123,11 @@ void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& 
   if constexpr (!std::is_arithmetic_v<V>) {
     add(first, stride, count);
   } else if (stride == layout.components() * layout.component_bytes) {
-    add(first, layout.component_bytes, count * layout.components());
+    const std::size_t components = count * layout.components();
+    if (!std::is_same_v<V, float> || accessor.component_type != ComponentType::f32)
+      return add(first, layout.component_bytes, components);
+    out.resize(out.size() + components);
+    std::memcpy(out.data() + (out.size() - components), first, components * sizeof(float));
   } else {
     for (std::size_t i = 0; i < count; ++i)
       for (std::uint32_t column = 0; column < layout.columns; ++column)

@@ -44,15 +44,6 @@ std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const 
   return ChannelTarget{AnimatedProperty::pointed, kNone, kNone, pointed->target};
 }
 
-Interpolation interpolation_of(const std::string& word, const std::string& place, IssueLog& log) {
-  if (word == "STEP") return Interpolation::step;
-  if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
-  if (word != "LINEAR")
-    log.report(Rule::animation_interpolation, pointer(place, "interpolation"),
-               in_quotes(word) + " is unknown; LINEAR is used");
-  return Interpolation::linear;
-}
-
 ElementType element_type_of(const ChannelTarget& target) {
   constexpr ElementType kOfCount[] = {ElementType::scalar, ElementType::scalar, ElementType::vec2, ElementType::vec3,
                                       ElementType::vec4};
@@ -83,12 +74,13 @@ class SamplerReader {
   SamplerReader(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler, IssueLog& log)
       : document_(document),
         sampler_(document.animations[animation].samplers[sampler]),
-        place_(pointer("animations", animation, "samplers", sampler)),
+        animation_index_(animation),
+        sampler_index_(sampler),
         log_(log) {}
 
   std::optional<SamplerData> read(const ChannelTarget& target, std::uint32_t components) {
     SamplerData data;
-    data.interpolation = interpolation_of(sampler_.interpolation, place_, log_);
+    data.interpolation = read_interpolation();
     const bool flag = target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind);
     if (flag && data.interpolation != Interpolation::step && !step_instead(data.interpolation)) return std::nullopt;
     if (!check_shape(target, components, data.interpolation)) return std::nullopt;
@@ -109,15 +101,29 @@ class SamplerReader {
   }
 
  private:
+  std::string place_of(const char* part) const {
+    return pointer("animations", animation_index_, "samplers", sampler_index_, part);
+  }
+
+  Interpolation read_interpolation() {
+    const std::string& word = sampler_.interpolation;
+    if (word == "STEP") return Interpolation::step;
+    if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
+    if (word != "LINEAR")
+      log_.report(Rule::animation_interpolation, place_of("interpolation"),
+                  in_quotes(word) + " is unknown; LINEAR is used");
+    return Interpolation::linear;
+  }
+
   /// Reports a fault that concerns only the channels with this sampler.
   bool leave_out(Rule rule, const char* part, const std::string& detail) {
-    log_.report_survived(rule, pointer(place_, part), detail + "; channels that use it are left out");
+    log_.report_survived(rule, place_of(part), detail + "; channels that use it are left out");
     return false;
   }
 
   void cut_times(SamplerData& data, bool rotation) {
     if (const std::size_t keys = cut_before_zero(data, rotation); keys > 0)
-      log_.report_survived(Rule::animation_times, pointer(place_, "input"),
+      log_.report_survived(Rule::animation_times, place_of("input"),
                            std::to_string(keys) + (keys == 1 ? " key lies" : " keys lie") +
                                " before time 0, where no clip is played; channels that use it are cut there and played "
                                "from time 0 on");
@@ -127,7 +133,7 @@ class SamplerReader {
   bool step_instead(Interpolation& interpolation) {
     const bool usable = interpolation == Interpolation::linear;
     log_.report(
-        Rule::animation_flag, pointer(place_, "interpolation"),
+        Rule::animation_flag, place_of("interpolation"),
         in_quotes(sampler_.interpolation) + (usable ? "; STEP is used" : "; channels that use it are left out"));
     interpolation = Interpolation::step;
     return usable;
@@ -135,8 +141,7 @@ class SamplerReader {
 
   /// Replaces a cubic spline of one key by a step: its value holds at all times, and tangents have no effect.
   void hold_single_key(SamplerData& data) {
-    log_.report(Rule::animation_cubic_keys, pointer(place_, "input"),
-                "one key for CUBICSPLINE; its value is a constant");
+    log_.report(Rule::animation_cubic_keys, place_of("input"), "one key for CUBICSPLINE; its value is a constant");
     const auto third = static_cast<std::ptrdiff_t>(data.values.size() / 3);
     data.values = {data.values.begin() + third, data.values.begin() + 2 * third};
     data.interpolation = Interpolation::step;
@@ -149,7 +154,7 @@ class SamplerReader {
     if (!output_format_fits(output, target))
       return leave_out(Rule::animation_output, "output", "does not have the type that the animated property needs");
     if (input.count == 0) {
-      log_.report(Rule::animation_no_keys, pointer(place_, "input"), "no keys; channels that use it are left out");
+      log_.report(Rule::animation_no_keys, place_of("input"), "no keys; channels that use it are left out");
       return false;
     }
     const bool cubic = interpolation == Interpolation::cubic_spline;
@@ -163,10 +168,10 @@ class SamplerReader {
   void warn_stride(std::uint32_t accessor, const char* name) {
     const auto view = document_.accessors[accessor].buffer_view;
     if (view != kNone && document_.buffer_views[view].byte_stride != 0)
-      log_.report(Rule::animation_stride, pointer(place_, name), "its buffer view has a byteStride, which is used");
+      log_.report(Rule::animation_stride, place_of(name), "its buffer view has a byteStride, which is used");
     const auto& bounds = document_.accessors[accessor];
     if (std::string_view(name) == "input" && (bounds.min.empty() || bounds.max.empty()))
-      log_.report(Rule::animation_bounds, pointer(place_, name), "key times without min and max; taken from the data");
+      log_.report(Rule::animation_bounds, place_of(name), "key times without min and max; taken from the data");
   }
 
   bool check_times(const std::vector<float>& times) {
@@ -179,14 +184,14 @@ class SamplerReader {
       repeated = repeated || (k > 0 && times[k] == times[k - 1]);
     }
     if (repeated)
-      log_.report(Rule::animation_time_repeated, pointer(place_, "input"),
+      log_.report(Rule::animation_time_repeated, place_of("input"),
                   "two keys at one time are a jump: the later value holds from there");
     return true;
   }
 
   const gltf::Document& document_;
   const gltf::AnimationSampler& sampler_;
-  std::string place_;
+  std::uint32_t animation_index_, sampler_index_;
   IssueLog& log_;
 };
 
@@ -195,16 +200,16 @@ class SamplerReader {
 std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation,
                                                  std::uint32_t index, IssueLog& log) {
   const gltf::AnimationChannel& channel = document.animations[animation].channels[index];
-  const std::string place = pointer("animations", animation, "channels", index, "target");
-  if (channel.path == "pointer") return read_pointer(document, channel, place, log);
+  const auto place = [&] { return pointer("animations", animation, "channels", index, "target"); };
+  if (channel.path == "pointer") return read_pointer(document, channel, place(), log);
   const auto property = property_of(channel.path);
   if (!property) {
-    log.report(Rule::animation_path, pointer(place, "path"),
+    log.report(Rule::animation_path, pointer(place(), "path"),
                in_quotes(channel.path) + " is unknown; the channel is ignored");
     return std::nullopt;
   }
   if (channel.node == kNone) {
-    log.report(Rule::animation_no_target, place, "names no node; the channel is ignored");
+    log.report(Rule::animation_no_target, place(), "names no node; the channel is ignored");
     return std::nullopt;
   }
   return ChannelTarget{*property, channel.node};

@@ -36,7 +36,7 @@ class AccessorCheck {
       : document_(document),
         accessor_(document.accessors[index]),
         layout_(element_layout(accessor_)),
-        place_(pointer("accessors", index)),
+        index_(index),
         log_(log) {}
 
   /// Warns about violations that do not prevent reading.
@@ -44,7 +44,7 @@ class AccessorCheck {
     const bool integer =
         accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
     if (accessor_.normalized && !integer)
-      log_.report(Rule::accessor_normalized, pointer(place_, "normalized"),
+      log_.report(Rule::accessor_normalized, place("normalized"),
                   "only 8- and 16-bit integers are normalised; ignored");
     if (accessor_.buffer_view != kNone) warn_alignment();
     if (accessor_.sparse.count == 0) return;
@@ -56,7 +56,7 @@ class AccessorCheck {
   template <class Available>
   bool fits_views(Available available) {
     if (accessor_.count > kMaxCount)
-      return fail(Rule::accessor_fit, pointer(place_, "count"), std::to_string(accessor_.count) + " elements");
+      return fail(Rule::accessor_fit, place("count"), std::to_string(accessor_.count) + " elements");
     if (accessor_.buffer_view != kNone && !fits_base(available(document_.buffer_views[accessor_.buffer_view])))
       return false;
     return accessor_.sparse.count == 0 || fits_sparse(available(document_.buffer_views[accessor_.sparse.indices_view]),
@@ -67,10 +67,11 @@ class AccessorCheck {
   void check_sparse_indices(std::uint64_t& sparse_total) {
     const auto& sparse = accessor_.sparse;
     if (sparse.count == 0) return;
-    const std::string place = pointer(place_, "sparse");
+    const auto sparse_place = [&](auto... part) { return place("sparse", part...); };
     sparse_total += sparse.count;
     if (sparse_total > kMaxSparse)
-      return log_.report(Rule::memory_budget, place, "more sparse replacements in all than the importer allows");
+      return log_.report(Rule::memory_budget, sparse_place(),
+                         "more sparse replacements in all than the importer allows");
     const std::uint32_t size = component_bytes(sparse.index_type);
     const std::byte* at = document_.buffer_views[sparse.indices_view].bytes.data() + sparse.indices_offset;
     std::uint64_t previous = 0;
@@ -79,16 +80,22 @@ class AccessorCheck {
       std::uint64_t index = 0;
       for (std::uint32_t byte = size; byte-- > 0;) index = index << 8 | std::to_integer<std::uint64_t>(at[byte]);
       if (index >= accessor_.count)
-        return log_.report(Rule::accessor_sparse, place,
+        return log_.report(Rule::accessor_sparse, sparse_place(),
                            "index " + std::to_string(index) + " of " + std::to_string(accessor_.count) + " elements");
       ordered = ordered && (i == 0 || index > previous);
       previous = index;
     }
     if (!ordered)
-      log_.report(Rule::accessor_sparse_order, place, "indices do not strictly increase; applied in their order");
+      log_.report(Rule::accessor_sparse_order, sparse_place(),
+                  "indices do not strictly increase; applied in their order");
   }
 
  private:
+  template <class... Part>
+  std::string place(const Part&... part) const {
+    return pointer("accessors", index_, part...);
+  }
+
   bool fail(Rule rule, std::string place, std::string detail) {
     log_.report(rule, std::move(place), std::move(detail));
     return false;
@@ -99,48 +106,48 @@ class AccessorCheck {
     const bool own_offset = accessor_.byte_offset % layout_.component_bytes != 0;
     if (own_offset || (view.byte_offset + accessor_.byte_offset) % layout_.component_bytes != 0)
       log_.report(
-          Rule::accessor_alignment, own_offset ? pointer(place_, "byteOffset") : place_,
+          Rule::accessor_alignment, own_offset ? place("byteOffset") : place(),
           "elements are not aligned to " + std::to_string(layout_.component_bytes) + " bytes; read byte by byte");
   }
 
   void warn_stride(std::uint32_t view, const char* part) {
     if (document_.buffer_views[view].byte_stride != 0)
-      log_.report(Rule::accessor_sparse_stride, pointer(place_, "sparse", part, "bufferView"),
+      log_.report(Rule::accessor_sparse_stride, place("sparse", part, "bufferView"),
                   "has a byteStride, which is ignored");
   }
 
   bool fits_base(std::uint64_t available) {
     const std::uint64_t stride = element_stride(document_, accessor_);
-    const std::string view = pointer("bufferViews", accessor_.buffer_view);
+    const auto view = [&] { return pointer("bufferViews", accessor_.buffer_view); };
     if (stride < layout_.element_bytes)
-      return fail(Rule::accessor_stride, place_,
-                  "byteStride of " + view + " is " + std::to_string(stride) + " bytes, one element has " +
+      return fail(Rule::accessor_stride, place(),
+                  "byteStride of " + view() + " is " + std::to_string(stride) + " bytes, one element has " +
                       std::to_string(layout_.element_bytes));
     if (fits(accessor_.byte_offset, stride, accessor_.count, layout_.element_bytes, available)) return true;
-    return fail(Rule::accessor_fit, accessor_.byte_offset > available ? pointer(place_, "byteOffset") : place_,
+    return fail(Rule::accessor_fit, accessor_.byte_offset > available ? place("byteOffset") : place(),
                 std::to_string(accessor_.count) + " elements of " + std::to_string(layout_.element_bytes) + " bytes, " +
                     std::to_string(stride) + " apart, from byte " + std::to_string(accessor_.byte_offset) +
-                    " do not fit into the " + std::to_string(available) + " bytes of " + view);
+                    " do not fit into the " + std::to_string(available) + " bytes of " + view());
   }
 
   bool fits_sparse(std::uint64_t index_space, std::uint64_t value_space) {
     const auto& sparse = accessor_.sparse;
-    const std::string place = pointer(place_, "sparse");
+    const auto sparse_place = [&](auto... part) { return place("sparse", part...); };
     if (sparse.count > accessor_.count)
-      return fail(Rule::accessor_sparse, pointer(place, "count"),
+      return fail(Rule::accessor_sparse, sparse_place("count"),
                   std::to_string(sparse.count) + " replacements of " + std::to_string(accessor_.count) + " elements");
     const std::uint32_t index_bytes = component_bytes(sparse.index_type);
     if (!fits(sparse.indices_offset, index_bytes, sparse.count, index_bytes, index_space))
-      return fail(Rule::accessor_fit, pointer(place, "indices"), "do not fit into their buffer view");
+      return fail(Rule::accessor_fit, sparse_place("indices"), "do not fit into their buffer view");
     if (!fits(sparse.values_offset, layout_.element_bytes, sparse.count, layout_.element_bytes, value_space))
-      return fail(Rule::accessor_fit, pointer(place, "values"), "do not fit into their buffer view");
+      return fail(Rule::accessor_fit, sparse_place("values"), "do not fit into their buffer view");
     return true;
   }
 
   const Document& document_;
   const Accessor& accessor_;
   ElementLayout layout_;
-  std::string place_;
+  std::size_t index_;
   IssueLog& log_;
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "importer/ktx2/decode_ktx2.h"
 #include "importer/read/image_avif.h"
 #include "importer/read/image_jpeg.h"
 #include "importer/read/image_webp.h"
@@ -29,7 +30,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr const char* kLeftOut = "it was made without the option SINEW_IMAGE_CODECS";
-constexpr const char* kUnknown = "is no undamaged PNG, JPEG, WebP or AVIF file";
+constexpr const char* kUnknown = "is no undamaged PNG, JPEG, WebP, AVIF or KTX2 file";
 
 const unsigned char* data_of(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
 
@@ -39,6 +40,12 @@ std::optional<ImageHeader> png_size(Bytes encoded) {
   if (stbi_info_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels) == 0)
     return std::nullopt;
   return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/png"};
+}
+
+std::optional<ImageHeader> probe_ktx2(Bytes encoded) {
+  const auto size = find_ktx2_size(encoded);
+  if (!size) return std::nullopt;
+  return ImageHeader{size->width, size->height, "image/ktx2"};
 }
 
 /// False if a chunk declares more bytes than the file has left. stb_image would allocate them before it checks.
@@ -60,6 +67,7 @@ tl::expected<ImageHeader, std::string> probe_image(Bytes encoded) {
   if (!size) size = probe_jpeg(encoded);
   if (!size) size = probe_webp(encoded);
   if (!size) size = probe_avif(encoded);
+  if (!size) size = probe_ktx2(encoded);
   if (!size) size = probe_undecoded_image(encoded);
   if (!size) return tl::make_unexpected(kUnknown);
   if (size->left_out)
@@ -73,6 +81,7 @@ tl::expected<std::vector<std::uint8_t>, std::string> decode_image(Bytes encoded)
   if (const auto size = probe_webp(encoded)) return decode_webp(encoded, *size);
   if (const auto size = probe_jpeg(encoded)) return decode_jpeg(encoded, *size);
   if (const auto size = probe_avif(encoded)) return decode_avif(encoded, *size);
+  if (probe_ktx2(encoded)) return decode_ktx2(encoded);
   const auto size = png_size(encoded);
   if (!size) return tl::make_unexpected(kUnknown);
   if (!png_chunks_fit(encoded)) return tl::make_unexpected("cannot be decoded: a chunk of the PNG leaves the file");

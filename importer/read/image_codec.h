@@ -19,7 +19,7 @@ struct ImageHeader {
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };
 
-/// Size and format of an encoded image, from its first bytes. Detects PNG, JPEG, WebP, AVIF and the formats of
+/// Size and format of an encoded image, from its first bytes. Detects PNG, JPEG, WebP, AVIF, KTX2 and the formats of
 /// undecoded_images.h by content.
 /// err   a message for users
 /// cost  O(header)

@@ -60,6 +60,14 @@ std::vector<std::uint32_t> first_of_equals(const gltf::Document& document) {
 
 }  // namespace
 
+tl::expected<Image, std::string> read_image(std::span<const std::byte> encoded, std::uint64_t& pixels_left) {
+  Image image;
+  image.missing_reason = admit(encoded, true, pixels_left, image);
+  if (image.missing_reason.empty()) decode(encoded, image);
+  if (!image.missing_reason.empty()) return tl::make_unexpected(image.missing_reason);
+  return image;
+}
+
 std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options,
                                std::vector<Texture>& textures, IssueLog& log) {
   const std::size_t count = document.images.size();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+#include <string>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "importer/file/document.h"
 #include "importer/import_gltf.h"
@@ -21,5 +25,10 @@ namespace sinew {
 /// cost     O(pixels), spread over all cores
 std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options,
                                std::vector<Texture>& textures, IssueLog& log);
+
+/// Decodes one image under the same limits.
+/// in,out   pixels_left   pixels that further images may have
+/// err      the reason, a message for users
+tl::expected<Image, std::string> read_image(std::span<const std::byte> encoded, std::uint64_t& pixels_left);
 
 }  // namespace sinew

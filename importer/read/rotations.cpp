@@ -30,6 +30,8 @@ void RotationTally::add(double length) noexcept {
     worst_ = length;
 }
 
+bool RotationTally::has_issues() const noexcept { return zeros_ > 0 || std::abs(worst_ - 1.0) > kKeyTolerance; }
+
 void RotationTally::report(const std::string& place, const char* one, const char* many, IssueLog& log) const {
   if (zeros_ > 0)
     log.report(Rule::rotation_zero, place,

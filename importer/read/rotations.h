@@ -24,6 +24,9 @@ class RotationTally {
  public:
   void add(double length) noexcept;
 
+  /// True if report() has something to report, so that callers need not make a place before.
+  bool has_issues() const noexcept;
+
   /// Reports each kind of invalid rotation once, with its count.
   /// in       one, many   nouns for the report: "a rotation key", "rotation keys"
   /// warning  rotation-zero, rotation-length (if beyond the rounding of normalised integers)

@@ -75,7 +75,7 @@ std::uint32_t image_of(const gltf::Document& document, std::uint32_t index, Issu
     bool decoded;
   } kExtensions[] = {{"EXT_texture_webp", true},
                      {"EXT_texture_avif", true},
-                     {"KHR_texture_basisu", false},
+                     {"KHR_texture_basisu", true},
                      {"MSFT_texture_dds", false}};
   const gltf::Texture& source = document.textures[index];
   std::uint32_t last_resort = kNone;

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// Reads every texture with its sampler. Prefers the image of EXT_texture_webp or EXT_texture_avif over `source`, and
-/// `source` over formats that are not decoded (KTX2, DDS).
+/// Reads every texture with its sampler. Prefers the image of EXT_texture_webp, EXT_texture_avif or KHR_texture_basisu
+/// over `source`, and `source` over formats that are not decoded (DDS).
 /// in       references are in range
 /// out      one entry for each of document.textures, in their order
 /// warning  sampler-values, extension-value

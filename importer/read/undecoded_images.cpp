@@ -23,13 +23,6 @@ std::uint32_t little(Bytes bytes, std::size_t at) noexcept {
   return value;
 }
 
-/// eq   12 bytes of identifier, vkFormat, typeSize, pixelWidth, pixelHeight   (KTX 2.0, "Header"). A 1D texture has
-///      height 0
-std::optional<ImageHeader> ktx2(Bytes bytes) noexcept {
-  if (!has(bytes, 0, "\xabKTX 20\xbb\r\n\x1a\n"sv) || bytes.size() < 28) return std::nullopt;
-  return ImageHeader{little(bytes, 20), std::max(little(bytes, 24), 1u), "image/ktx2", false};
-}
-
 /// eq   "DDS ", size of the header, flags, height, width   (DDS_HEADER)
 std::optional<ImageHeader> dds(Bytes bytes) noexcept {
   if (!has(bytes, 0, "DDS "sv) || bytes.size() < 20) return std::nullopt;
@@ -38,9 +31,6 @@ std::optional<ImageHeader> dds(Bytes bytes) noexcept {
 
 }  // namespace
 
-std::optional<ImageHeader> probe_undecoded_image(Bytes encoded) noexcept {
-  if (const auto header = ktx2(encoded)) return header;
-  return dds(encoded);
-}
+std::optional<ImageHeader> probe_undecoded_image(Bytes encoded) noexcept { return dds(encoded); }
 
 }  // namespace sinew

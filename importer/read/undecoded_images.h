@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// Size and format of images that are recognised but not decoded: KTX2 (KHR_texture_basisu) and DDS (MSFT_texture_dds).
+/// Size and format of images that are recognised but not decoded: DDS (MSFT_texture_dds).
 /// Viewers show a placeholder; converters keep the bytes.
 /// out   empty for other formats and truncated headers
 /// cost  O(header)

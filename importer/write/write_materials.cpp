@@ -154,7 +154,9 @@ namespace {
 
 /// The extension for images of this type; null for core glTF types.
 const char* extension_of(const std::string& mime_type) {
-  return mime_type == "image/webp" ? "EXT_texture_webp" : mime_type == "image/avif" ? "EXT_texture_avif" : nullptr;
+  if (mime_type == "image/webp") return "EXT_texture_webp";
+  if (mime_type == "image/avif") return "EXT_texture_avif";
+  return mime_type == "image/ktx2" ? "KHR_texture_basisu" : nullptr;
 }
 
 /// True if the encoded bytes can be written: core glTF or an extension supports the type.
@@ -163,8 +165,8 @@ bool is_kept(const Image& image) {
   return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || extension_of(kind) != nullptr);
 }
 
-/// Sets the image. A WebP or AVIF image is referenced only by its extension, without a fallback, so the extension is
-/// required.
+/// Sets the image. A WebP, AVIF or KTX2 image is referenced only by its extension, without a fallback, so the extension
+/// is required.
 void set_source(const Scene& scene, std::uint32_t image, tinygltf::Model& model, tinygltf::Texture& texture) {
   const char* extension = extension_of(scene.images[image].mime_type);
   if (!is_kept(scene.images[image]) || extension == nullptr) {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Reading a document's lists: tinygltf reads slices of their entries, from a text with only the core properties.
-#include "importer/file/read_lists.h"
+// Reading a document's lists from checked JSON.
+#include "importer/file/read_document.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
-#include "importer/file/core_text.h"
 #include "importer/file/document_size.h"
 #include "importer/file/gltf_shape.h"
 #include "importer/file/parse_json.h"
-#include "importer/file/read_document.h"
 #include "tests/importer/tiny_gltf.h"
 #include "tests/support/fixed_random.h"
 
@@ -37,45 +34,7 @@ CheckedText checked(const std::string& text) {
   return out;
 }
 
-/// The text that tinygltf gets for a list with one entry.
-std::string core_text(const char* list, const std::string& entry) {
-  const auto json = checked(R"({"asset": {"version": "2.0"}, ")" + std::string(list) + "\": [" + entry + "]}");
-  std::size_t next = 0;
-  return slice_text(list, *find_member(json->root, list), next);
-}
-
-TEST(core_text, are_those_that_the_shape_names_without_extensions) {
-  EXPECT_EQ(core_text("nodes", R"({"extensions": {"X": {}}, "extras": 1, "mesh": 2, "name": "a\n", "odd": [3]})"),
-            R"({"nodes":[{"mesh":2,"name":"a\n"}]})");
-}
-
-TEST(core_text, are_written_once_and_the_last_of_a_name_counts) {
-  EXPECT_EQ(core_text("skins", R"({"joints": [1], "joints": [2]})"), R"({"skins":[{"joints":[2]}]})");
-}
-
-TEST(core_text, integers_have_no_fraction) {
-  EXPECT_EQ(core_text("nodes", R"({"children": [1.0, 2e0], "scale": [1, 2.5, 3.0]})"),
-            R"({"nodes":[{"children":[1,2],"scale":[1,2.5,3.0]}]})");
-}
-
-TEST(core_text, leaves_out_indices_and_names_with_a_zero_byte) {
-  EXPECT_EQ(core_text("meshes", R"({"primitives": [{"attributes": {"A\u0000B": 1, "A": 2}, "indices": 3}]})"),
-            R"({"meshes":[{"primitives":[{"attributes":{"A":2}}]}]})");
-}
-
-TEST(core_text, a_camera_without_lens_has_one_of_zeros) {
-  EXPECT_EQ(
-      core_text("cameras", R"({"name": "c", "type": "orthographic"})"),
-      R"({"cameras":[{"type":"orthographic","name":"c","orthographic":{"xmag":0,"ymag":0,"zfar":0,"znear":0}}]})");
-}
-
-TEST(core_text, of_the_head_is_what_stands_outside_the_lists) {
-  const auto json = checked(R"({"nodes": [{}], "scenes": [{}], "scene": 0.0, "extensionsUsed": ["X"],
-                                "asset": {"version": "2.0", "generator": "g", "extras": {}}})");
-  EXPECT_EQ(head_text(json->root), R"({"asset":{"version":"2.0","generator":"g"},"extensionsUsed":["X"],"scene":0})");
-}
-
-TEST(read_lists, T10_numbers_keep_every_bit) {
+TEST(read_document, T10_numbers_keep_every_bit) {
   FixedRandom random(5);
   Json root{{"asset", {{"version", "2.0"}}}};
   std::vector<double> numbers{0.0, -0.0, 5e-324, 3.4028234663852886e38, 0.1, 1.0 / 3.0};
@@ -89,9 +48,7 @@ TEST(read_lists, T10_numbers_keep_every_bit) {
   }
 }
 
-/// There are far more entries than fit into one slice. Properties taken from the JSON tree must go to the right
-/// entries.
-TEST(read_lists, entries_of_many_slices_keep_their_order) {
+TEST(read_document, entries_of_long_lists_keep_their_order) {
   constexpr std::uint32_t kCount = 3000;
   Json root{{"asset", {{"version", "2.0"}}}};
   for (std::uint32_t i = 0; i < kCount; ++i) {
@@ -119,7 +76,7 @@ TEST(read_lists, entries_of_many_slices_keep_their_order) {
   }
 }
 
-TEST(read_lists, each_of_translation_rotation_and_scale_is_seen_beside_a_matrix) {
+TEST(read_document, each_of_translation_rotation_and_scale_is_seen_beside_a_matrix) {
   const std::string head = R"({"asset": {"version": "2.0"}, "nodes": [{"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])";
   EXPECT_FALSE(read_document(checked(head + "}]}")->root).nodes[0].has_trs);
   for (const char* beside : {R"("translation": [0, 0, 0])", R"("rotation": [0, 0, 0, 1])", R"("scale": [1, 1, 1])"}) {
@@ -128,9 +85,24 @@ TEST(read_lists, each_of_translation_rotation_and_scale_is_seen_beside_a_matrix)
   }
 }
 
-TEST(read_lists, an_entry_that_tinygltf_drops_is_a_fault_that_is_not_read_past) {
-  EXPECT_THROW(expect_all("nodes", 2, 1), std::runtime_error);
-  EXPECT_NO_THROW(expect_all("nodes", 2, 2));
+TEST(read_document, the_last_of_a_name_counts_and_integers_may_have_a_fraction) {
+  const gltf::Document document = read_document(
+      checked(R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1.0, 2e0], "name": "a", "name": "b"}, {}, {}],
+                  "skins": [{"joints": [1], "joints": [2]}], "scenes": [{"nodes": [0.0]}], "scene": 0.0})")
+          ->root);
+  EXPECT_EQ(document.nodes[0].name, "b");
+  EXPECT_EQ(document.nodes[0].children, (std::vector<int>{1, 2}));
+  EXPECT_EQ(document.skins[0].joints, std::vector<int>{2});
+  EXPECT_EQ(document.scenes[0].nodes, std::vector<int>{0});
+  EXPECT_EQ(document.scene, 0u);
+}
+
+TEST(read_document, a_camera_without_lens_has_one_of_zeros) {
+  const gltf::Document document = read_document(
+      checked(R"({"asset": {"version": "2.0"}, "cameras": [{"name": "c", "type": "orthographic"}]})")->root);
+  EXPECT_EQ(document.cameras[0].name, "c");
+  EXPECT_EQ(document.cameras[0].type, "orthographic");
+  EXPECT_EQ(document.cameras[0].orthographic, tinygltf::OrthographicCamera());
 }
 
 TEST(document_size, counts_entries_and_primitives) {
