@@ -6,6 +6,7 @@
 #include "runtime/base/run_job.h"
 #include "runtime/deform/influence_streams.h"
 #include "runtime/deform/vertex_streams.h"
+#include "runtime/deform/vertex_tiles.h"
 #include "runtime/pose/joint_palette.h"
 
 namespace sinew {
@@ -19,7 +20,7 @@ namespace sinew {
 /// in   palette[N], split[N]  the same joints, from JointPaletteJob and SplitPaletteJob;   any_stretch  false: S = 1
 ///      centers[V]  in rest space (importer/topology/centers_of_rotation.h). A center equal to the vertex gives linear
 ///      blending. Vertices with one influence are blended linearly whatever their center is.
-///      influences, pairs[any]  as SkinDualQuaternionJob
+///      influences, pairs[any], tiles[1 or none]  as SkinDualQuaternionJob; tiles have the same centers
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMaxConverted)
 /// cost O(V * influences), no allocation
@@ -32,6 +33,7 @@ struct SkinCenterOfRotationJob {
   VertexInput vertices;
   VertexOutput out;
   std::span<const JointPair> pairs;
+  const VertexTiles* tiles = nullptr;
 };
 
 SINEW_API ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;

@@ -6,29 +6,17 @@
 #include <hwy/foreach_target.h>
 
 #include "runtime/deform/simd/blend_columns-inl.h"
+#include "runtime/deform/simd/careful_directions-inl.h"
 #include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/simd/rows-inl.h"
 #include "runtime/deform/simd/shared_matrices-inl.h"
 #include "runtime/deform/simd/triples-inl.h"
 #include "runtime/deform/vertex_checks.h"
-#include "runtime/math/normal_transform.h"
 #include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
-
-/// The scalar path for the normal of vertex `v` of a tile. It is needed if squares leave the range of float, the side
-/// of the normal is in doubt, or the normal vanishes. The blended matrix has the same bits as for the position.
-template <int kCount>
-glm::vec3 careful_normal(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t v,
-                         const glm::vec3& n, bool cofactor) {
-  const MatrixVectors parts = blend_matrix_vectors(palette, tile, v);
-  JointMatrix blended;
-  for (std::size_t p = 0; p < MatrixVectors::kCount; ++p)
-    hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
-  const Affine m = affine_from(blended);
-  return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
-}
 
 /// Skins rows of tiles. Normals and tangents are normalised a few tiles later: a square root and a division take as
 /// long as the rest of a tile. Processors do not look far enough ahead to overlap them with the next tile.
@@ -53,14 +41,14 @@ struct SkinRow {
       Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
       const auto sound = normalise(n);
       store3(n, out.normals);
-      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_normal(row, t, v); });
+      for_each_lane_not_in(sound, [&](std::size_t v) { careful_normal_of(row, t, v); });
     }
     if constexpr (kTangents) {
       const Lanes4 tangent = load4(in.tangents);
       Lanes3 moved = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
       const auto sound = normalise(moved);
       store4({moved.x, moved.y, moved.z, tangent.w}, out.tangents);
-      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_tangent(row, t, v); });
+      for_each_lane_not_in(sound, [&](std::size_t v) { careful_tangent_of(row, t, v); });
     }
   }
 
@@ -160,15 +148,14 @@ struct SkinRow {
         Lanes3 n = moved_normals(m, load_shared(row.normals_in(t)), kCofactor);
         const auto sound = normalise(n);
         store_shared(n, row.normals_out(t), row.past_caches);
-        for_each_lane_not_in(sound,
-                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_shared_lane(lane)); });
+        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_normal_of(row, t, vertex_of_shared_lane(lane)); });
       }
       if constexpr (kTangents) {
         const Lanes4 tangent = load4(row.tangents_in(t));
         Lanes3 moved = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
         const auto sound = normalise(moved);
         store4({moved.x, moved.y, moved.z, tangent.w}, row.tangents_out(t));
-        for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_tangent_of(row, t, vertex_of_lane(lane)); });
       }
     }
   }
@@ -206,8 +193,7 @@ struct SkinRow {
           moved_n = plus_product(moved_n, m.c2, n.z);
         const auto sound = normalise(moved_n);
         store_shared(moved_n, row.normals_out(t), row.past_caches);
-        for_each_lane_not_in(sound,
-                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_shared_lane(lane)); });
+        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_normal_of(row, t, vertex_of_shared_lane(lane)); });
       }
       if constexpr (kTangents) {
         moved_tangent = plus_product(moved_tangent, m.c2, tangent.z);
@@ -215,8 +201,7 @@ struct SkinRow {
         store4({lanes_from_shared(moved_tangent.x), lanes_from_shared(moved_tangent.y),
                 lanes_from_shared(moved_tangent.z), handedness},
                row.tangents_out(t));
-        for_each_lane_not_in(sound,
-                             [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_shared_lane(lane)); });
+        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_tangent_of(row, t, vertex_of_shared_lane(lane)); });
       }
     }
   }
@@ -231,9 +216,8 @@ struct SkinRow {
       if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
     }
     if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
-      for (std::size_t t = first; t < end; ++t)
-        SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row),
-                                     t);
+      write_careful(PaletteBases(palette), row.template with_count<0>(), first, end, kNormals ? normals : nullptr,
+                    kTangents ? tangents : nullptr, kCofactor);
   }
 
   HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
@@ -276,31 +260,13 @@ struct SkinRow {
     return sound;
   }
 
-  /// Computes the lanes of a tile that are not sound by the scalar path. Not inlined, and called with copies: otherwise
-  /// the loops would spill their registers around the call.
-  HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row,
-                                  std::size_t t) const {
-    if constexpr (kNormals)
-      for_each_lane_not_in(soundness(normals),
-                           [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_quarter_lane(lane)); });
-    if constexpr (kTangents)
-      for_each_lane_not_in(soundness(tangents),
-                           [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_quarter_lane(lane)); });
-  }
-  static hn::Mask<TileTag> soundness(const KeptQuarters& kept) {
-    Wide quarters[4];
-    kept.load(quarters);
-    return normalise(quarters);
-  }
-
 #endif
 
-  HWY_NOINLINE void write_careful_normal(const Row& row, std::size_t t, std::size_t v) const {
-    row.out(t).normals[v] = careful_normal(palette, row.joints(t), v, row.in(t).normals[v], kCofactor);
+  HWY_NOINLINE void careful_normal_of(const Row& row, std::size_t t, std::size_t v) const {
+    write_careful_normal(PaletteBases(palette), row.template with_count<0>(), t, v, kCofactor);
   }
-  HWY_NOINLINE void write_careful_tangent(const Row& row, std::size_t t, std::size_t v) const {
-    const glm::vec4 tangent = row.in(t).tangents[v];
-    row.out(t).tangents[v] = glm::vec4(careful_normal(palette, row.joints(t), v, glm::vec3(tangent), false), tangent.w);
+  HWY_NOINLINE void careful_tangent_of(const Row& row, std::size_t t, std::size_t v) const {
+    write_careful_tangent(PaletteBases(palette), row.template with_count<0>(), t, v);
   }
 };
 

@@ -2,7 +2,6 @@
 #include "runtime/deform/vertex_tiles.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -39,6 +38,14 @@ class SortedInfluences {
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(first_.size() - 1); }
   std::span<const Influence> of(std::uint32_t vertex) const noexcept {
     return std::span(all_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+  }
+
+  /// The number of joints of a vertex and its first three joints, in the order of compare().
+  std::uint64_t sort_key(std::uint32_t vertex) const noexcept {
+    const auto influences = of(vertex);
+    std::uint64_t key = influences.size();
+    for (std::size_t i = 0; i < 3; ++i) key = key << 16 | (i < influences.size() ? influences[i].joint : 0u);
+    return key;
   }
 
   /// Orders vertices by number of joints, then by joints, so that vertices with the same set of joints become
@@ -109,17 +116,37 @@ std::vector<Piece> pieces_of(std::span<const std::uint32_t> vertices) {
   return pieces;
 }
 
-std::vector<JointSet> find_sets(const SortedInfluences& influences) {
-  std::vector<std::uint32_t> order(influences.vertex_count());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int compared = influences.compare(a, b);
-    return compared != 0 ? compared < 0 : a < b;
+/// Consecutive vertices that follow the same set of joints.
+struct Stretch {
+  std::uint64_t sort_key;
+  std::uint32_t first, count;
+};
+
+/// The stretches of a mesh, sorted by their sets and then by their vertices. Sorting stretches is faster than sorting
+/// vertices, because importers place vertices with equal joints side by side.
+std::vector<Stretch> sorted_stretches(const SortedInfluences& influences) {
+  std::vector<Stretch> stretches;
+  for (std::uint32_t v = 0; v < influences.vertex_count(); ++v)
+    if (v > 0 && influences.compare(v - 1, v) == 0)
+      ++stretches.back().count;
+    else
+      stretches.push_back({influences.sort_key(v), v, 1});
+  std::sort(stretches.begin(), stretches.end(), [&](const Stretch& a, const Stretch& b) {
+    if (a.sort_key != b.sort_key) return a.sort_key < b.sort_key;
+    const int compared = influences.compare(a.first, b.first);
+    return compared != 0 ? compared < 0 : a.first < b.first;
   });
+  return stretches;
+}
+
+std::vector<JointSet> find_sets(const SortedInfluences& influences) {
+  const std::vector<Stretch> stretches = sorted_stretches(influences);
   std::vector<JointSet> sets;
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    for (end = begin + 1; end < order.size() && influences.compare(order[begin], order[end]) == 0;) ++end;
-    const auto vertices = std::span(order).subspan(begin, end - begin);
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {
+    vertices.clear();
+    for (; end < stretches.size() && influences.compare(stretches[begin].first, stretches[end].first) == 0; ++end)
+      for (std::uint32_t i = 0; i < stretches[end].count; ++i) vertices.push_back(stretches[end].first + i);
     JointSet& set = sets.emplace_back();
     for (const Influence& influence : influences.of(vertices[0])) set.joints.push_back(influence.joint);
     for (const Piece& piece : pieces_of(vertices)) {
@@ -165,8 +192,9 @@ void move_leftovers(std::vector<JointSet>& sets) {
 /// Appends the run of each set to VertexTiles.
 class TileWriter {
  public:
-  TileWriter(const SortedInfluences& influences, const VertexInput& in, VertexTiles& out)
-      : influences_(influences), in_(in), out_(out) {}
+  TileWriter(const SortedInfluences& influences, const VertexInput& in, std::span<const glm::vec3> centers,
+             VertexTiles& out)
+      : influences_(influences), in_(in), centers_(centers), out_(out) {}
 
   /// Allocates exactly as much as all sets need.
   void reserve(std::span<const JointSet> sets) {
@@ -182,6 +210,7 @@ class TileWriter {
     out_.positions.reserve(3 * tiles + weights);
     out_.normals.reserve(in_.normals.empty() ? 0 : 3 * tiles);
     out_.tangents.reserve(in_.tangents.empty() ? 0 : 4 * tiles);
+    out_.centers.reserve(centers_.empty() ? 0 : 3 * tiles);
     out_.vertices.reserve(VertexTiles::kLanes * tiles);
     out_.fours.reserve(VertexTiles::kLanes / 4 * tiles);
   }
@@ -223,6 +252,8 @@ class TileWriter {
       add_planes(out_.normals, 3, [&](std::size_t lane, int c) { return in_.normals[vertices[lane]][c]; });
     if (!in_.tangents.empty())
       add_planes(out_.tangents, 4, [&](std::size_t lane, int c) { return in_.tangents[vertices[lane]][c]; });
+    if (!centers_.empty())
+      add_planes(out_.centers, 3, [&](std::size_t lane, int c) { return center(vertices[lane])[c]; });
   }
 
   template <class Number>
@@ -239,8 +270,13 @@ class TileWriter {
     return 0.0f;
   }
 
+  const glm::vec3& center(std::uint32_t vertex) const noexcept {
+    return influences_.of(vertex).size() == 1 ? in_.positions[vertex] : centers_[vertex];
+  }
+
   const SortedInfluences& influences_;
   const VertexInput& in_;
+  std::span<const glm::vec3> centers_;
   VertexTiles& out_;
 };
 
@@ -256,7 +292,8 @@ double VertexTiles::relative_cost() const noexcept {
   return vertex_count == 0 ? 1.0 : vectors * kVector / vertex_count;
 }
 
-VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices) {
+VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices,
+                          std::span<const glm::vec3> centers) {
   const SortedInfluences sorted(influences);
   std::vector<JointSet> sets = find_sets(sorted);
   move_leftovers(sets);
@@ -266,7 +303,7 @@ VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput&
   });
   VertexTiles tiles;
   tiles.vertex_count = sorted.vertex_count();
-  TileWriter writer(sorted, vertices, tiles);
+  TileWriter writer(sorted, vertices, centers, tiles);
   writer.reserve(sets);
   for (const JointSet& set : sets) writer.add(set);
   return tiles;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/base/api.h"
@@ -47,6 +48,7 @@ struct VertexTiles {
   std::vector<TilePlane> positions;     ///< for each tile: x, y, z, then the weights
   std::vector<TilePlane> normals;       ///< for each tile: x, y, z; empty = the mesh has none
   std::vector<TilePlane> tangents;      ///< for each tile: x, y, z, w; empty = the mesh has none
+  std::vector<TilePlane> centers;       ///< for each tile: x, y, z of centers of rotation; empty = none were given
   std::vector<std::uint32_t> vertices;  ///< [tiles * kLanes] the vertex of each lane
   std::vector<std::uint32_t> fours;     ///< [tiles * 4] first of four consecutive vertices in four lanes, or kNotInARow
   std::uint32_t vertex_count = 0;
@@ -63,8 +65,11 @@ struct VertexTiles {
 
 /// Sorts vertices into tiles.
 /// in   influences  groups cover all vertices, and weights sum to 1;   vertices  at rest
-/// cost O(V log V + influences), allocates 4 (k + 2) bytes a vertex with k joints, 12 more with normals and 16 more
-///      with tangents
-SINEW_API VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices);
+///      centers[V or none]  centers of rotation. A vertex that follows one joint gets itself as its center, which skins
+///      it linearly (SkinCenterOfRotationJob).
+/// cost O(V log V + influences), allocates 4 (k + 2) bytes a vertex with k joints, 12 more with normals, 16 more with
+///      tangents and 12 more with centers
+SINEW_API VertexTiles tile_vertices(const VertexInfluences& influences, const VertexInput& vertices,
+                                    std::span<const glm::vec3> centers = {});
 
 }  // namespace sinew

@@ -39,6 +39,7 @@ struct Limbs {
   Skeleton skeleton;
   test::PoseBuffer pose;
   std::vector<Vec3<double>> targets;
+  std::vector<TwoBoneIkJob> jobs;
   std::size_t turn = 0;
   Affined above;
 
@@ -46,7 +47,8 @@ struct Limbs {
     test::FixedRandom random(count);
     for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j)
       pose.span().set(j, {.translation = {0, 0.5f, 0}, .rotation = random.rotation_by<float>(0.5)});
-    for (int i = 0; i < 64; ++i) targets.push_back(random.direction<double>() * random.in(0.3, 0.9));
+    const Vec3<double> root(0, 0.5, 0);
+    for (int i = 0; i < 64; ++i) targets.push_back(root + random.direction<double>() * random.in(0.3, 0.9));
     above = affine_from_transform(Transformd{});
   }
   static Skeleton made(std::uint32_t count) {
@@ -56,9 +58,19 @@ struct Limbs {
     return test::skeleton_of(std::move(parents));
   }
   void solve(const Affined* matrix) {
+    set_jobs(matrix);
+    for (const TwoBoneIkJob& job : jobs) run_unchecked(job);
+  }
+  void solve_together() {
+    set_jobs(&above);
+    run_unchecked(TwoBoneIkLimbsJob{jobs});
+  }
+  void set_jobs(const Affined* matrix) {
     const auto count = static_cast<std::uint32_t>((skeleton.joint_count() - 1) / 3);
+    jobs.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      TwoBoneIkJob job{&skeleton, pose.span()};
+      TwoBoneIkJob& job = jobs[i];
+      job = {&skeleton, pose.span()};
       job.goal.root = 1 + i;
       job.goal.middle = 1 + count + i;
       job.goal.tip = 1 + 2 * count + i;
@@ -66,7 +78,6 @@ struct Limbs {
       job.goal.pole_kind = PoleKind::direction;
       job.goal.pole = {0, 0, 1};
       job.above = matrix;
-      run_unchecked(job);
     }
   }
 };
@@ -102,6 +113,7 @@ void add_ik() {
   for (const std::uint32_t count : {1u, 1024u}) {
     const auto limbs = std::make_shared<Limbs>(count);
     add("two_bone_ik/sinew/" + std::to_string(count), count, [limbs] { limbs->solve(&limbs->above); });
+    if (count > 1) add("two_bone_ik/sinew/1024/together", count, [limbs] { limbs->solve_together(); });
     if (count == 1) add("two_bone_ik/sinew/1/composed", 1, [limbs] { limbs->solve(nullptr); });
   }
   for (const std::uint32_t count : {1u, 4u}) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "importer/export_glb.h"
+#include "importer/file/data_uri.h"
 #include "samples/showcase/showcase.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/tinygltf_parse.h"
@@ -116,9 +117,34 @@ std::vector<Source> corpus_sources() {
   return out;
 }
 
+/// Decodes a data URI, beside a copy of its text.
+void add_base64() {
+  constexpr std::size_t kSize = std::size_t{1} << 20;
+  std::string text(kSize, 'A');
+  for (std::size_t i = 0; i < kSize; ++i) text[i] = static_cast<char>('A' + i * 7 % 26);
+  const auto uri = std::make_shared<const std::string>("data:application/octet-stream;base64," + text);
+  Facts facts;
+  facts.bytes = kSize + kSize / 4 * 3;
+  add(
+      "base64/sinew/1M", kSize,
+      [uri] {
+        if (!decode_data_uri(*uri)) std::abort();
+      },
+      facts);
+  facts.bytes = 2 * kSize;
+  add(
+      "base64/copy/1M", kSize,
+      [uri] {
+        const std::string copy(*uri);
+        benchmark::DoNotOptimize(copy.data());
+      },
+      facts);
+}
+
 }  // namespace
 
 void add_import() {
+  add_base64();
   for (const auto& scene : showcase::showcase()) {
     auto bytes = export_glb(scene.scene);
     if (!bytes) std::abort();

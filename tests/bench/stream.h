@@ -5,8 +5,8 @@
 
 namespace sinew::bench {
 
-/// Memory traffic of a job without its arithmetic: reads and writes as many bytes. Output larger than the caches
-/// bypasses them. No job with this traffic can be faster.
+/// Reads and writes the same number of bytes as a job, but computes almost nothing: a lower bound for the job's time.
+/// If the output is larger than 8 MiB, its stores bypass the caches.
 class StreamTraffic {
  public:
   StreamTraffic(std::size_t bytes_in, std::size_t bytes_out);

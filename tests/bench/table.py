@@ -17,7 +17,7 @@ PAIRS = ("sample", "blend", "local_to_model", "correct_pose", "morph", "skin_lin
 HEADLINES = re.compile(r"""
     (blend|local_to_model|mirror_pose|retarget_pose|sample) / (CesiumMan|Fox-0|biped67|tree1024|crowd1024) (/.*)? | frame/.* | crowd/.* | correct_pose/.*
     | (compile_clip|compile_plan|first_frame|load_clips)/(CesiumMan|Fox|biped67) | import/(arms|corpus|face|flight) | memory/(32k|4M|64M) | morph/.* | pose/(CesiumMan|biped)/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
-    | load_assets/.* | geometry_cache/.* | skin_(dual_quaternion|center_of_rotation)/(CesiumMan|Fox|Knight)
+    | (load_assets|start)/(biped67/.*|CesiumMan|Fox|Knight) | base64/1M | geometry_cache/.* | skin_(dual_quaternion|center_of_rotation)/(CesiumMan|Fox|Knight)
     | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/(300|1k|10k/cold|100k|1M|1M/2threads)|CesiumMan|Fox|Knight)""", re.VERBOSE)  # what README.md of this folder shows, without the ways that lost
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 

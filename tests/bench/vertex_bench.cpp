@@ -173,6 +173,10 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   add_with_error("skin_linear/tiles/" + tail, s, wanted, Skinning::linear, [s, tiles] {
     run_unchecked(SkinTilesJob{.tiles = tiles.get(), .palette = s->palette, .out = s->output()});
   });
+  add_with_error("skin_dual_quaternion/tiles/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted, tiles] {
+    run_unchecked(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(),
+                                        s->pairs, s->palette, tiles.get()});
+  });
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
   if (wanted.tangents || !wanted.normals) return;
@@ -191,6 +195,12 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
                  [s, centers, wanted] {
                    run_unchecked(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch,
                                                          *centers, s->in(wanted), s->output(), s->pairs});
+                 });
+  const auto tiles = std::make_shared<VertexTiles>(tile_vertices(s->primitive.influences, s->in(wanted), *centers));
+  add_with_error("skin_center_of_rotation/tiles/" + tail, s, wanted, Skinning::center_of_rotation,
+                 [s, wanted, centers, tiles] {
+                   run_unchecked(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch,
+                                                         *centers, s->in(wanted), s->output(), s->pairs, tiles.get()});
                  });
   add_with_error("skin_center_of_rotation/glm/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
     glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -68,6 +69,21 @@ TEST(skin_linear, random_vertices_agree_with_double_for_every_influence_count) {
     EXPECT_TRUE(test::is_near(Vec3<double>(glm::vec3(s.out_tangents[v])), t, 2e-5)) << v;
     EXPECT_EQ(s.out_tangents[v].w, s.tangents[v].w);
   }
+}
+
+TEST(skin_linear, normals_of_single_influences_do_not_depend_on_the_weight_on_the_scalar_path) {
+  test::FixedRandom random(7);
+  constexpr std::uint32_t kSingle[] = {1};
+  auto s = test::random_skinned_vertices(random, kSingle, 64, 24, true);
+  for (JointMatrix& m : s.palette)
+    for (glm::vec4& column : m.column) column *= 1e-17f;  // squares leave the range of float
+  ASSERT_EQ(run(job_of(s)), ErrorCode::ok);
+  const auto normals = s.out_normals;
+  const auto tangents = s.out_tangents;
+  std::fill(s.influences.weights.begin(), s.influences.weights.end(), 0.3f);
+  ASSERT_EQ(run(job_of(s)), ErrorCode::ok);
+  EXPECT_EQ(s.out_normals, normals);
+  EXPECT_EQ(s.out_tangents, tangents);
 }
 
 TEST(skin_linear, N22_cofactor_normals_stay_square_to_the_moved_surface) {

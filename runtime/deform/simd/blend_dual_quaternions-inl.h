@@ -59,10 +59,8 @@ struct DualQuatLanes {
   hn::Mask<TileTag> sound;  ///< lanes whose blend did not cancel
 };
 
-template <int kCount>
 HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   const TileTag d;
-  const Wide two = hn::Set(d, 2.0f);
   // Copied member by member: compilers keep whole-struct copies in memory instead of registers.
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
@@ -75,14 +73,9 @@ HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   out.dual.y = dy;
   out.dual.z = dz;
   out.dual.w = dw;
-  if constexpr (kCount == 1) {
-    out.twice_over_square = two;
-    out.sound = hn::Eq(two, two);
-  } else {
-    const Wide squared = hn::MulAdd(w, w, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
-    out.twice_over_square = hn::Div(two, squared);
-    out.sound = hn::Gt(squared, hn::Set(d, 1e-12f));
-  }
+  const Wide squared = hn::MulAdd(w, w, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
+  out.twice_over_square = hn::Div(hn::Set(d, 2.0f), squared);
+  out.sound = hn::Gt(squared, hn::Set(d, 1e-12f));
   return out;
 }
 

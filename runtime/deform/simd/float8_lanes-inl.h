@@ -28,6 +28,11 @@ HWY_INLINE Float8 load_float8(const float* from) {
 HWY_INLINE void store_float8(const Float8& a, float* to) {
   for (std::size_t p = 0; p < Float8::kCount; ++p) hn::Store(a.part[p], Float8Tag(), to + p * Float8::kLanes);
 }
+HWY_INLINE Float8 minus(const Float8& a, const Float8& b) {
+  Float8 out;
+  for (std::size_t p = 0; p < Float8::kCount; ++p) out.part[p] = hn::Sub(a.part[p], b.part[p]);
+  return out;
+}
 HWY_INLINE Float8 times(const Float8& a, hn::Vec<Float8Tag> w) {
   Float8 out;
   for (std::size_t p = 0; p < Float8::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);
@@ -44,12 +49,6 @@ HWY_INLINE Float8 times_plus(const float* from, hn::Vec<Float8Tag> w, const Floa
 struct Lanes8 {
   Lanes4 low, high;
 };
-
-/// Loads eight vectors that were stored one after the other.
-HWY_INLINE Lanes8 load_lanes8(const float* from) {
-  const auto of = [&](std::size_t i) HWY_ATTR { return hn::Load(TileTag(), from + i * kTileSize); };
-  return {{of(0), of(1), of(2), of(3)}, {of(4), of(5), of(6), of(7)}};
-}
 
 #if HWY_TARGET == HWY_SCALAR
 

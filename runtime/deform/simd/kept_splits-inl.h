@@ -10,7 +10,6 @@
 
 #include "runtime/deform/simd/blend_dual_quaternions-inl.h"
 #include "runtime/deform/simd/blend_stretch_lanes-inl.h"
-#include "runtime/deform/simd/shared_splits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -22,11 +21,6 @@ class KeptSplits {
   /// in   one_hemisphere  all rotations are in one hemisphere: dual quaternion and stretch are then blended as one
   template <int kCount>
   HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
-    share_joints_ = false;
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (kMayShareJoints<kCount>)
-      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_hemisphere);
-#endif
     if constexpr (kStretch) {
       if (kCount != 1 && one_hemisphere) return keep_whole(split, tile);
       for_each_of_tile([&](std::size_t k)
@@ -36,13 +30,7 @@ class KeptSplits {
                              [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
   }
 
-  /// True if all vertices of the tile have the same joints.
-  HWY_INLINE bool share_joints() const { return share_joints_; }
-
-  template <int kCount>
-  HWY_INLINE DualQuatLanes motion() const {
-    return dual_quat_lanes<kCount>(lanes_from(0));
-  }
+  HWY_INLINE DualQuatLanes motion() const { return dual_quat_lanes(lanes_from(0)); }
   HWY_INLINE StretchLanes stretch() const {
     static_assert(kStretch);
     return stretch_lanes(lanes_from(8));
@@ -50,8 +38,6 @@ class KeptSplits {
 
  private:
   static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
-  /// True: floats_ holds kFloats vectors with one vertex per lane. False: it holds kFloats numbers per vertex.
-  bool share_joints_ = false;
   HWY_ALIGN float floats_[kTileSize][kFloats];
 
   /// Blends dual quaternion and stretch in one loop, because they share addresses and weights.
@@ -73,18 +59,7 @@ class KeptSplits {
       for (std::size_t p = 0; p < kParts; ++p) hn::Store(sum[p], d, floats_[k] + p * kTileSize);
     });
   }
-#if HWY_TARGET != HWY_SCALAR
-  template <int kCount>
-  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_hemisphere) {
-    share_joints_ = true;
-    const SharedSplits<kCount> shared(split, tile.first.joints, one_hemisphere);
-    WeightLanes<kCount> weights = weight_lanes(tile);
-    if constexpr (kStretch) shared.blend_stretches(weights, &floats_[0][0] + 8 * kTileSize);
-    shared.blend_dual_quaternions(weights, &floats_[0][0]);
-  }
-#endif
   HWY_INLINE Lanes8 lanes_from(std::size_t first) const {
-    if (share_joints_) return load_lanes8(&floats_[0][0] + first * kTileSize);
     Float8 sums[kTileSize];
     for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_float8(floats_[k] + first);
     return lanes_of(sums);
@@ -93,6 +68,19 @@ class KeptSplits {
 
 /// Number of tiles that are blended ahead.
 constexpr std::size_t kTilesAhead = 8;
+
+/// Blends the tiles [first, end) of a row. Only this stage depends on the number of influences.
+template <bool kStretch>
+using KeepSplits = void(const RigidStretch* split, const TileRow<0>& row, std::size_t first, std::size_t end,
+                        bool one_hemisphere, KeptSplits<kStretch>* kept);
+
+/// The function for groups of `influence_count` influences. Compiled once, in skin_dual_quaternion.cpp.
+template <bool kStretch>
+KeepSplits<kStretch>* keep_splits_of(std::uint32_t influence_count);
+template <>
+KeepSplits<false>* keep_splits_of<false>(std::uint32_t influence_count);
+template <>
+KeepSplits<true>* keep_splits_of<true>(std::uint32_t influence_count);
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -115,10 +115,6 @@ class SharedMatrices {
     return sum;
   }
 
-  HWY_INLINE LaneMatrix blend(const WeightLanes<kCount>& weights) const {
-    return {column(0, weights), column(1, weights), column(2, weights), column(3, weights)};
-  }
-
  private:
   HWY_INLINE Lanes3 column_of(std::size_t i, std::size_t c) const {
     const TileTag d;

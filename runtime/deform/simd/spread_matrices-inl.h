@@ -8,14 +8,13 @@
 #endif
 
 #include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/simd/spread_numbers-inl.h"
 #include "runtime/deform/vertex_tiles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Up to `kRoom` joint matrices: a base, and the differences of the other matrices from it. On x86 below AVX-512 each
-/// entry is broadcast to memory once per run, because a multiplication can read an operand from memory. AVX-512
-/// broadcasts as it reads.
+/// Up to `kRoom` joint matrices: a base, and the differences of the other matrices from it.
 template <std::size_t kRoom>
 class KeptMatrices {
  public:
@@ -36,38 +35,17 @@ class KeptMatrices {
     }
   }
 
-  /// Column `c` of the blend of every vertex.
-  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane, std::size_t count) const {
-    Lanes3 sum = column_of(0, c);
-    for (std::size_t i = 1; i < count; ++i)
-      sum = plus_product(sum, column_of(i, c), hn::Load(TileTag(), weights[i - 1].lane.data() + lane));
-    return sum;
+  HWY_INLINE Lanes3 column(std::size_t i, std::size_t c) const {
+    return {entries_.of(i, 4 * c), entries_.of(i, 4 * c + 1), entries_.of(i, 4 * c + 2)};
   }
 
  private:
-  static constexpr bool kSpread = HWY_ARCH_X86 && kTileSize > 1 && kTileSize < 16;
-
   HWY_INLINE void keep(std::size_t i, const JointMatrix& m) {
-    if constexpr (kSpread)
-      for (std::size_t c = 0; c < 4; ++c)
-        for (std::size_t r = 0; r < 3; ++r)
-          hn::Store(hn::Set(TileTag(), (&m.column[c].x)[r]), TileTag(), spread_[i][c][r]);
-    else
-      matrices_[i] = m;
-  }
-  HWY_INLINE Lanes3 column_of(std::size_t i, std::size_t c) const {
-    const TileTag d;
-    if constexpr (kSpread) {
-      const auto& of = spread_[i][c];
-      return {hn::Load(d, of[0]), hn::Load(d, of[1]), hn::Load(d, of[2])};
-    } else {
-      const glm::vec4& of = matrices_[i].column[c];
-      return {hn::Set(d, of.x), hn::Set(d, of.y), hn::Set(d, of.z)};
-    }
+    for (std::size_t c = 0; c < 4; ++c)
+      for (std::size_t r = 0; r < 3; ++r) entries_.keep(i, 4 * c + r, (&m.column[c].x)[r]);
   }
 
-  JointMatrix matrices_[kSpread ? 1 : kRoom];
-  HWY_ALIGN float spread_[kSpread ? kRoom : 1][4][3][kTileSize];
+  SpreadNumbers<kRoom, 16> entries_;  // columns of four, as in JointMatrix
 };
 
 /// Blended matrices of the vertices of a run, with a number of joints known at compile time.
@@ -79,9 +57,25 @@ class SpreadMatrices {
   HWY_INLINE SpreadMatrices(const JointMatrix* palette, const std::uint16_t* joints, std::size_t) {
     kept_.fill(palette, joints, kCount);
   }
-  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
-    return kept_.column(c, weights, lane, kCount);
-  }
+
+  /// The blends of one vector of vertices.
+  class Blend {
+   public:
+    HWY_INLINE Blend(const SpreadMatrices& all, const TilePlane* weights, std::size_t lane)
+        : kept_(all.kept_), weights_(weights), lane_(lane) {}
+    /// Blends column `c` when it is asked for, so that a caller with few registers can use it up first.
+    HWY_INLINE Lanes3 column(std::size_t c) const {
+      Lanes3 sum = kept_.column(0, c);
+      for (std::size_t i = 1; i < kCount; ++i)
+        sum = plus_product(sum, kept_.column(i, c), hn::Load(TileTag(), weights_[i - 1].lane.data() + lane_));
+      return sum;
+    }
+
+   private:
+    const KeptMatrices<kCount>& kept_;
+    const TilePlane* weights_;
+    std::size_t lane_;
+  };
 
  private:
   KeptMatrices<kCount> kept_;
@@ -97,22 +91,52 @@ class SpreadMatrices<0> {
     if (count <= kRoom) kept_.fill(palette, joints, count);
   }
 
-  HWY_INLINE Lanes3 column(std::size_t c, const TilePlane* weights, std::size_t lane) const {
-    if (HWY_LIKELY(count_ <= kRoom)) return kept_.column(c, weights, lane, count_);
-    const TileTag d;
-    const auto spread = [&](const glm::vec4& of) HWY_ATTR {
-      return Lanes3{hn::Set(d, of.x), hn::Set(d, of.y), hn::Set(d, of.z)};
-    };
-    const Lanes3 base = spread(palette_[joints_[count_ - 1]].column[c]);
-    Lanes3 sum = base;
-    for (std::size_t i = 0; i + 1 < count_; ++i)
-      sum = plus_product(sum, minus(spread(palette_[joints_[i]].column[c]), base),
-                         hn::Load(d, weights[i].lane.data() + lane));
-    return sum;
-  }
+  /// Blends two columns in one loop: four would not fit into sixteen registers, and one alone loops twice as often.
+  class Blend {
+   public:
+    HWY_INLINE Blend(const SpreadMatrices& all, const TilePlane* weights, std::size_t lane)
+        : all_(all), weights_(weights), lane_(lane) {}
+    /// Column 3 or 2 comes with column 0 or 1, which is asked for first.
+    HWY_INLINE Lanes3 column(std::size_t c) {
+      if (c < 2) all_.blend_pair(c, 3 - c, weights_, lane_, first_, second_);
+      return c < 2 ? first_ : second_;
+    }
+
+   private:
+    const SpreadMatrices& all_;
+    const TilePlane* weights_;
+    std::size_t lane_;
+    Lanes3 first_, second_;
+  };
 
  private:
   static constexpr std::size_t kRoom = 8;
+
+  HWY_INLINE void blend_pair(std::size_t a, std::size_t b, const TilePlane* weights, std::size_t lane, Lanes3& sum_a,
+                             Lanes3& sum_b) const {
+    const auto weight = [&](std::size_t i) HWY_ATTR { return hn::Load(TileTag(), weights[i].lane.data() + lane); };
+    if (HWY_LIKELY(count_ <= kRoom)) {
+      sum_a = kept_.column(0, a);
+      sum_b = kept_.column(0, b);
+      for (std::size_t i = 1; i < count_; ++i) {
+        const Wide w = weight(i - 1);
+        sum_a = plus_product(sum_a, kept_.column(i, a), w);
+        sum_b = plus_product(sum_b, kept_.column(i, b), w);
+      }
+      return;
+    }
+    const auto column = [&](std::size_t i, std::size_t c) HWY_ATTR {
+      const glm::vec4& of = palette_[joints_[i]].column[c];
+      return Lanes3{hn::Set(TileTag(), of.x), hn::Set(TileTag(), of.y), hn::Set(TileTag(), of.z)};
+    };
+    const Lanes3 base_a = column(count_ - 1, a), base_b = column(count_ - 1, b);
+    sum_a = base_a;
+    sum_b = base_b;
+    for (std::size_t i = 0; i + 1 < count_; ++i) {
+      sum_a = plus_product(sum_a, minus(column(i, a), base_a), weight(i));
+      sum_b = plus_product(sum_b, minus(column(i, b), base_b), weight(i));
+    }
+  }
 
   const JointMatrix* palette_;
   const std::uint16_t* joints_;

@@ -66,12 +66,15 @@ using TileInput = TileAttributes<const glm::vec3, const glm::vec4>;
 using TileOutput = TileAttributes<glm::vec3, glm::vec4>;
 
 /// Padded copies of an incomplete tile, so that SIMD code reads and writes nothing past the arrays.
-template <int kCount>
 struct TileCopies {
+  static constexpr std::size_t kMostInfluences = 8;  ///< of a vertex whose influences are copied
+
   glm::vec3 positions[kTileSize], normals[kTileSize], out_positions[kTileSize], out_normals[kTileSize];
   glm::vec4 tangents[kTileSize], out_tangents[kTileSize];
-  std::uint16_t joints[kTileSize * kCount + 1];
-  float weights[kTileSize * kCount + 1];
+  std::uint16_t joints[kTileSize * kMostInfluences];
+  float weights[kTileSize * kMostInfluences];
+
+  static bool has_room(std::size_t influence_count) { return influence_count <= kMostInfluences; }
 
   TileInput load(const TileInput& in, std::size_t count) {
     fill(in.positions, count, positions);
@@ -79,16 +82,17 @@ struct TileCopies {
     if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
-  /// With kCount = 0 the number of influences has no bound and nothing is copied. All vertices then use the influences
-  /// of the first vertex, so a tile may hold one vertex only.
-  TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
-    if constexpr (kCount == 0) return {in, 0};
+  /// Where there is no room, nothing is copied. All vertices then use the influences of the first vertex, so a tile may
+  /// hold one vertex only.
+  TileInfluences<0> load(const VertexJoints<0>& in, std::size_t count) {
+    const std::size_t each = in.count();
+    if (!has_room(each)) return {in, 0};
     for (std::size_t k = 0; k < kTileSize; ++k) {
-      const std::size_t from = std::min(k, count - 1) * kCount;
-      std::copy_n(in.joints + from, kCount, joints + k * kCount);
-      std::copy_n(in.weights + from, kCount, weights + k * kCount);
+      const std::size_t from = std::min(k, count - 1) * each;
+      std::copy_n(in.joints + from, each, joints + k * each);
+      std::copy_n(in.weights + from, each, weights + k * each);
     }
-    return {{joints, weights, kCount}, kCount};
+    return {{joints, weights, each}, each};
   }
   TileOutput in_place_of(const TileOutput& out) {
     return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr};

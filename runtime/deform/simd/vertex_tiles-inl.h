@@ -7,11 +7,8 @@
 #define SINEW_VERTEX_TILES_INL_H_
 #endif
 
-#include <algorithm>
-
 #include "runtime/deform/simd/non_temporal_stores-inl.h"
 #include "runtime/deform/simd/tile_memory-inl.h"
-#include "runtime/deform/simd/widened_influences-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/deform/vertex_streams.h"
 
@@ -37,6 +34,15 @@ struct TileRow {
   HWY_INLINE TileInfluences<kCount> joints(std::size_t tile) const {
     return {all_joints.at(tile * kTileSize), all_joints.runtime_stride};
   }
+  /// The same row for a kernel that is compiled for `kOther` influences.
+  template <int kOther>
+  HWY_INLINE TileRow<kOther> with_count() const {
+    const VertexJoints<kCount>& first = all_joints.first;
+    return {place,       tile_count,
+            past_caches, {{first.joints, first.weights, first.runtime_count}, all_joints.runtime_stride},
+            all_in,      all_out};
+  }
+
   HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 
@@ -52,21 +58,20 @@ struct TileRow {
 template <int kCount, bool kRare>
 constexpr int kKernelCount = kCount != 1 && (kRare || HWY_TARGET == HWY_SCALAR) ? 0 : kCount;
 
-/// A kernel for rows of tiles, and its context. All kernels with the same kCount share one compiled for_each_row(),
-/// which is longer than most kernels.
-template <int kCount>
+/// A kernel for rows of tiles, and its context. All kernels share one compiled for_each_row(), which is longer than
+/// most kernels.
 struct RowKernel {
   const void* context;
-  void (*call)(const void* context, const TileRow<kCount>& row);
+  void (*call)(const void* context, const TileRow<0>& row);
 };
 
 /// Calls the kernel with copies of itself and of the row. No store can change the copies, so loops over tiles keep them
 /// in registers. With kCount = 0 no registers are left, so the row is not copied.
 template <int kCount, class Skin>
-void skin_row(const void* context, const TileRow<kCount>& row) {
+void skin_row(const void* context, const TileRow<0>& row) {
   const Skin skin = *static_cast<const Skin*>(context);
   if constexpr (kCount > 0)
-    skin(TileRow<kCount>(row));
+    skin(row.with_count<kCount>());
   else
     skin(row);
 }
@@ -74,55 +79,15 @@ void skin_row(const void* context, const TileRow<kCount>& row) {
 /// Calls the kernel for all vertices of a group. Vertices after the last whole tile form a tile that ends with the
 /// group. It skins some vertices again, with the same result. With non-temporal stores, vertices before the first
 /// aligned vertex are handled the same way. A group smaller than a tile goes through copies.
-template <int kCount>
-HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
-                               const VertexOutput& out, const RowKernel<kCount>& kernel,
-                               const NonTemporalStores& streamed) {
-  const AttributesPresent wanted = present(in, out);
-  const bool is_wide = influences.is_wide();
-  const std::size_t stride = group.influence_count;
-  const TileInput all_in{in.positions.data(), wanted.normals ? in.normals.data() : nullptr,
-                         wanted.tangents ? in.tangents.data() : nullptr};
-  const TileOutput all_out{out.positions.data(), wanted.normals ? out.normals.data() : nullptr,
-                           wanted.tangents ? out.tangents.data() : nullptr};
-  WidenedInfluences<kCount> widened;
-  TileCopies<kCount> copies;
-  std::size_t done = 0;
-  for (std::size_t v = 0; v < group.vertex_count; v += done) {
-    const bool whole = group.vertex_count >= kTileSize;
-    if (whole) v = std::min(v, group.vertex_count - kTileSize);
-    const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
-    std::size_t tiles = whole ? left / kTileSize : 1;
-    if (whole && !is_wide) tiles = std::clamp<std::size_t>(tiles, 1, WidenedInfluences<kCount>::kTiles);
-    done = whole ? tiles * kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
-    if (tiles > 1 && streamed.until(at) > 0) {
-      tiles = 1;
-      done = streamed.until(at);
-    }
-    const bool past_caches = whole && streamed.begins_at(at);
-    const std::size_t first = group.first_influence + v * stride, widen = whole ? tiles * kTileSize : done;
-    TileInfluences<kCount> joints{widened.of(influences, first, widen, stride), stride};
-    TileInput from = all_in.from(at);
-    const TileOutput to = all_out.from(at);
-    if (!whole) {
-      joints = copies.load(joints.first, done);
-      from = copies.load(from, done);
-    }
-    kernel.call(kernel.context, {{at, std::min(done, kTileSize), whole},
-                                 tiles,
-                                 past_caches,
-                                 joints,
-                                 from,
-                                 whole ? to : copies.in_place_of(to)});
-    if (!whole) copies.store(to, done);
-  }
-}
+/// Defined in rows-inl.h, which one source includes.
+void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
+                  const VertexOutput& out, const RowKernel& kernel, const NonTemporalStores& streamed);
 
 /// Same, for a function object `skin(TileRow)`.
 template <int kCount, class Skin>
 void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                   const VertexOutput& out, const Skin& skin, const NonTemporalStores& streamed = {}) {
-  for_each_row<kCount>(influences, group, in, out, RowKernel<kCount>{&skin, &skin_row<kCount, Skin>}, streamed);
+  for_each_row(influences, group, in, out, RowKernel{&skin, &skin_row<kCount, Skin>}, streamed);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -48,17 +48,17 @@ HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) 
 
 /// Influences of consecutive vertices. Small integers are converted into a buffer; 16-bit joints and float weights are
 /// used in place.
-template <int kCount>
 class WidenedInfluences {
  public:
-  /// Number of tiles that are converted at once: as many as kernels process in one go. Only one if the number of
-  /// influences is known only at run time, because the buffer must hold the maximum.
-  static constexpr std::size_t kTiles = kCount > 0 ? 8 : 1;
+  /// Number of tiles that are converted at once: as many as kernels process in one go, or as the buffer holds.
+  static constexpr std::size_t tiles_at_once(std::size_t influence_count) {
+    return std::min(kTiles, kTiles * kUsual / influence_count);
+  }
 
-  VertexJoints<kCount> of(const InfluenceStreams& all, std::size_t first, std::size_t vertex_count,
-                          std::size_t influence_count) {
+  VertexJoints<0> of(const InfluenceStreams& all, std::size_t first, std::size_t vertex_count,
+                     std::size_t influence_count) {
     const std::size_t count = vertex_count * influence_count;
-    VertexJoints<kCount> out{joints_, weights_, influence_count};
+    VertexJoints<0> out{joints_, weights_, influence_count};
     if (const auto* wide = std::get_if<std::span<const std::uint16_t>>(&all.joints))
       out.joints = wide->data() + first;
     else
@@ -76,8 +76,10 @@ class WidenedInfluences {
   }
 
  private:
-  static constexpr std::size_t kRoom =
-      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMaxConverted});
+  static constexpr std::size_t kTiles = 8;
+  static constexpr std::size_t kUsual = 8;  ///< most influences of a vertex of which kTiles tiles have room
+  static constexpr std::size_t kRoom = kTileSize * kTiles * kUsual;
+  static_assert(kTiles * kUsual >= InfluenceStreams::kMaxConverted);
   HWY_ALIGN std::uint16_t joints_[kRoom];
   HWY_ALIGN float weights_[kRoom];
 };
