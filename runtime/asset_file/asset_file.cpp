@@ -111,6 +111,7 @@ std::string_view name_of(AssetKind kind) noexcept {
     case AssetKind::pages: return "pages";
     case AssetKind::page_keys: return "page_keys";
     case AssetKind::skeleton_lods: return "skeleton_lods";
+    case AssetKind::graphs: return "graphs";
   }
   return "";
 }

@@ -23,6 +23,7 @@ enum class AssetKind : std::uint32_t {
   pages,          ///< how long clips are cut into pages (PageTable); `clips` then has only their first keys; optional
   page_keys,      ///< the pages of these clips; each has its own checksum, so one can be read without the others
   skeleton_lods,  ///< joints that poses can leave out, and how far that moves vertices (CompiledSkeletonLod); optional
+  graphs,         ///< motion graphs by name (StoredGraph); optional
 };
 
 /// The name of the enumerator, as "page_keys"; empty for unknown kinds.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
@@ -243,6 +245,24 @@ Read<std::vector<CompiledSkeletonLod>> read_skeleton_lods(const AssetFile& file,
     lods.push_back(std::move(level.lod));
   }
   return lods;
+}
+
+Read<std::vector<StoredGraph>> read_graphs(const AssetFile& file) {
+  std::vector<StoredGraph> graphs;
+  if (file.find(AssetKind::graphs) == nullptr) return graphs;
+  const auto read = read_block(file, AssetKind::graphs, [&](AssetReader& in) {
+    std::uint64_t count = 0;
+    for (in.read(count); count > 0 && in.ok(); --count) {
+      StoredGraph& graph = graphs.emplace_back();
+      in.read(graph.name);
+      in.read(graph.bytes);
+    }
+  });
+  if (!read) return tl::unexpected(read.error());
+  std::set<std::string_view> names;
+  for (const StoredGraph& graph : graphs)
+    if (!names.insert(graph.name).second) return refuse("asset-value", AssetKind::graphs, "two graphs have one name");
+  return graphs;
 }
 
 }  // namespace sinew

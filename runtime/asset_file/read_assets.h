@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "runtime/asset_file/asset_file.h"
+#include "runtime/asset_file/stored_graph.h"
 #include "runtime/base/api.h"
 #include "runtime/model/mesh.h"
 #include "runtime/model/scene.h"
@@ -62,5 +63,10 @@ SINEW_API tl::expected<ClipBoxes, AssetFileError> read_clip_boxes(const AssetFil
 /// err   AssetFileError;  cost O(levels * joints), allocates
 SINEW_API tl::expected<std::vector<CompiledSkeletonLod>, AssetFileError> read_skeleton_lods(const AssetFile& file,
                                                                                             const Skeleton& skeleton);
+
+/// Reads the motion graphs of a file, in the order of writing. read_graph_bytes (graph/graph_bytes.h) checks each.
+/// Empty if the file has none.
+/// err   AssetFileError; asset-value if two graphs have one name;  cost O(bytes of the block), allocates
+SINEW_API tl::expected<std::vector<StoredGraph>, AssetFileError> read_graphs(const AssetFile& file);
 
 }  // namespace sinew

@@ -53,6 +53,16 @@ Bytes bytes_of(const T& asset) {
   return std::move(out.bytes());
 }
 
+Bytes bytes_of_graphs(std::span<const StoredGraph> graphs) {
+  AssetWriter out;
+  out.add(static_cast<std::uint64_t>(graphs.size()));
+  for (const StoredGraph& graph : graphs) {
+    out.add(graph.name);
+    out.add(graph.bytes);
+  }
+  return std::move(out.bytes());
+}
+
 Bytes bytes_of_lods(std::span<const CompiledSkeletonLod> lods) {
   std::vector<StoredSkeletonLod> stored;
   for (const CompiledSkeletonLod& lod : lods) stored.push_back({lod, {lod.detail.kept.begin(), lod.detail.kept.end()}});
@@ -162,6 +172,7 @@ std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptio
   if (options.model && options.clips && !options.clip_boxes.empty())
     add(AssetKind::bounds, bytes_of(ClipBoxes(options.clip_boxes.begin(), options.clip_boxes.end())));
   if (!options.skeleton_lods.empty()) add(AssetKind::skeleton_lods, bytes_of_lods(options.skeleton_lods));
+  if (!options.graphs.empty()) add(AssetKind::graphs, bytes_of_graphs(options.graphs));
   return file_of(blocks, skeleton_signature(scene.skeleton));
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/asset_file/stored_graph.h"
 #include "runtime/base/api.h"
 #include "runtime/model/scene.h"
 #include "runtime/model/skeleton_lod.h"
@@ -20,6 +21,8 @@ struct AssetFileOptions {
   std::span<const std::vector<Aabb>> clip_boxes = {};
   /// Skeleton LODs of the scene (lod/compile_skeleton_lod.h).
   std::span<const CompiledSkeletonLod> skeleton_lods = {};
+  /// Motion graphs, with names that differ.
+  std::span<const StoredGraph> graphs = {};
   /// Clips longer than this are written in pages of this many seconds (read_pages.h), so that an engine need not load
   /// all of a long clip. 0 = no pages. Each page is packed by itself (unpack_page).
   double page_s = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -54,13 +55,15 @@ class ByteReader {
     return value;
   }
   /// If the count of the array exceeds the remaining bytes, the stream ends and nothing is allocated.
+  /// out   the array, and behind it `padding` zeros
   template <class T>
-  std::vector<T> numbers() {
+  std::vector<T> numbers(std::size_t padding = 0) {
     const auto count = number<std::uint32_t>();
     if (count > (bytes_.size() - at_) / sizeof(T)) ended_ = true;
-    std::vector<T> values(ended_ ? 0 : count);
-    if (!values.empty()) std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(T));
-    at_ += values.size() * sizeof(T);
+    const std::size_t size = ended_ ? 0 : count;
+    std::vector<T> values(size + padding);
+    if (size > 0) std::memcpy(values.data(), bytes_.data() + at_, size * sizeof(T));
+    at_ += size * sizeof(T);
     return values;
   }
   void skip(std::size_t size) noexcept { at_ += has(size) ? size : 0; }
@@ -87,9 +90,9 @@ inline void write_varint(std::uint32_t number, ByteWriter& out) {
 }
 
 inline std::uint32_t read_varint(ByteReader& in) {
-  std::uint32_t number = 0;
-  std::uint8_t byte = 0x80;
-  for (std::uint32_t shift = 0; (byte & 0x80) != 0 && shift < 32; shift += 7) {
+  std::uint8_t byte = in.number<std::uint8_t>();
+  std::uint32_t number = byte & 0x7fu;
+  for (std::uint32_t shift = 7; (byte & 0x80) != 0 && shift < 32; shift += 7) {
     byte = in.number<std::uint8_t>();
     number |= (byte & 0x7fu) << shift;
   }
@@ -106,8 +109,9 @@ inline void write_rising(std::span<const std::uint32_t> numbers, ByteWriter& out
 inline std::vector<std::uint32_t> read_rising(ByteReader& in) {
   std::vector<std::uint32_t> numbers;
   std::uint32_t before = 0;
-  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
-    numbers.push_back(before += read_varint(in));
+  auto left = in.number<std::uint32_t>();
+  numbers.reserve(std::min<std::size_t>(left, in.left()));  // a varint takes at least one byte
+  for (; left > 0 && !in.ended(); --left) numbers.push_back(before += read_varint(in));
   return numbers;
 }
 
@@ -136,8 +140,9 @@ inline void write_times(std::span<const float> times_s, ByteWriter& out) {
 
 inline std::vector<float> read_times(ByteReader& in) {
   std::vector<float> times_s;
-  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
-    times_s.push_back(read_near(next_time(times_s), in));
+  auto left = in.number<std::uint32_t>();
+  times_s.reserve(std::min<std::size_t>(left, in.left()));
+  for (; left > 0 && !in.ended(); --left) times_s.push_back(read_near(next_time(times_s), in));
   return times_s;
 }
 

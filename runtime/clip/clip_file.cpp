@@ -270,12 +270,11 @@ class Loader {
   }
 
   void read_rows(TrackBlock& block, std::size_t keys) {
-    block.rows = in_.numbers<float>();
-    const std::uint64_t row = std::uint64_t{block.plane_count} * block.lane_count;
-    require(block.rows.size() / row == keys && block.rows.size() % row == 0,
-            "a block does not have a row for each key");
-    require(all_finite(std::span<const float>(block.rows)), "a key is not finite");
-    block.rows.resize(block.rows.size() + kLanePadding, 0.0f);
+    std::vector<float> rows = in_.numbers<float>(kLanePadding);
+    const std::uint64_t size = rows.size() - kLanePadding, row = std::uint64_t{block.plane_count} * block.lane_count;
+    require(size / row == keys && size % row == 0, "a block does not have a row for each key");
+    require(all_finite(std::span<const float>(rows)), "a key is not finite");
+    block.rows = SharedArray(std::move(rows));
   }
 
   void read_packed(TrackBlock& block, std::size_t keys) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/clip/clip_rest.h"
 
+#include <cstdint>
+#include <limits>
+
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
@@ -10,7 +13,9 @@ namespace {
 
 /// Sorts by `at`, keeps the last value for each `at`, and drops those equal to the rest value.
 void sort_and_prune(std::vector<BaseNumbers::Override>& overrides, const std::vector<float>& rest) {
-  std::stable_sort(overrides.begin(), overrides.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  const auto earlier = [](const auto& a, const auto& b) { return a.at < b.at; };
+  if (!std::is_sorted(overrides.begin(), overrides.end(), earlier))
+    std::stable_sort(overrides.begin(), overrides.end(), earlier);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     const bool is_last = i + 1 == overrides.size() || overrides[i + 1].at != overrides[i].at;
@@ -23,7 +28,7 @@ void sort_and_prune(std::vector<BaseNumbers::Override>& overrides, const std::ve
 
 BaseNumbers::BaseNumbers(RestNumbers rest, std::vector<Override> overrides)
     : rest_(std::move(rest)), overrides_(std::move(overrides)) {
-  CONTRACT(rest_ != nullptr && rest_->size() < std::size_t{1} << 32);
+  CONTRACT(rest_ != nullptr && rest_->size() <= std::numeric_limits<std::uint32_t>::max());
   sort_and_prune(overrides_, *rest_);
   if (overrides_.size() * kOverrideShare > rest_->size()) {
     std::vector<float> all = *rest_;

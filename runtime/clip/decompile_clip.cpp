@@ -24,13 +24,13 @@ std::size_t components_of(Property property) noexcept {
   return property == Property::rotation ? 4 : property < Property::weight ? 3 : 1;
 }
 
-void read_value(const TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, glm::vec3& out) {
-  for (int c = 0; c < 3; ++c) out[c] = block.plane(key, plane + static_cast<std::size_t>(c))[lane];
+/// Reads a value whose components are `stride` numbers apart.
+void read_value(const float* first, std::size_t stride, glm::vec3& out) {
+  out = {first[0], first[stride], first[2 * stride]};
 }
 
-void read_value(const TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, glm::quat& out) {
-  const auto at = [&](std::size_t c) { return block.plane(key, plane + c)[lane]; };
-  out = quat_xyzw(at(0), at(1), at(2), at(3));
+void read_value(const float* first, std::size_t stride, glm::quat& out) {
+  out = quat_xyzw(first[0], first[stride], first[2 * stride], first[3 * stride]);
 }
 
 void read_value(const PackedTrack& packed, std::size_t key, glm::vec3& out) {
@@ -45,7 +45,7 @@ template <class V>
 Track<V> key_of(const TrackBlock& block, float time_s, std::size_t lane) {
   Track<V> track{Interpolation::step, {time_s}, {V{}}};
   if (block.packed.empty())
-    read_value(block, 0, block.value_plane, lane, track.values[0]);
+    read_value(block.plane(0, block.value_plane) + lane, block.lane_count, track.values[0]);
   else
     read_value(packed_lane(block.packed, block.lane_count, lane, 1), 0, track.values[0]);
   return track;
@@ -58,8 +58,10 @@ Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::
   if (times_s.size() == 1) return key_of<V>(block, times_s.front(), lane);
   Track<V> track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<V>(times_s.size() * parts)};
   if (block.packed.empty()) {
-    for (std::size_t i = 0; i < track.values.size(); ++i)
-      read_value(block, i / parts, i % parts * components, lane, track.values[i]);
+    auto value = track.values.begin();
+    for (std::size_t k = 0; k < times_s.size(); ++k)
+      for (std::size_t part = 0; part < parts; ++part)
+        read_value(block.plane(k, part * components) + lane, block.lane_count, *value++);
     return track;
   }
   const PackedTrack packed = packed_lane(block.packed, block.lane_count, lane, times_s.size());

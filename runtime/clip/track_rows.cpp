@@ -28,11 +28,29 @@ void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane
 
 /// TrackBlock's `arc` of a key: half the rotation angle to `next` on the short arc, negative if `next` must be
 /// negated.
-float signed_arc(const glm::quat& key, const glm::quat& next) noexcept {
-  const Quat<double> q = normalised(quat_cast<double>(key)), r = normalised(quat_cast<double>(next));
-  const bool negate = quat_dot(q, r) < 0.0;
-  const float arc = std::max(static_cast<float>(arc_angle(q, negate ? -r : r)), kSmallestArc);
+/// in   unit quaternions
+float signed_arc(const Quat<double>& key, const Quat<double>& next) noexcept {
+  const bool negate = quat_dot(key, next) < 0.0;
+  const float arc = std::max(static_cast<float>(arc_angle(key, negate ? -next : next)), kSmallestArc);
   return negate ? -arc : arc;
+}
+
+void put_linear_keys(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
+  const std::size_t row = block.plane_count * block.lane_count, lanes = block.lane_count;
+  float* at = block.rows.writable() + lane;
+  Quat<double> key = normalised(quat_cast<double>(track.values.front()));
+  for (std::size_t i = 0; i < track.values.size(); ++i, at += row) {
+    const glm::quat& q = track.values[i];
+    at[0] = q.x;
+    at[lanes] = q.y;
+    at[2 * lanes] = q.z;
+    at[3 * lanes] = q.w;
+    at[4 * lanes] = kSmallestArc;
+    if (i + 1 == track.values.size()) break;
+    const Quat<double> next = normalised(quat_cast<double>(track.values[i + 1]));
+    at[4 * lanes] = signed_arc(key, next);
+    key = next;
+  }
 }
 
 void put_squad_segment(TrackBlock& block, const QuatTrack& track, std::size_t key, std::size_t lane) {
@@ -54,16 +72,13 @@ void fill_lane(TrackBlock& block, const Vec3Track& track, std::size_t lane) {
 }
 
 void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
+  if (track.interpolation == Interpolation::linear) return put_linear_keys(block, track, lane);
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
-  for (std::size_t i = 0; i < track.values.size(); ++i) {
+  for (std::size_t i = 0; i < track.values.size(); ++i)
     if (track.interpolation == Interpolation::squad)
       put_squad_segment(block, track, i, lane);
     else
       put(block, cubic ? i / 3 : i, cubic ? 4 * (i % 3) : 0, lane, track.values[i]);
-    if (track.interpolation == Interpolation::linear)
-      put(block, i, 4, lane,
-          i + 1 < track.values.size() ? signed_arc(track.values[i], track.values[i + 1]) : kSmallestArc);
-  }
 }
 
 void make_room(TrackBlock& block, std::size_t key_count) {

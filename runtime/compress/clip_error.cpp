@@ -83,11 +83,15 @@ class Meter {
     }
   }
 
-  void look_at(std::size_t time, const Animation& written) {
+  /// Returns the error at this time.
+  double look_at(std::size_t time, const Animation& written) {
     const TruthSample& truth = truth_.at(time, scratch_);
     sample(written, truth_.times_s()[time]);
-    compare(truth_.times_s()[time], truth);
+    return compare(truth_.times_s()[time], truth);
   }
+
+  std::span<const double> times_s() const noexcept { return truth_.times_s(); }
+  std::size_t joint_count() const noexcept { return local_.size(); }
 
   ClipError take() noexcept {
     for (std::size_t j = 0; j < local_.size(); ++j) error_.of_joint_m[j] = std::sqrt(largest_squared_[j]);
@@ -120,7 +124,7 @@ class Meter {
     }
   }
 
-  void compare(double time_s, const TruthSample& truth) {
+  double compare(double time_s, const TruthSample& truth) {
     const auto [joint, joints_m] = compare_joints(truth);
     const double weights_m = weights_.empty() ? 0.0 : compare_weights(truth);
     error_.weights_m = std::max(error_.weights_m, weights_m);
@@ -129,6 +133,7 @@ class Meter {
       error_.worst_time_s = time_s;
       error_.worst_joint = joint;
     }
+    return joints_m + weights_m;
   }
 
   Worst compare_joints(const TruthSample& truth) {
@@ -214,6 +219,25 @@ ClipError measure_animation(const TruthSamples& truth, const Animation& written)
   Meter meter(truth);
   for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, written);
   return meter.take();
+}
+
+struct PartMeter::State {
+  Meter meter;
+};
+
+PartMeter::PartMeter(const TruthSamples& truth) : state_(new State{Meter(truth)}) {}
+PartMeter::~PartMeter() = default;
+
+bool PartMeter::is_within(const Animation& written, double begin_s, double end_s, double limit_m, std::uint64_t& work) {
+  Meter& meter = state_->meter;
+  const std::span<const double> times_s = meter.times_s();
+  const auto first = std::upper_bound(times_s.begin(), times_s.end(), begin_s) - times_s.begin();
+  const auto last = std::lower_bound(times_s.begin(), times_s.end(), end_s) - times_s.begin();
+  for (auto time = first; time < last; ++time) {
+    work += meter.joint_count();
+    if (!(meter.look_at(static_cast<std::size_t>(time), written) <= limit_m)) return false;
+  }
+  return true;
 }
 
 }  // namespace sinew

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,5 +43,21 @@ SINEW_API ClipError measure_clip(const TruthSamples& truth, std::span<const Clip
 /// Same, for keys in authoring form, which are evaluated in double. Equal keys have no error.
 /// in   written   tracks of the same joints and instances, or fewer
 SINEW_API ClipError measure_animation(const TruthSamples& truth, const Animation& written);
+
+/// Measures parts of an animation, for a search that changes it a little again and again.
+class SINEW_API PartMeter {
+ public:
+  /// in   truth  must outlive it
+  explicit PartMeter(const TruthSamples& truth);
+  ~PartMeter();
+
+  /// True if the error of measure_animation() is within the limit at all times after `begin_s` and before `end_s`.
+  /// in   work  the number of joints that were evaluated is added to it
+  bool is_within(const Animation& written, double begin_s, double end_s, double limit_m, std::uint64_t& work);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace sinew

@@ -19,6 +19,12 @@ constexpr std::size_t kMostHeld = std::size_t{1} << 18, kFewestTimes = 256;
 /// A track that kept this fraction of its keys will keep all of them, and needs hardly any share.
 constexpr double kNeedsAll = 0.9, kWeightOfWhole = 0.01;
 
+/// True if all values are equal. Such a track needs hardly any share, either.
+template <class Value>
+bool has_one_value(const std::vector<Value>& values) {
+  return std::all_of(values.begin(), values.end(), [&](const Value& value) { return value == values.front(); });
+}
+
 double key_time(const std::vector<float>& times_s, std::size_t key) { return static_cast<double>(times_s[key]); }
 
 /// Times that the search examines: all keys, the last moments before jumps, and the middle between keys. If a track is
@@ -61,9 +67,12 @@ JointFit::JointFit(const Skeleton& skeleton, const Animation& truth, const Anima
       if (joints_[j].bone_of[p] == kNone) continue;
       const std::size_t number = 3 * joints_[j].bone_of[p] + kNumber[p];
       const bool fits = with_track(truth, number, [](const auto& track) {
-        return track.key_count() > 1 && track.interpolation != Interpolation::squad;
+        return !track.empty() && track.interpolation != Interpolation::squad;
       });
-      if (fits) stages_.push_back({j, p, {.track = number}});
+      if (!fits) continue;
+      stages_.push_back({j, p, {.track = number}});
+      if (with_track(truth, number, [](const auto& track) { return has_one_value(track.values); }))
+        stages_.back().weight = kWeightOfWhole;
     }
   times_s_ = times_to_look_at(truth);
   times_per_part_ = std::max(kFewestTimes, kMostHeld / std::max<std::size_t>(joints_.size(), 1));
@@ -171,7 +180,8 @@ void JointFit::fit_track(const Part& part, Stage& stage, const TrackType& track,
     for (int r = 0; r < 3; ++r) difference.row[r] -= model[t].row[r];
     return longest_squared(difference, box);
   };
-  const TrackFit fit(track, std::span(part.times_s), part.first, part.last, limit_m, error_squared);
+  const Transformd rest = in_double(skeleton_.rest[joints_[stage.joint].joint]);
+  const TrackFit fit(track, rest.*property, std::span(part.times_s), part.first, part.last, limit_m, error_squared);
   fit.run(stage.kept);
   std::size_t segment = 0;
   for (std::size_t t = 0; t < local.size(); ++t) local[t].*property = fit.value_at(stage.kept, t, segment);

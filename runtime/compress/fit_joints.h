@@ -20,7 +20,7 @@ class JointFit {
 
   bool empty() const noexcept { return stages_.empty(); }  ///< no track moves a joint
 
-  /// The keys that each track keeps.
+  /// The keys that each track keeps. Tracks at the rest transform of their joint are left out.
   std::vector<KeptKeys> fit(double budget_m);
 
   /// Gives tracks that kept many keys in the last fit a larger share, and others a smaller one.

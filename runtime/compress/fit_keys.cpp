@@ -11,6 +11,7 @@
 #include "runtime/base/contract.h"
 #include "runtime/compress/animation_counts.h"
 #include "runtime/compress/clip_error.h"
+#include "runtime/compress/drop_rows.h"
 #include "runtime/compress/fit_joints.h"
 #include "runtime/compress/key_lists.h"
 #include "runtime/compress/remove_keys.h"
@@ -56,7 +57,7 @@ std::vector<double> stretches(const Scene& scene, const Animation& truth, const 
   return largest;
 }
 
-bool moves(const WeightTrack& track) { return track.key_count() > 1 && track.interpolation != Interpolation::squad; }
+bool can_change(const WeightTrack& track) { return !track.empty() && track.interpolation != Interpolation::squad; }
 
 /// Sum of displacements between two keys.
 double apart_m(const WeightTrack& track, std::size_t a, std::size_t b, std::span<const float> metres) {
@@ -87,22 +88,38 @@ std::uint32_t resting_key(const WeightTrack& track, const LooseTrack& loose) {
   return best;
 }
 
+/// True if the weights that the target has without a track may stand for all keys.
+bool can_leave_out(const WeightTrack& track, const LooseTrack& loose, std::span<const float> without) {
+  for (std::size_t key = 0; key < track.key_count(); ++key) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < track.target_count; ++i) {
+      const float value = track.values[value_row(track.interpolation, key) * track.target_count + i];
+      sum += std::abs(static_cast<double>(value) - static_cast<double>(without[i])) *
+             static_cast<double>(loose.metres_per_weight[i]);
+    }
+    if (!(sum <= loose.tolerance)) return false;
+  }
+  return true;
+}
+
 /// Chooses the keys of morph weights, which no other track depends on.
 void fit_weights(const Scene& scene, const Animation& truth, const Animation& stored, const VirtualVertices& vertices,
                  double budget_m, std::vector<KeptKeys>& out) {
   const std::vector<double> stretch = stretches(scene, truth, vertices);
+  const std::vector<float> rest_weights = rest_weights_of(scene);
   for (std::size_t w = 0; w < truth.weights.size(); ++w) {
     const WeightAnimation& animated = truth.weights[w];
-    if (!moves(animated.weights)) continue;
+    if (!can_change(animated.weights)) continue;
     const std::size_t at = scene.first_weight[animated.instance] + animated.first_target;
     const auto metres = std::span(vertices.metres_per_weight).subspan(at, animated.weights.target_count);
     const double by_stretch = stretch[animated.instance];
     WeightTrack copy = stored.weights[w].weights;
     const LooseTrack loose{&copy, by_stretch > 0.0 ? budget_m / by_stretch : 0.0, metres};
     const std::uint32_t resting = resting_key(copy, loose);
+    const auto without = std::span(rest_weights).subspan(at, copy.target_count);
     out.push_back({3 * truth.bones.size() + w,
                    resting != kNone ? std::vector{resting} : keys_needed({&loose, 1}, copy.key_count()),
-                   resting != kNone});
+                   resting != kNone, resting != kNone && can_leave_out(copy, loose, without)});
   }
 }
 
@@ -115,7 +132,7 @@ struct Form {
 Form search(const Scene& scene, const Animation& truth, const Animation& stored, const VirtualVertices& vertices,
             JointFit& joints, double budget_m) {
   const bool has_weights = std::any_of(truth.weights.begin(), truth.weights.end(),
-                                       [](const WeightAnimation& w) { return moves(w.weights); });
+                                       [](const WeightAnimation& w) { return can_change(w.weights); });
   const double weights_m = !has_weights ? 0.0 : (joints.empty() ? 1.0 : kWeightsPart) * budget_m;
   std::vector<KeptKeys> weights;
   if (has_weights) fit_weights(scene, truth, stored, vertices, weights_m, weights);
@@ -133,6 +150,16 @@ Form search(const Scene& scene, const Animation& truth, const Animation& stored,
   return best;
 }
 
+/// The keys of a form that is within the budget, and after drop_rows().
+Animation with_fewer_rows(const Animation& truth, const Animation& stored, const TruthSamples& samples, double budget_m,
+                          std::vector<KeptKeys> tracks) {
+  Animation kept = with_keys(truth, tracks);
+  drop_rows(stored, samples, kSearchedPart * budget_m, tracks);
+  // The ends that with_keys() adds, and keys that no time of the search showed, may still have an effect.
+  if (measure_animation(samples, with_keys(stored, tracks)).worst_m <= budget_m) kept = with_keys(truth, tracks);
+  return kept;
+}
+
 }  // namespace
 
 std::uint64_t bytes_in_file(const Animation& animation) {
@@ -148,14 +175,14 @@ Animation fit_keys(const Scene& scene, const Animation& truth, const Animation& 
   CONTRACT(track_count(truth) == track_count(stored));
   if (budget_m == 0.0) return truth;
   const std::vector<double> times_s = times_to_check(truth, scene.skeleton.joint_count());
-  const TruthSamples samples(scene, truth, vertices, times_s, 0);
+  const TruthSamples samples(scene, truth, vertices, times_s);
   JointFit joints(scene.skeleton, truth, stored, vertices);
   double used = kSearchedPart;
   for (int i = 0; i < kSmaller; ++i) {
-    const Form form = search(scene, truth, stored, vertices, joints, used * budget_m);
+    Form form = search(scene, truth, stored, vertices, joints, used * budget_m);
     if (form.bytes >= bytes_in_file(truth)) break;
     const double error_m = measure_animation(samples, with_keys(stored, form.tracks)).worst_m;
-    if (error_m <= budget_m) return with_keys(truth, form.tracks);
+    if (error_m <= budget_m) return with_fewer_rows(truth, stored, samples, budget_m, std::move(form.tracks));
     used *= kSearchedPart * budget_m / error_m;
   }
   return truth;

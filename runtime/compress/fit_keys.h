@@ -8,18 +8,20 @@ namespace sinew {
 
 /// The keys of an animation that a file needs within an error budget. No virtual vertex, in model space, is farther
 /// than `budget_m` from its place in `truth`, at keys and between them. Every kept key is a key of the file, with its
-/// time, value and tangents. A track that hardly moves keeps one key. If the file format rounds keys, the error
-/// includes that rounding (`stored`). Use compile_clip_within() for clips of the runtime, which rounds in its own way.
+/// time, value and tangents. A track that hardly moves keeps one key, or is left out if the rest transform or the rest
+/// weights may stand for it. If the file format rounds keys, the error includes that rounding (`stored`). Use
+/// compile_clip_within() for clips of the runtime, which rounds in its own way.
 ///
 /// The search goes from the roots of the skeleton to its tips. Each joint may use a share of the budget for itself and
 /// all joints below it, and a tip may use everything that is left. Later rounds give larger shares to joints that need
-/// many keys. The form with the fewest bytes (FileBytes) wins. Morph weights have a share of the budget by how far they
-/// displace vertices. Properties keep every key, as do squad tracks.
-/// share of the budget by how far they displace vertices. Properties keep every key, as do squad tracks.
+/// many keys. The form with the fewest bytes (FileBytes) wins. Then tracks that share key times lose keys together, as
+/// long as the whole pose stays within the budget. Morph weights have a share of the budget by how far they displace
+/// vertices. Properties keep every key, as do squad tracks.
 /// in   truth     of the scene
 ///      stored    the same tracks and times, with the values that a reader of the file will see
 ///      budget_m  in the file's units, >= 0; 0 keeps everything
-/// out  some keys of `truth`; all of them where no smaller form is within the budget
+/// out  some keys of `truth`, and an empty track for each that is left out; all keys where no smaller form is within
+///      the budget
 /// cost O(keys x longest step); allocates some hundred bytes for each joint and key, at most about 100 MB
 SINEW_API Animation fit_keys(const Scene& scene, const Animation& truth, const Animation& stored,
                              const VirtualVertices& vertices, double budget_m);

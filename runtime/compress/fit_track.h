@@ -19,10 +19,12 @@ class TrackFit {
   using Value = decltype(value_of(Track<V>{}, 0));
 
   /// in   at_s    times of the part, rising
+  ///      without   the value that the target has without a track
   ///      first, last   the part is the first, or the last, of the animation
-  TrackFit(const Track<V>& track, std::span<const double> at_s, bool first, bool last, double limit,
-           const ErrorSquared& error_squared)
+  TrackFit(const Track<V>& track, const Value& without, std::span<const double> at_s, bool first, bool last,
+           double limit, const ErrorSquared& error_squared)
       : track_(track),
+        without_(without),
         at_s_(at_s),
         first_(first),
         last_(last),
@@ -32,9 +34,10 @@ class TrackFit {
   /// Adds the keys that the part needs to `kept.keys`.
   void run(KeptKeys& kept) const {
     if (first_ && last_)
-      if (const std::uint32_t key = middle_key(track_); holds_value(0, at_s_.size(), key)) {
+      if (const std::uint32_t key = middle_key(track_); holds_value(0, at_s_.size(), value_of(track_, key))) {
         kept.keys = {key};
         kept.rests = true;
+        kept.left_out = holds_value(0, at_s_.size(), without_);
         return;
       }
     if (kept.keys.empty()) kept.keys.push_back(first_key());
@@ -45,6 +48,7 @@ class TrackFit {
   /// The value that the kept keys give at a time of the part. `segment` is a hint: the index of the last kept key at or
   /// before the time. It moves forward with rising times.
   Value value_at(const KeptKeys& kept, std::size_t t, std::size_t& segment) const {
+    if (kept.left_out) return without_;
     const std::vector<std::uint32_t>& keys = kept.keys;
     while (segment + 1 < keys.size() && time_of(keys[segment + 1]) <= at_s_[t]) ++segment;
     const double begin_s = time_of(keys[segment]);
@@ -76,8 +80,7 @@ class TrackFit {
       if (t != middle && !(error_squared_(t, value(t)) <= limit_squared_)) return false;
     return true;
   }
-  bool holds_value(std::size_t from, std::size_t to, std::size_t key) const {
-    const Value value = value_of(track_, key);
+  bool holds_value(std::size_t from, std::size_t to, const Value& value) const {
     return all_near(from, to, [&](std::size_t) { return value; });
   }
   bool can_skip(std::size_t a, std::size_t b) const {
@@ -90,7 +93,7 @@ class TrackFit {
   /// The last key whose value may stand for all keys before it.
   std::uint32_t first_key() const {
     return static_cast<std::uint32_t>(last_that_holds(0, track_.key_count() - 1, [&](std::size_t key) {
-      return time_of(key) < at_s_.back() && holds_value(0, first_at_or_after(time_of(key)), key);
+      return time_of(key) < at_s_.back() && holds_value(0, first_at_or_after(time_of(key)), value_of(track_, key));
     }));
   }
 
@@ -118,13 +121,15 @@ class TrackFit {
   void drop_last(std::vector<std::uint32_t>& keys) const {
     while (keys.size() > 1) {
       const std::uint32_t before = keys[keys.size() - 2];
-      if (time_of(before) < at_s_.front() || !holds_value(first_at_or_after(time_of(before)), at_s_.size(), before))
+      if (time_of(before) < at_s_.front() ||
+          !holds_value(first_at_or_after(time_of(before)), at_s_.size(), value_of(track_, before)))
         return;
       keys.pop_back();
     }
   }
 
   const Track<V>& track_;
+  Value without_;
   std::span<const double> at_s_;
   bool first_, last_;
   double limit_squared_;

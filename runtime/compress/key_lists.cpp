@@ -87,10 +87,6 @@ void keep_all(std::size_t count, std::vector<SharedList>& lists) {
   lists = std::move(kept);
 }
 
-const std::vector<float>& times_of(const Animation& animation, std::size_t number) {
-  return with_track(animation, number, [](const auto& track) -> const std::vector<float>& { return track.times_s; });
-}
-
 /// Bytes of the values of one key.
 std::size_t bytes_per_key(const Animation& animation, std::size_t number) {
   return with_track(animation, number, [](const auto& track) {
@@ -122,11 +118,18 @@ void rest(TrackType& track, std::uint32_t key) {
   track.interpolation = Interpolation::linear;
 }
 
-/// Adds the first or the last key of `source` to a track that lacks it. A resting track repeats its value.
+/// Adds the first or the last key of `source` to a track that lacks it. A resting track repeats its value. A track that
+/// was left out rests again.
 template <class TrackType>
-void add_end(TrackType& track, const TrackType& source, bool rests, bool first) {
-  const auto count = static_cast<std::ptrdiff_t>(entries_per_key(rests ? track : source));
-  const auto from = rests || first ? (rests ? track.values : source.values).begin() : source.values.end() - count;
+void add_end(TrackType& track, const TrackType& source, const KeptKeys& kept, bool first) {
+  if (kept.left_out && track.empty()) {
+    track = source;
+    rest(track, kept.keys.front());
+    if (first) return;
+  }
+  const auto count = static_cast<std::ptrdiff_t>(entries_per_key(kept.rests ? track : source));
+  const auto from =
+      kept.rests || first ? (kept.rests ? track.values : source.values).begin() : source.values.end() - count;
   const std::vector key(from, from + count);
   track.values.insert(first ? track.values.begin() : track.values.end(), key.begin(), key.end());
   track.times_s.insert(first ? track.times_s.begin() : track.times_s.end(),
@@ -151,13 +154,16 @@ void keep_end(const Animation& animation, std::span<const KeptKeys> tracks, bool
   };
   const float needed = farthest(animation);
   if (farthest(out) >= needed) return;
+  const auto keys_in_file = [&](const KeptKeys& track) {  // a track that is not there costs most
+    return times_of(out, track.track).empty() ? std::numeric_limits<std::size_t>::max() : track.keys.size();
+  };
   const KeptKeys* best = nullptr;
   for (const KeptKeys& track : tracks)
-    if (reach(times_of(animation, track.track)) >= needed && (!best || track.keys.size() < best->keys.size()))
+    if (reach(times_of(animation, track.track)) >= needed && (!best || keys_in_file(track) < keys_in_file(*best)))
       best = &track;
   with_track(out, best->track, [&]<class TrackType>(TrackType& track) {
     with_track(animation, best->track, [&]<class Source>(const Source& source) {
-      if constexpr (std::is_same_v<TrackType, Source>) add_end(track, source, best->rests, first);
+      if constexpr (std::is_same_v<TrackType, Source>) add_end(track, source, *best, first);
     });
   });
 }
@@ -184,13 +190,27 @@ void share_key_times(const Animation& animation, std::vector<KeptKeys>& tracks) 
   }
 }
 
+const std::vector<float>& times_of(const Animation& animation, std::size_t track) {
+  return with_track(animation, track, [](const auto& keys) -> const std::vector<float>& { return keys.times_s; });
+}
+
+void set_keys(const Animation& animation, const KeptKeys& kept, Animation& out) {
+  with_track(out, kept.track, [&]<class TrackType>(TrackType& track) {
+    with_track(animation, kept.track, [&]<class Source>(const Source& source) {
+      if constexpr (std::is_same_v<TrackType, Source>) track = source;
+    });
+    if (kept.left_out) {
+      track.times_s.clear();
+      track.values.clear();
+    } else if (kept.keys.size() < track.key_count()) {
+      kept.rests ? rest(track, kept.keys.front()) : keep_keys({&track}, kept.keys);
+    }
+  });
+}
+
 Animation with_keys(const Animation& animation, std::span<const KeptKeys> tracks) {
   Animation out = animation;
-  for (const KeptKeys& kept : tracks)
-    with_track(out, kept.track, [&](auto& track) {
-      if (kept.keys.size() == track.key_count()) return;
-      kept.rests ? rest(track, kept.keys.front()) : keep_keys({&track}, kept.keys);
-    });
+  for (const KeptKeys& kept : tracks) set_keys(animation, kept, out);
   for (const bool first : {true, false}) keep_end(animation, tracks, first, out);
   return out;
 }

@@ -27,6 +27,7 @@ struct KeptKeys {
   std::size_t track = 0;            ///< number of the track, as in with_track
   std::vector<std::uint32_t> keys;  ///< indices of the keys, increasing
   bool rests = false;               ///< there is one key, and the track has its value at all times
+  bool left_out = false;            ///< it rests at the value that the target has without a track, which stands for it
 };
 
 /// Lets tracks keep more keys than they need, where they can then share a list of key times with others and a file
@@ -35,8 +36,15 @@ struct KeptKeys {
 void share_key_times(const Animation& animation, std::vector<KeptKeys>& tracks);
 inline constexpr std::size_t kMostLists = 128;
 
-/// The animation with only these keys of these tracks. A track that rests has its key at its first key time. The clip
-/// begins and ends where it did: one track keeps its first key and one its last, if no other track reaches so far.
+/// All key times of a track.
+const std::vector<float>& times_of(const Animation& animation, std::size_t track);
+
+/// Gives a track of `out` the kept keys of the same track of `animation`.
+void set_keys(const Animation& animation, const KeptKeys& kept, Animation& out);
+
+/// The animation with only these keys of these tracks. A track that rests has its key at its first key time, and a
+/// track that is left out is empty. The clip begins and ends where it did: one track keeps its first key and one its
+/// last, if no other track reaches so far.
 Animation with_keys(const Animation& animation, std::span<const KeptKeys> tracks);
 
 }  // namespace sinew

@@ -29,9 +29,9 @@ SINEW_API std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, 
                                         std::span<const Aabb> stored = {});
 inline constexpr std::size_t kMaxBoundsPoses = 4'000'000;
 
-/// The part of clip_bounds that depends on the keys alone, before margins for skinning, rounding and the clip's error
-/// are added. Compute it when a clip is compiled, while `animations` are the authoring form, and store it with the clip
-/// (AssetFileOptions::clip_boxes).
+/// Computes a box for each mesh instance from the keys of a clip, without margins for skinning, rounding and the error
+/// of compression. clip_bounds adds these margins. Call it when a clip is compiled, while Scene::animations hold the
+/// original keys, and store the boxes with the clip (AssetFileOptions::clip_boxes).
 /// out  [instances]     cost O(key times * J + V), allocates
 SINEW_API std::vector<Aabb> clip_boxes(const Scene& scene, std::uint32_t clip);
 

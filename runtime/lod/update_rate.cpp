@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/plan/playing_layers.h"
+
 namespace sinew {
 
 double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept {
@@ -34,8 +36,9 @@ FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64
   }
   if (is_due || !holds_) {
     FrameInput kept = now;
-    if (kept.program.empty()) kept.program_inputs = {};  // without a program nothing refers to these
-    if (!kept.program.empty() && held_.check_room(kept) != ErrorCode::ok) {
+    kept.program_inputs = inputs_in_use(now);
+    const bool has_lists = !kept.program.empty() || !kept.program_inputs.masks.empty();
+    if (has_lists && held_.check_room(kept) != ErrorCode::ok) {
       holds_ = false;
       return now;  // run_plan then says what is wrong
     }

@@ -15,7 +15,10 @@ struct UpdateRates {
   double second_below = 0.2;   ///< smaller characters are evaluated in every second frame
   double fourth_below = 0.07;  ///< smaller characters are evaluated in every fourth frame
   double hysteresis = 0.25;  ///< a character must be larger by this fraction to return to a finer level; avoids flicker
-  double longest_s = 0.1;  ///< longest time between updates at any size; slow frame rates leave out few frames or none
+
+  /// Longest time between updates, whatever the size; limited_level chooses a finer level if it would be longer. At low
+  /// frame rates characters thus skip few frames or none.
+  double longest_s = 0.1;
 };
 
 /// Height of a sphere in the picture of a perspective camera, as a fraction of the picture height. Infinite for a

@@ -65,7 +65,8 @@ std::size_t bytes_of_faces(const SurfaceFaces& faces) {
 
 std::size_t bytes_of_tiles(const VertexTiles& tiles) {
   return sizeof tiles + bytes_of(tiles.runs) + bytes_of(tiles.joints) + bytes_of(tiles.positions) +
-         bytes_of(tiles.normals) + bytes_of(tiles.tangents) + bytes_of(tiles.vertices) + bytes_of(tiles.fours);
+         bytes_of(tiles.normals) + bytes_of(tiles.tangents) + bytes_of(tiles.centers) + bytes_of(tiles.vertices) +
+         bytes_of(tiles.fours);
 }
 
 }  // namespace

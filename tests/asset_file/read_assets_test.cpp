@@ -172,6 +172,25 @@ TEST(read_assets, skeleton_lods_come_back_and_are_refused_for_another_skeleton) 
   EXPECT_EQ(read_skeleton_lods(opened(file), other).error().rule, "asset-signature");
 }
 
+TEST(read_assets, graphs_come_back_by_name) {
+  const Scene scene = full_scene(7);
+  const std::vector<StoredGraph> graphs = {{"walk", Bytes(5, std::byte{7})}, {"climb", {}}};
+  for (const int zstd_level : {0, 3}) {
+    const Bytes file = write_asset_file(scene, {.graphs = graphs, .zstd_level = zstd_level});
+    const auto again = read_graphs(opened(file));
+    ASSERT_TRUE(again) << describe(again.error());
+    ASSERT_EQ(again->size(), 2u);
+    for (std::size_t g = 0; g < 2; ++g) {
+      EXPECT_EQ((*again)[g].name, graphs[g].name);
+      EXPECT_EQ((*again)[g].bytes, graphs[g].bytes);
+    }
+  }
+  EXPECT_TRUE(read_graphs(opened(write_asset_file(scene)))->empty());
+  const std::vector<StoredGraph> twice = {graphs[0], graphs[0]};
+  const Bytes file = write_asset_file(scene, {.graphs = twice});
+  EXPECT_EQ(read_graphs(opened(file)).error().rule, "asset-value");
+}
+
 TEST(read_assets, clips_of_another_skeleton_are_refused_and_both_are_named) {
   const Scene scene = arm_scene();
   const Bytes clips = write_asset_file(scene, {.skeleton = false, .model = false});

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "runtime/animation/track_sample.h"
+#include "runtime/compress/clip_error.h"
+#include "runtime/compress/drop_rows.h"
 #include "runtime/compress/key_lists.h"
 #include "tests/reference/clip_error.h"
 #include "tests/scenes/skeletons.h"
@@ -162,6 +164,56 @@ TEST(fit_keys, tracks_that_hardly_move_keep_one_key_and_the_clip_its_length) {
   EXPECT_EQ(static_cast<double>(last), scene.animations[0].duration_s);
 }
 
+/// A chain whose joints stand at rest, but for the translation of one of them.
+Scene mostly_resting(std::uint32_t moving) {
+  Skeleton skeleton = test::chain_skeleton(4);
+  for (Transform& rest : skeleton.rest) rest.translation.y = 0.2f;
+  std::vector<BoneAnimation> bones;
+  for (std::uint32_t j = 0; j < 4; ++j) {
+    const Transform& rest = skeleton.rest[j];
+    BoneAnimation& bone = bones.emplace_back();
+    bone.joint = j;
+    bone.translation = {Interpolation::linear, {0.5f, 2}, {rest.translation, rest.translation}};
+    bone.rotation = {Interpolation::step, {1}, {rest.rotation}};
+    bone.scale = {Interpolation::linear, {0, 1, 3}, {rest.scale, rest.scale, rest.scale}};
+    if (j == moving) bone.translation.values[1].x += 1.0f;
+  }
+  return scene_with(std::move(skeleton), test::animation_of(std::move(bones)));
+}
+
+TEST(fit_keys, tracks_at_the_rest_transform_are_left_out) {
+  Scene scene = mostly_resting(2);
+  const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-3);
+  for (std::uint32_t j = 0; j < 4; ++j) {
+    EXPECT_EQ(kept.bones[j].translation.key_count(), j == 2 ? 2u : 0u);
+    EXPECT_TRUE(kept.bones[j].rotation.empty());
+  }
+  EXPECT_EQ(measure_keys(scene, kept, scene.animations[0], virtual_vertices(scene), 1e-3).measured_m, 0.0);
+  float first = 9.0f, last = 0.0f;
+  for (const BoneAnimation& bone : kept.bones)
+    for (const auto* times : {&bone.translation.times_s, &bone.scale.times_s})
+      for (const float time : *times) {
+        first = std::min(first, time);
+        last = std::max(last, time);
+      }
+  EXPECT_EQ(first, 0.0f);
+  EXPECT_EQ(last, 3.0f) << "one of the scales stays, since nothing else reaches the ends of the clip";
+
+  scene.skeleton.rest[1].translation.z = 0.01f;  // a centimetre from its track
+  const Animation apart = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-3);
+  EXPECT_EQ(apart.bones[1].translation.key_count(), 1u);
+}
+
+TEST(fit_keys, a_clip_of_tracks_at_rest_keeps_one_of_them) {
+  const Scene scene = mostly_resting(kNone);
+  const Animation kept = fit_keys(scene, scene.animations[0], scene.animations[0], virtual_vertices(scene), 1e-3);
+  std::size_t tracks = 0;
+  for (const BoneAnimation& bone : kept.bones)
+    tracks += !bone.translation.empty() + !bone.rotation.empty() + !bone.scale.empty();
+  EXPECT_EQ(tracks, 1u);
+  EXPECT_EQ(kept.bones[0].scale.times_s, (std::vector<float>{0, 3}));
+}
+
 TEST(fit_keys, a_cubic_track_that_rests_becomes_linear_since_it_has_one_key) {
   BoneAnimation bone;
   bone.translation.interpolation = Interpolation::cubic_spline;
@@ -201,7 +253,7 @@ TEST(fit_keys, keys_are_judged_as_a_reader_sees_them) {
   const VirtualVertices vertices = virtual_vertices(scene);
   Animation stored = truth;
   for (BoneAnimation& bone : stored.bones)
-    for (glm::quat& q : bone.rotation.values) q = glm::normalize(q * glm::quat(1.0f, 2e-4f, 0, 0));
+    for (glm::quat& q : bone.rotation.values) q = glm::normalize(q * glm::quat(1.0f, 5e-4f, 0, 0));
   constexpr double kBudget = 2e-3;
   const Animation kept = fit_keys(scene, truth, stored, vertices, kBudget);
   const Animation plain = fit_keys(scene, truth, truth, vertices, kBudget);
@@ -213,7 +265,7 @@ TEST(fit_keys, keys_are_judged_as_a_reader_sees_them) {
   EXPECT_GT(keys(kept), keys(plain)) << "rounding has used a part of the budget";
   Animation read = kept;
   for (BoneAnimation& bone : read.bones)
-    for (glm::quat& q : bone.rotation.values) q = glm::normalize(q * glm::quat(1.0f, 2e-4f, 0, 0));
+    for (glm::quat& q : bone.rotation.values) q = glm::normalize(q * glm::quat(1.0f, 5e-4f, 0, 0));
   EXPECT_LE(measure_keys(scene, read, truth, vertices, kBudget).measured_m, kBudget);
 }
 
@@ -258,6 +310,30 @@ TEST(fit_keys, morph_weights_are_held_by_what_they_displace) {
   }
 }
 
+TEST(fit_keys, morph_weights_near_those_at_rest_are_left_out) {
+  Scene scene = scene_with(test::chain_skeleton(1), {});
+  Mesh mesh;
+  mesh.primitives.resize(1);
+  mesh.primitives[0].positions.assign(2, glm::vec3(0));
+  mesh.default_weights.assign(2, 0.0f);
+  mesh.primitives[0].morphs.targets.resize(2);
+  for (MorphTarget& target : mesh.primitives[0].morphs.targets) target.positions = {{1}, {{0, 2, 0}}};
+  scene.meshes.push_back(mesh);
+  scene.instances.push_back({.joint = 0, .mesh = 0, .rest_weights = {0.25f, 1.0f}});
+  WeightAnimation animated;
+  animated.weights = {Interpolation::linear, {0, 0.5f, 1}, {0.2501f, 1.0f, 0.25f, 1.0001f, 0.25f, 1.0f}, 2};
+  Animation& animation = scene.animations[0];
+  animation.weights.push_back(animated);
+  animation.bones.push_back({.joint = 0});
+  animation.bones[0].translation = {Interpolation::linear, {0, 1}, {glm::vec3(0), glm::vec3(1)}};
+  animation.duration_s = 1.0;
+  finish_scene(scene);
+  const VirtualVertices vertices = virtual_vertices(scene);
+  EXPECT_TRUE(fit_keys(scene, animation, animation, vertices, 1e-2).weights[0].weights.empty());
+  scene.instances[0].rest_weights = {0.25f, 0.5f};
+  EXPECT_EQ(fit_keys(scene, animation, animation, vertices, 1e-2).weights[0].weights.key_count(), 1u);
+}
+
 TEST(fit_keys, long_animations_are_fitted_in_parts) {
   Skeleton tree = scenes::wide_tree(1100);
   Animation swing = scenes::swinging(tree, 200);  // more joints times times than are held at once
@@ -267,6 +343,29 @@ TEST(fit_keys, long_animations_are_fitted_in_parts) {
   const ClipCertificate certificate = measure_keys(scene, kept, scene.animations[0], vertices, 0.5);
   EXPECT_TRUE(certificate.is_met());
   EXPECT_LT(certificate.kept_keys, certificate.source_keys);
+}
+
+TEST(drop_rows, tracks_of_one_list_lose_keys_together_until_the_whole_pose_needs_them) {
+  const Scene scene = swinging_chain(6, 80);
+  const Animation& truth = scene.animations[0];
+  const VirtualVertices vertices = virtual_vertices(scene);
+  std::vector<KeptKeys> tracks;
+  for (std::size_t b = 0; b < truth.bones.size(); ++b) {
+    KeptKeys& track = tracks.emplace_back(KeptKeys{.track = 3 * b + 1});
+    for (std::uint32_t key = 0; key < truth.bones[b].rotation.key_count(); ++key) track.keys.push_back(key);
+  }
+  const std::vector<double> times_s = times_to_check(truth, 6);
+  const TruthSamples samples(scene, truth, vertices, times_s);
+  constexpr double kBudget = 5e-3;
+  drop_rows(truth, samples, kBudget, tracks);
+  EXPECT_LT(tracks[0].keys.size(), 65u);
+  for (const KeptKeys& track : tracks) EXPECT_EQ(track.keys, tracks[0].keys);
+  EXPECT_LE(measure_animation(samples, with_keys(truth, tracks)).worst_m, kBudget);
+  for (std::size_t row = 1; row + 1 < tracks[0].keys.size(); ++row) {
+    std::vector<KeptKeys> fewer = tracks;
+    for (KeptKeys& track : fewer) track.keys.erase(track.keys.begin() + static_cast<std::ptrdiff_t>(row));
+    EXPECT_GT(measure_animation(samples, with_keys(truth, fewer)).worst_m, kBudget) << "row " << row;
+  }
 }
 
 TEST(key_lists, tracks_share_key_times_where_that_takes_fewer_bytes) {
