@@ -32,17 +32,19 @@ bool has_size_of(const Clip& page, const Clip& clip) noexcept {
          page.property_count() == clip.property_count();
 }
 
-Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
+/// in   masks  number of masks that the layer may name
+Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer, std::size_t masks) noexcept {
   const bool adds = layer.kind != LayerKind::blend;
   if (layer.clip >= plan.assets.clips.size())
     return {ErrorCode::index_out_of_range, "clip", "the plan was compiled for fewer clips"};
   if (layer.page != nullptr && !has_size_of(*layer.page, plan.assets.clips[layer.clip]))
     return {ErrorCode::wrong_page, "page"};
-  if (layer.mask != kNone && layer.mask >= plan.masks.size())
-    return {ErrorCode::index_out_of_range, "mask", "the needs have fewer masks"};
+  if (layer.mask != kNone && layer.mask >= std::min<std::size_t>(masks, PoseOp::kNoMask))
+    return {ErrorCode::index_out_of_range, "mask", "needs and input together have fewer masks"};
   if (!std::isfinite(layer.time_s)) return {ErrorCode::not_finite, "time_s"};
   if (!is_usual(layer.weight)) return {unusual(layer.weight), "weight"};
-  if (layer.weight < 0.0f) return {ErrorCode::negative_weight, "weight"};
+  if (layer.weight < 0.0f && !adds)
+    return {ErrorCode::negative_weight, "weight", "a weight is below 0, and only additive layers subtract"};
   if (adds && !plan.needs.in.additive)
     return {ErrorCode::not_in_needs, "kind", "additive layers are not declared in the needs"};
   if (layer.mirrored && plan.needs.in.mirror == nullptr)
@@ -50,11 +52,12 @@ Refusal check_layer(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
   return kFine;
 }
 
-Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const char* list) noexcept {
+Refusal check_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t masks,
+                     const char* list) noexcept {
   std::size_t blended = 0;
   double total_weight = 0.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (Refusal refusal = check_layer(plan, layers[i]); refusal.error != ErrorCode::ok) {
+    if (Refusal refusal = check_layer(plan, layers[i], masks); refusal.error != ErrorCode::ok) {
       refusal.list = list;
       refusal.index = static_cast<std::uint32_t>(i);
       return refusal;
@@ -173,13 +176,27 @@ Refusal check_program_pages(const CompiledPlan& plan, const FrameInput& input) n
   return kFine;
 }
 
+/// Checks the content of the lists.
+Refusal check_program_inputs(const CompiledPlan& plan, const PoseProgramInputs& inputs) noexcept {
+  const PoseInputFault wrong =
+      find_fault(inputs, plan.assets.joint_count(), plan.rest_weights.size(), plan.scene->properties.rest.size());
+  if (wrong.code != ErrorCode::ok) return {wrong.code, nullptr, wrong.rule, wrong.list, wrong.index};
+  return kFine;
+}
+
+Refusal check_masks_of_layers(const CompiledPlan& plan, const PoseProgramInputs& masks) noexcept {
+  RETURN_IF_REFUSED(check_program_lists(plan, masks));
+  return check_program_inputs(plan, masks);
+}
+
 Refusal check_program(const CompiledPlan& plan, const FrameInput& input) noexcept {
-  if (input.program.empty()) return kFine;
+  if (input.program.empty())
+    return input.program_inputs.masks.empty() ? kFine : check_masks_of_layers(plan, inputs_in_use(input));
   const PoseProgramRoom& room = plan.needs.in.program;
   if (room.ops == 0) return {ErrorCode::not_in_needs, "program", "the needs declare no programs"};
   if (!input.layers.empty()) return {ErrorCode::unsupported, "program", "layers are given as well"};
   if (input.interpolation_factor != 0.0f)
-    return {ErrorCode::unsupported, "interpolation_factor", "programs have no second pose: a mean has"};
+    return {ErrorCode::unsupported, "interpolation_factor", "a program lays one cached pose over another"};
   if (input.program.size() > room.ops)
     return {ErrorCode::not_in_needs, "program", "it has more operations than the needs declare"};
   RETURN_IF_REFUSED(check_program_lists(plan, input.program_inputs));
@@ -190,18 +207,16 @@ Refusal check_program(const CompiledPlan& plan, const FrameInput& input) noexcep
     if (!is_usual(input.program[i].weight))
       return {ErrorCode::too_large, "weight", nullptr, "program", static_cast<std::uint32_t>(i)};
   RETURN_IF_REFUSED(check_program_pages(plan, input));
-  const PoseInputFault wrong = find_fault(input.program_inputs, plan.assets.joint_count(), plan.rest_weights.size(),
-                                          plan.scene->properties.rest.size());
-  if (wrong.code != ErrorCode::ok) return {wrong.code, nullptr, wrong.rule, wrong.list, wrong.index};
-  return kFine;
+  return check_program_inputs(plan, input.program_inputs);
 }
 
 }  // namespace
 
 Refusal check_input(const CompiledPlan& plan, const FrameInput& input) noexcept {
   RETURN_IF_REFUSED(check_factor(plan, input.interpolation_factor));
-  RETURN_IF_REFUSED(check_layers(plan, input.layers, "layers"));
-  RETURN_IF_REFUSED(check_layers(plan, next_layers_of(input), "next_layers"));
+  const std::size_t masks = plan.masks.size() + input.program_inputs.masks.size();
+  RETURN_IF_REFUSED(check_layers(plan, input.layers, masks, "layers"));
+  RETURN_IF_REFUSED(check_layers(plan, next_layers_of(input), masks, "next_layers"));
   RETURN_IF_REFUSED(check_program(plan, input));
   RETURN_IF_REFUSED(check_counts(plan, input));
   RETURN_IF_REFUSED(check_numbers(input.weights, "weights"));

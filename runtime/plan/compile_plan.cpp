@@ -127,7 +127,7 @@ void choose_pose_stages(CompiledPlan& plan) {
   plan.poses = (has_clips || has_programs) &&
                (plan.local_to_model || shows_local || scene.weight_count() > 0 || plan.properties);
   plan.sample = plan.poses && has_clips;
-  plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty());
+  plan.blend = plan.sample && (needs.in.max_layers > 1 || !needs.in.masks.empty() || needs.in.program.masks > 0);
   plan.mirror = plan.poses && needs.in.mirror != nullptr;
   plan.add = plan.sample && needs.in.additive;
   plan.interpolate = plan.sample && needs.in.between_updates;

@@ -107,8 +107,8 @@ SINEW_API std::uint32_t pose_joint(const Plan& plan, std::uint32_t joint) noexce
 /// in   needs   must have no fault (find_fault in check_needs.h). A fault breaks a contract, whose text names the rule
 ///      beside  another plan of the same scene, for example of a finer level of detail. Both plans share the tables of
 ///              meshes that both need
-/// cost O(size of the scene), allocates the plan, with a sorted copy of the vertices of meshes that are skinned
-///      linearly (VertexTiles). If joints are left out, also reduced copies of skeleton, clips and skins
+/// cost O(size of the scene), allocates the plan, with a sorted copy of the vertices of skinned meshes (VertexTiles).
+///      If joints are left out, also reduced copies of skeleton, clips and skins
 SINEW_API Plan compile_plan(std::shared_ptr<const Scene> scene, const Needs& needs, const Plan& beside = {});
 
 /// Same, for a scene that only this plan uses.

@@ -23,7 +23,7 @@ namespace sinew {
 struct PrimitiveSkinning {
   std::vector<JointPair> pairs;              ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
   std::uint32_t combined = kNone;            ///< index into CompiledPlan::combined of its skin; kNone = not used
-  std::shared_ptr<const VertexTiles> tiles;  ///< of the influences, or of the combined ones; null = SkinLinearJob skins
+  std::shared_ptr<const VertexTiles> tiles;  ///< of the influences, or of the combined ones; null = none
 };
 
 /// The content of a Plan: everything that run_plan reads beside the input. Internal to plan/ and its tests.

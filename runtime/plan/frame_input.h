@@ -26,9 +26,9 @@ enum class LayerKind : std::uint8_t {
 struct ClipLayer {
   std::uint32_t clip = 0;  ///< index into the clips that the plan was compiled for
   double time_s = 0.0;
-  float weight = 1.0f;
-  std::uint32_t mask = kNone;  ///< index into Needs::in.masks: joint weights that multiply `weight`. Morph weights and
-                               ///< properties have no mask
+  float weight = 1.0f;         ///< >= 0; additive layers subtract below 0 (add_pose.h)
+  std::uint32_t mask = kNone;  ///< a mask that multiplies `weight`: an index into Needs::in.masks, continued by the
+                               ///< masks of FrameInput::program_inputs
   LayerKind kind = LayerKind::blend;
   bool mirrored = false;  ///< the clip plays with left and right exchanged, its morph weights too (Needs::in.mirror).
                           ///< Masks weigh joints of the mirrored pose; properties are not mirrored
@@ -84,7 +84,8 @@ struct FrameInput {
   Affine root;
   std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; ignored while `interpolation_factor` is 0
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
-  /// as long as its layers stay the same. Other values than 0 need Needs::in.between_updates.
+  /// as long as its layers stay the same. Other values than 0 need Needs::in.between_updates. A program does the same
+  /// by laying one `cached` pose over another.
   float interpolation_factor = 0.0f;
   /// [instances] 1 = the mesh instance is out of view: it is neither morphed, skinned, bounded nor decoded. Joints and
   /// weights are evaluated all the same. Empty = all are in view.
@@ -96,7 +97,8 @@ struct FrameInput {
   /// Empty = the layers make the pose.
   PoseProgramSpan program = {};
   /// Poses, joints and masks of the caller that the program names by index. With a SkeletonLod, poses and joints are
-  /// those that it keeps (pose_joint).
+  /// those that it keeps (pose_joint). Layers may name the masks, too. An
+  /// input with masks has its poses evaluated in each frame between updates.
   PoseProgramInputs program_inputs = {};
   bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion are not part of
                         ///< frames, so they go on

@@ -50,6 +50,8 @@ class InputCopy {
     numbers_ = input;
   }
 
+  bool is_asleep() const noexcept { return numbers_.asleep; }
+
   /// The input assigned last; valid until the next one is assigned.
   FrameInput view() const noexcept {
     FrameInput input = numbers_;

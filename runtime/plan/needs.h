@@ -45,12 +45,13 @@ struct Inputs {
                                           ///< of them is allowed, but never recognised as unchanged
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::shared_ptr<const MirrorMap> mirror = {};  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
-  std::vector<std::vector<float>> masks = {};    ///< [at most 255][J] joint weights >= 0 that layers may name
+  std::vector<std::vector<float>> masks = {};    ///< [at most 255][J] joint weights >= 0 that layers may name. Masks
+                                                 ///< that change lie in the input; program.masks declares them
   /// Mesh instances whose vertices FrameInput::geometry may give, rising.
   std::vector<std::uint32_t> cached_instances = {};
   PoseProgramRoom program = {};  ///< limits of FrameInput::program: the largest count of each kind in any frame
                                  ///< (room_of gives that of one program). 0 operations = no programs. Its `masks`
-                                 ///< counts the `masks` above and those of the input together
+                                 ///< counts the `masks` above and those of the input together, also those of layers
   bool cut = false;  ///< some frames run in two halves, between which the caller changes the pose (cut_frame.h)
 
   /// Room for layers in a frame, blended and additive ones.

@@ -92,26 +92,41 @@ void for_each_primitive(const CompiledPlan* plan, const Body& body) {
     body(primitive_of(*plan, plan->primitives[p]), p);
 }
 
-/// Chooses how the vertices of a primitive follow their joints linearly, once for all instances of one skin: in tiles,
-/// with combined influences, both or neither. All instances of a primitive want the same attributes.
-class LinearSkinningOfPlan {
+/// Chooses once for all instances of one skin how the vertices of a primitive follow their joints: in tiles, with
+/// combined influences, both or neither. Only linear skinning combines influences. All instances of a primitive want
+/// the same attributes.
+class SkinningOfPlan {
  public:
-  LinearSkinningOfPlan(CompiledPlan& plan, const CompiledPlan* beside) : plan_(plan) {
+  using Tiles = std::shared_ptr<const VertexTiles>;
+
+  SkinningOfPlan(CompiledPlan& plan, const CompiledPlan* beside) : plan_(plan) {
     for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
       const PrimitiveSkinning& skinning = beside->primitive_skinning[p];
       if (skinning.tiles != nullptr && skinning.combined == kNone) beside_[&primitive] = skinning.tiles;
     });
   }
 
-  const PrimitiveSkinning& of(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
+  const PrimitiveSkinning& linear(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
     const auto [at, is_new] = known_.try_emplace({&primitive, skin});
     if (is_new) at->second = choose(primitive, skin, planned);
     return at->second;
   }
 
- private:
-  using Tiles = std::shared_ptr<const VertexTiles>;
+  /// The tiles of a primitive, which skins share.
+  Tiles tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
+    const bool with_centers = planned.skinning == Skinning::center_of_rotation;
+    const auto [at, is_new] = tiles_.try_emplace({&primitive, with_centers});
+    if (!is_new) return at->second;
+    const auto made = beside_.find(&primitive);
+    const bool serves = made != beside_.end() && !planned.morph.any() &&
+                        (!planned.skin.normals || !made->second->normals.empty()) &&
+                        (!planned.skin.tangents || !made->second->tangents.empty()) &&
+                        (!with_centers || !made->second->centers.empty());
+    at->second = serves ? made->second : make_tiles(primitive.influences, primitive, planned);
+    return at->second;
+  }
 
+ private:
   PrimitiveSkinning choose(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
     PrimitiveSkinning chosen;
     chosen.tiles = tiles_of(primitive, planned);
@@ -129,33 +144,24 @@ class LinearSkinningOfPlan {
     return chosen;
   }
 
-  /// The tiles of a primitive, which skins share.
-  Tiles tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
-    const auto [at, is_new] = tiles_.try_emplace(&primitive);
-    if (!is_new) return at->second;
-    const auto made = beside_.find(&primitive);
-    const bool serves = made != beside_.end() && !planned.morph.any() &&
-                        (!planned.skin.normals || !made->second->normals.empty()) &&
-                        (!planned.skin.tangents || !made->second->tangents.empty());
-    at->second = serves ? made->second : make_tiles(primitive.influences, primitive, planned);
-    return at->second;
-  }
-
-  /// Null where SkinLinearJob is faster. Moving morphed vertices into tiles takes as long as tiles save.
+  /// Null where jobs without tiles are faster. Moving morphed vertices into tiles takes as long as tiles save.
   static Tiles make_tiles(const VertexInfluences& influences, const Primitive& primitive,
                           const PrimitivePlan& planned) {
     if (planned.morph.any()) return nullptr;
     VertexInput in{.positions = primitive.positions, .normals = {}, .tangents = {}};
     if (planned.skin.normals) in.normals = primitive.normals;
     if (planned.skin.tangents) in.tangents = primitive.tangents;
-    VertexTiles tiles = tile_vertices(influences, in);
+    std::span<const glm::vec3> centers;
+    if (planned.skinning == Skinning::center_of_rotation) centers = primitive.centers_of_rotation;
+    VertexTiles tiles = tile_vertices(influences, in, centers);
     if (tiles.relative_cost() > VertexTiles::kMostCost) return nullptr;
     return std::make_shared<const VertexTiles>(std::move(tiles));
   }
 
   CompiledPlan& plan_;
   std::map<std::pair<const Primitive*, std::uint32_t>, PrimitiveSkinning> known_;
-  std::map<const Primitive*, Tiles> tiles_, beside_;
+  std::map<std::pair<const Primitive*, bool>, Tiles> tiles_;  ///< of a primitive, with or without centers of rotation
+  std::map<const Primitive*, Tiles> beside_;
 };
 
 /// Sorts the triangles of primitives with flat normals, once for all instances of a mesh.
@@ -229,15 +235,16 @@ JointScale scale_of_instance(const CompiledPlan& plan, std::size_t i) {
 }
 
 /// Plans the matrices that a skinned primitive needs of its skin.
-void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, LinearSkinningOfPlan& linear,
+void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, SkinningOfPlan& of_plan,
                    PrimitivePlan& planned, PrimitiveSkinning& skinning) {
   plan.palette[skin] = true;
   if (planned.skinning != Skinning::linear) {
     plan.split[skin] = true;
     skinning.pairs = joint_pairs_of_vertices(primitive.influences, plan.scene->skins[skin].joints.size());
+    skinning.tiles = of_plan.tiles_of(primitive, planned);
     return;
   }
-  skinning = linear.of(primitive, skin, planned);
+  skinning = of_plan.linear(primitive, skin, planned);
   planned.cofactors = plan.needs.skin.normal_rule == NormalRule::cofactor && planned.skin.normals &&
                       has_uneven_normals(plan, primitive, *plan.assets.skins[skin]);
 }
@@ -251,7 +258,7 @@ void plan_primitives(CompiledPlan& plan, const CompiledPlan* beside) {
   plan.combined.resize(scene.skins.size());
   const NeverShown never_shown(plan);
   const Needs nothing = {.out = {.positions = false, .normals = false, .tangents = false}};
-  LinearSkinningOfPlan linear(plan, beside);
+  SkinningOfPlan skinning_of_plan(plan, beside);
   FlatFacesOfPlan flat_faces(beside);
   SurfacesOfPlan surfaces(beside);
   plan.first_primitive.push_back(0);
@@ -269,7 +276,7 @@ void plan_primitives(CompiledPlan& plan, const CompiledPlan* beside) {
       planned.primitive = p;
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       PrimitiveSkinning skinning;
-      if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, linear, planned, skinning);
+      if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, skinning_of_plan, planned, skinning);
       plan.flat_faces.push_back(planned.flat_normals ? flat_faces.of(primitives[p]) : nullptr);
       plan.surface_faces.push_back(
           has_surface(planned, primitives[p]) ? surfaces.of(primitives[p], planned.cached.tangents) : nullptr);

@@ -14,6 +14,11 @@ inline std::span<const ClipLayer> next_layers_of(const FrameInput& input) noexce
   return input.interpolation_factor == 0.0f ? std::span<const ClipLayer>{} : input.next_layers;
 }
 
+/// The lists of the caller that the frame uses. Layers only name masks.
+inline PoseProgramInputs inputs_in_use(const FrameInput& input) noexcept {
+  return input.program.empty() ? PoseProgramInputs{.masks = input.program_inputs.masks} : input.program_inputs;
+}
+
 /// True if at most one clip plays, unmasked, unmirrored and with full weight. Joints that it does not move then have
 /// their rest pose to the last bit.
 inline bool plays_alone(std::span<const ClipLayer> layers) noexcept {

@@ -46,7 +46,7 @@ ProgramCopy::ProgramCopy(const Plan& plan, std::pmr::memory_resource& memory)
   masks_.reserve(room_.masks);
   if (room_.externals > 0) poses_.resize(room_.externals * pose_bytes(joints_) + kPoseAlignment);
   external_numbers_.resize(room_.externals * (weights_ + properties_));
-  mask_weights_.resize(room_.masks * joints_);
+  mask_weights_.resize(room_.masks * (joints_ + weights_ + properties_));
   joints_of_overrides_.resize(room_.overridden_joints);
 }
 
@@ -63,8 +63,10 @@ ErrorCode ProgramCopy::check_room(const FrameInput& input) const noexcept {
     if (!is_pose_of(external.pose, joints_) || !has_size_or_none(external.weights, weights_) ||
         !has_size_or_none(external.properties, properties_))
       return ErrorCode::size_mismatch;
-  for (const JointMask& mask : inputs.masks)
-    if (mask.weights.size() != joints_) return ErrorCode::size_mismatch;
+  for (const PoseMask& mask : inputs.masks)
+    if (!has_size_or_none(mask.joints, joints_) || !has_size_or_none(mask.weights, weights_) ||
+        !has_size_or_none(mask.properties, properties_))
+      return ErrorCode::size_mismatch;
   return ErrorCode::ok;
 }
 
@@ -90,7 +92,11 @@ void ProgramCopy::assign(const FrameInput& input) noexcept {
     external.properties = take(external.properties, number);
   }
   float* weight = mask_weights_.data();
-  for (JointMask& mask : masks_) mask.weights = take(mask.weights, weight);
+  for (PoseMask& mask : masks_) {
+    mask.joints = take(mask.joints, weight);
+    mask.weights = take(mask.weights, weight);
+    mask.properties = take(mask.properties, weight);
+  }
   JointOverride* joint = joints_of_overrides_.data();
   for (JointOverrides& overrides : overrides_) {
     JointOverride* const first = joint;

@@ -34,7 +34,7 @@ class SINEW_API ProgramCopy {
   std::pmr::vector<ExternalPose> externals_;
   std::pmr::vector<JointOverrides> overrides_;
   std::pmr::vector<PoseProcedure> procedures_;
-  std::pmr::vector<JointMask> masks_;
+  std::pmr::vector<PoseMask> masks_;
   std::pmr::vector<std::byte> poses_;  // poses of externals; aligned by hand, since planes need 64 bytes
   std::pmr::vector<float> external_numbers_, mask_weights_;  // weights and properties of externals; of all masks
   std::pmr::vector<JointOverride> joints_of_overrides_;

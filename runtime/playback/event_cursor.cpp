@@ -32,7 +32,9 @@ std::optional<std::size_t> EventCursor::next() noexcept {
     while (slot_ < slots_) {
       const Stop stop = stop_at(forward_ ? slot_ : slots_ - 1 - slot_);
       ++slot_;
-      if (stop.real && crosses(stop)) return stop.event;
+      if (!stop.real || !crosses(stop)) continue;
+      played_s_ = played_until(stop);
+      return stop.event;
     }
     slot_ = 0;
   }
@@ -60,6 +62,13 @@ bool EventCursor::crosses(const Stop& stop) const noexcept {
   const bool has_begun = !is_first || (forward_ ? step_.from_s < phase_s : phase_s < step_.from_s);
   const bool has_ended = is_last && (forward_ ? step_.to_s < phase_s : phase_s < step_.to_s);
   return has_begun && !has_ended;
+}
+
+double EventCursor::played_until(const Stop& stop) const noexcept {
+  const std::uint64_t left_out = round_ == 0 ? 0 : rounds_left_out_;
+  const double period_s = step_.mode == PlayMode::ping_pong ? 2.0 * step_.duration_s : step_.duration_s;
+  const double in_round_s = forward_ ? stop.phase_s - step_.from_s : step_.from_s - stop.phase_s;
+  return in_round_s + static_cast<double>(round_ + left_out) * period_s;
 }
 
 }  // namespace sinew

@@ -32,6 +32,9 @@ class SINEW_API EventCursor {
   /// Index of the next crossed event; nullopt if there is none.
   std::optional<std::size_t> next() noexcept;
 
+  /// Clip time that the step has played when it crosses the event that next() returned last, in seconds, >= 0.
+  double played_s() const noexcept { return played_s_; }
+
   /// Whole rounds that next() skips; at most 2^63.
   std::uint64_t rounds_left_out() const noexcept { return rounds_left_out_; }
 
@@ -43,6 +46,7 @@ class SINEW_API EventCursor {
   };
   Stop stop_at(std::size_t slot) const noexcept;
   bool crosses(const Stop& stop) const noexcept;
+  double played_until(const Stop& stop) const noexcept;
 
   PlaybackStep step_;
   std::span<const double> times_s_;
@@ -52,6 +56,7 @@ class SINEW_API EventCursor {
   // Visited rounds; the step begins in round 0 and ends in the last one.
   std::uint64_t round_ = 0, round_count_ = 0;
   std::uint64_t rounds_left_out_ = 0;
+  double played_s_ = 0.0;
 };
 
 }  // namespace sinew

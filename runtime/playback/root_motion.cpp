@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/playback/root_motion.h"
 
+#include <cmath>
+
 #include "runtime/math/swing_twist.h"
 #include "runtime/playback/carried_motion.h"
 
@@ -10,9 +12,20 @@ namespace {
 using Vec3d = Vec3<double>;
 using Quatd = Quat<double>;
 
+/// eq   y of turn = Ry(y) Rz(z) Rx(x): y = atan2(-a.z, a.x), a the rotated +X
+Quatd euler_heading(const Quatd& turn) noexcept {
+  const Vec3d a = rotate_vector(turn, Vec3d(1.0, 0.0, 0.0));
+  const double level = std::hypot(a.x, a.z);
+  constexpr double kVertical = 1e-9;  // x is then noise, and the turns about +Y and about +X cannot be told apart
+  if (level < kVertical) return normalised(quat_xyzw(0.0, a.y > 0.0 ? turn.x : -turn.x, 0.0, turn.w));
+  if (a.x < 0.0 && a.z == 0.0) return quat_xyzw(0.0, 1.0, 0.0, 0.0);
+  return normalised(quat_xyzw(0.0, -a.z, 0.0, level + a.x));  // half the angle
+}
+
 Quatd turn_of(const Quatd& turn, RootTurn kind) noexcept {
   if (kind == RootTurn::none) return quat_identity<double>();
   if (kind == RootTurn::full) return turn;
+  if (kind == RootTurn::heading_euler) return euler_heading(turn);
   const HalfTwistT<double> half = half_twist(turn, Vec3d(0.0, 1.0, 0.0));
   return normalised(quat_xyzw(0.0, half.sine, 0.0, half.cosine));
 }

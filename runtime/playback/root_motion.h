@@ -12,8 +12,10 @@ namespace sinew {
 /// The part of a root joint's rotation that moves the character.
 enum class RootTurn : std::uint8_t {
   none,
-  heading,  ///< about +Y only
+  heading,  ///< about +Y only: the twist of swing_twist.h, whichever way the joint leans
   full,
+  heading_euler,  ///< about +Y only: the first Euler angle of Ry Rz Rx, the direction of +X seen from above. It is
+                  ///< not defined where +X is vertical, and there the rotation counts as Ry Rz
 };
 
 /// The parts of a root joint's transform that move the character through the world. All other parts stay in its pose.
@@ -23,7 +25,8 @@ struct RootMotionParts {
 };
 
 /// Position and rotation of the character at a clip time: the given parts of the root joint's local transform.
-/// eq   E(t) = T(given axes of the translation) * H(t),  H = R(t) R_rest^-1; for RootTurn::heading its twist about +Y
+/// eq   E(t) = T(given axes of the translation) * H(t),  H = R(t) R_rest^-1; for RootTurn::heading its twist about +Y,
+///      for RootTurn::heading_euler the angle y of H = Ry(y) Rz(z) Rx(x)
 /// in   rest  of the root joint: used for properties without a track, and as the direction of heading 0
 /// out  rigid, unit.  cost O(log K), no allocation
 SINEW_API DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
@@ -45,10 +48,11 @@ SINEW_API DualQuatd root_place(const BoneAnimation& root, const Transform& rest,
 SINEW_API DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                                 const PlaybackStep& step) noexcept;
 
-/// One clip's share of a blend: its motion in this frame, its place at its time, and its layer's weight.
+/// The part of one clip in a blend of root motions.
 struct RootShare {
-  DualQuatd motion, place;
-  double weight = 0.0;
+  DualQuatd motion;     ///< root_motion of the clip in this frame
+  DualQuatd place;      ///< root_place at the clip's time
+  double weight = 0.0;  ///< of the clip's layer
 };
 
 /// The blended motion of the character, and the place to remove from the blended pose.

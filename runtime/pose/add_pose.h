@@ -19,10 +19,13 @@ enum class DeltaFrame : std::uint8_t {
 /// eq   t' = t + w (t_l - t_r);  q' = normalise(p q), p = (1 - w) 1 + w d, d = q_l conj(q_r), negated where its w < 0;
 ///      in the joint's frame q' = normalise(q p), d = conj(q_r) q_l;
 ///      s' = s (1 + w (s_l / s_r - 1)), per component, s_l / s_r = 1 where s_r = 0
-/// in   layer, reference  poses of the same joints as `pose`;   weight  finite, >= 0; 1 adds the whole delta
-///      joint_weights[J]  multiply `weight` per joint; empty = all ones
+///      A weight below 0 subtracts: it undoes the addition of -w. Then p and d are those of -w, and
+///      q' = normalise(conj(p) q), or normalise(q conj(p));  s' = s / (1 - w (s_l / s_r - 1)), s where that divides by
+///      0
+/// in   layer, reference  poses of the same joints as `pose`;   weight  finite; 1 adds the whole delta, -1 subtracts it
+///      joint_weights[J]  >= 0, multiply `weight` per joint; empty = all ones
 /// out  pose  changed in place. Joints of weight 0 keep their bits, and so do joints whose layer equals the reference.
-/// err  size_mismatch, not_finite, negative_weight     cost O(J), no allocation
+/// err  size_mismatch, not_finite, negative_weight (of a joint)     cost O(J), no allocation
 struct AddPoseJob {
   PoseSpan layer, reference;
   float weight = 1.0f;

@@ -29,10 +29,11 @@ struct BetweenKeys {
         r(static_cast<float>(1.0 - at.fraction)) {}
 };
 
-/// Rows of the two packed keys around a time; exactly at a key, both are the row of that key.
+/// The two packed keys that a sample lies between. `begin` points to the row of the earlier key, `end` to that of the
+/// later one. A row holds the packed values of all tracks of a block at one key. Exactly at a key both are its row.
 struct PackedKeys {
   const std::uint8_t *begin, *end;
-  float s, r;
+  float s, r;         ///< share of the later key and of the earlier one
   std::size_t power;  ///< the highest power of the slerp series that these keys need (slerp_series.h)
 };
 

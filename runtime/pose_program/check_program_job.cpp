@@ -70,12 +70,22 @@ InputRule find_fault(const JointOverrides& overrides, std::size_t joints) noexce
   return {};
 }
 
-InputRule find_fault(const JointMask& mask, std::size_t joints) noexcept {
-  if (mask.weights.size() != joints)
-    return {.code = ErrorCode::size_mismatch, .rule = "there is not one weight for each joint of poses"};
-  if (!all_finite(mask.weights)) return {.code = ErrorCode::not_finite, .rule = "a weight is not finite"};
-  for (const float weight : mask.weights)
+InputRule find_fault_in_mask(std::span<const float> weights) noexcept {
+  if (!all_finite(weights)) return {.code = ErrorCode::not_finite, .rule = "a weight is not finite"};
+  for (const float weight : weights)
     if (weight < 0.0f) return {.code = ErrorCode::negative_weight, .rule = "a weight is negative"};
+  return {};
+}
+
+InputRule find_fault(const PoseMask& mask, std::size_t joints, std::size_t weights, std::size_t properties) noexcept {
+  if (!has_size_or_none(mask.joints, joints))
+    return {.code = ErrorCode::size_mismatch, .rule = "there is not one weight for each joint of poses"};
+  if (!has_size_or_none(mask.weights, weights))
+    return {.code = ErrorCode::size_mismatch, .rule = "there is not one weight for each morph weight of the scene"};
+  if (!has_size_or_none(mask.properties, properties))
+    return {.code = ErrorCode::size_mismatch, .rule = "there is not one weight for each property of the scene"};
+  for (const std::span<const float> list : {mask.joints, mask.weights, mask.properties})
+    if (const InputRule rule = find_fault_in_mask(list); rule.code != ErrorCode::ok) return rule;
   return {};
 }
 
@@ -99,7 +109,8 @@ PoseInputFault find_fault(const PoseProgramInputs& inputs, std::size_t joint_cou
   InputRule rule = find_fault_in(inputs.externals, "externals", joint_count, weight_count, property_count);
   if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.overrides, "overrides", joint_count);
   if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.procedures, "procedures");
-  if (rule.code == ErrorCode::ok) rule = find_fault_in(inputs.masks, "masks", joint_count);
+  if (rule.code == ErrorCode::ok)
+    rule = find_fault_in(inputs.masks, "masks", joint_count, weight_count, property_count);
   return rule;
 }
 

@@ -13,6 +13,13 @@ Transform mixed(const Transform& below, const Transform& above, float w) noexcep
           below.scale * (1.0f - w) + above.scale * w};
 }
 
+void mix_numbers(std::span<const float> above, const MixShare& share, std::span<float> below) noexcept {
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const float w = share.of(i);
+    below[i] = w < 1.0f ? flushed(below[i] * (1.0f - w) + above[i] * w) : above[i];
+  }
+}
+
 void overlay_pose(const PoseSpan& above, const MixShare& share, const PoseSpan& below) noexcept {
   for (std::size_t j = 0; j < below.joint_count; ++j)
     if (const float w = share.of(j); w > 0.0f) below.set(j, mixed(below.get(j), above.get(j), w));

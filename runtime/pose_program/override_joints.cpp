@@ -26,23 +26,26 @@ AffineT<double> model_matrix(const Skeleton& skeleton, const PoseSpan& pose, std
   return model;
 }
 
-std::optional<Transform> local_transform(const Skeleton& skeleton, const PoseSpan& pose,
+std::optional<Transform> local_transform(const Skeleton& skeleton, const PoseSpan& pose, const Affine& root,
                                          const JointOverride& given) noexcept {
-  if (given.space == OverrideSpace::local || skeleton.parents[given.joint] == kNone) return given.transform;
-  const auto to_parent = inverse_of(model_matrix(skeleton, pose, skeleton.parents[given.joint]));
+  const bool in_world = given.space == OverrideSpace::world;
+  if (given.space == OverrideSpace::local || (!in_world && skeleton.parents[given.joint] == kNone))
+    return given.transform;
+  const AffineT<double> above = model_matrix(skeleton, pose, skeleton.parents[given.joint]);
+  const auto to_parent = inverse_of(in_world ? affine_cast<double>(root) * above : above);
   if (!to_parent) return std::nullopt;
-  const Transformd model{Vec3<double>(given.transform.translation), quat_cast<double>(given.transform.rotation),
+  const Transformd there{Vec3<double>(given.transform.translation), quat_cast<double>(given.transform.rotation),
                          Vec3<double>(given.transform.scale)};
-  const Transformd local = decompose_trs(*to_parent * affine_from_transform(model)).transform;
+  const Transformd local = decompose_trs(*to_parent * affine_from_transform(there)).transform;
   return Transform{Vec3<float>(local.translation), quat_cast<float>(local.rotation), Vec3<float>(local.scale)};
 }
 
 }  // namespace
 
-void override_joints(const Skeleton& skeleton, std::span<const JointOverride> joints, float share,
+void override_joints(const Skeleton& skeleton, std::span<const JointOverride> joints, float share, const Affine& root,
                      const PoseSpan& pose) noexcept {
   for (const JointOverride& given : joints)
-    if (const auto local = local_transform(skeleton, pose, given))
+    if (const auto local = local_transform(skeleton, pose, root, given))
       pose.set(given.joint, mixed(pose.get(given.joint), *local, share));
 }
 

@@ -26,11 +26,6 @@ void copy_or_rest(std::span<const float> from, std::span<const float> rest, std:
 
 DeltaFrame frame_of(const PoseOp& op) noexcept { return static_cast<DeltaFrame>(op.index); }
 
-void mix_numbers(std::span<const float> above, float w, std::span<float> below) noexcept {
-  for (std::size_t i = 0; i < below.size(); ++i)
-    below[i] = w < 1.0f ? flushed(below[i] * (1.0f - w) + above[i] * w) : above[i];
-}
-
 }  // namespace
 
 void PoseMachine::run(const PoseOp& op, const Step& step) noexcept {
@@ -61,10 +56,10 @@ void PoseMachine::skip(const PoseOp& op) noexcept {
   slots_.share(depth_ - 1) = {op.weight, op.mask};
 }
 
-std::span<const float> PoseMachine::mask(std::uint8_t index) const noexcept {
+PoseMask PoseMachine::mask(std::uint8_t index) const noexcept {
   if (index == PoseOp::kNoMask) return {};
   const std::size_t shared = assets_.masks.size();
-  return index < shared ? assets_.masks[index] : inputs_.masks[index - shared].weights;
+  return index < shared ? PoseMask{.joints = assets_.masks[index]} : inputs_.masks[index - shared];
 }
 
 void PoseMachine::push_rest() noexcept {
@@ -131,37 +126,54 @@ void PoseMachine::mean(std::size_t operands, double threshold) noexcept {
   if (operands == 0) return push_rest();
   depth_ -= operands;
   const std::span<BlendLayer> layers(slots_.blend_layers(), operands);
+  bool has_masks = false;
   for (std::size_t l = 0; l < operands; ++l) {
     const PoseShare& share = slots_.share(depth_ + l);
+    has_masks |= share.mask != PoseOp::kNoMask;
     layers[l] = {.pose = slots_.slot(depth_ + l).pose,
                  .weight = static_cast<float>(static_cast<double>(share.weight) / threshold),
-                 .joint_weights = mask(share.mask)};
+                 .joint_weights = mask(share.mask).joints};
   }
   const PoseSlot to = slot(depth_++);
-  if (operands == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return;
+  if (operands == 1 && layers[0].weight >= 1.0f && slots_.share(depth_ - 1).mask == PoseOp::kNoMask) return;
   const BlendPosesJob blend{.layers = layers, .rest = rest_, .pose = to.pose};
   assert(check(blend) == ErrorCode::ok);
   run_unchecked(blend);
-  const std::size_t others = operands - 1;
-  blend_weights(layers, assets_.rest_weights, to.weights,
-                {slots_.weights_above(depth_ - 1), others * to.weights.size()});
-  blend_weights(layers, assets_.rest_properties, to.properties,
-                {slots_.properties_above(depth_ - 1), others * to.properties.size()});
+  if (has_masks) {
+    blend_masked(layers, &PoseSlot::weights, &PoseMask::weights, assets_.rest_weights);
+    blend_masked(layers, &PoseSlot::properties, &PoseMask::properties, assets_.rest_properties);
+  } else {
+    const std::size_t others = operands - 1;
+    blend_weights(layers, assets_.rest_weights, to.weights,
+                  {slots_.weights_above(depth_ - 1), others * to.weights.size()});
+    blend_weights(layers, assets_.rest_properties, to.properties,
+                  {slots_.properties_above(depth_ - 1), others * to.properties.size()});
+  }
   work_.poses_blended += operands;
   ended(PosePhase::blend);
+}
+
+/// Means of the morph weights or properties of the operands, whose lowest one is at the top of the stack.
+void PoseMachine::blend_masked(std::span<const BlendLayer> layers, std::span<float> PoseSlot::*numbers,
+                               std::span<const float> PoseMask::*masks, std::span<const float> rest) noexcept {
+  const std::size_t first = depth_ - 1;
+  const auto layer = [&](std::size_t l) -> NumberLayer {
+    return {slots_.slot(first + l).*numbers, layers[l].weight, mask(slots_.share(first + l).mask).*masks};
+  };
+  blend_masked_numbers(layers.size(), layer, rest, slot(first).*numbers);
 }
 
 void PoseMachine::overlay(bool in_model_space) noexcept {
   const PoseSlot above = slot(--depth_), below = slot(depth_ - 1);
   const PoseShare& above_share = slots_.share(depth_);
-  const MixShare share{above_share.weight, mask(above_share.mask)};
+  const PoseMask above_mask = mask(above_share.mask);
+  const MixShare share{above_share.weight, above_mask.joints};
   if (in_model_space)
     overlay_pose_in_model_space(*assets_.skeleton, above.pose, share, slots_.model_rotations(), below.pose);
   else
     overlay_pose(above.pose, share, below.pose);
-  const float w = std::min(share.weight, 1.0f);
-  mix_numbers(above.weights, w, below.weights);
-  mix_numbers(above.properties, w, below.properties);
+  mix_numbers(above.weights, {share.weight, above_mask.weights}, below.weights);
+  mix_numbers(above.properties, {share.weight, above_mask.properties}, below.properties);
   ++work_.poses_overlaid;
   ended(PosePhase::overlay);
 }
@@ -169,16 +181,18 @@ void PoseMachine::overlay(bool in_model_space) noexcept {
 void PoseMachine::add(const PoseSlot& layer, const PoseShare& share, const PoseSpan& reference,
                       std::span<const float> reference_weights, DeltaFrame frame) noexcept {
   const PoseSlot base = slots_.slot(depth_ - 1);
+  const PoseMask of_layer = mask(share.mask);
   const AddPoseJob added{.layer = layer.pose,
                          .reference = reference,
                          .weight = share.weight,
-                         .joint_weights = mask(share.mask),
+                         .joint_weights = of_layer.joints,
                          .pose = base.pose,
                          .frame = frame};
   assert(check(added) == ErrorCode::ok);
   run_unchecked(added);
+  const NumberLayer weights{layer.weights, share.weight, of_layer.weights};
   for (std::size_t i = 0; i < base.weights.size(); ++i)
-    base.weights[i] = flushed(base.weights[i] + share.weight * (layer.weights[i] - reference_weights[i]));
+    base.weights[i] = flushed(base.weights[i] + weights.of(i) * (layer.weights[i] - reference_weights[i]));
   ++work_.poses_added;
   ended(PosePhase::add);
 }
@@ -197,7 +211,7 @@ void PoseMachine::add_to_reference(DeltaFrame frame) noexcept {
 void PoseMachine::override_top(const PoseOp& op) noexcept {
   if (op.time_s == 0.0) return;
   const std::span<const JointOverride> joints = inputs_.overrides[op.index].joints;
-  override_joints(*assets_.skeleton, joints, static_cast<float>(op.time_s), top().pose);
+  override_joints(*assets_.skeleton, joints, static_cast<float>(op.time_s), root_, top().pose);
   work_.joints_overridden += joints.size();
   ended(PosePhase::override_joints);
 }

@@ -20,10 +20,10 @@ class PoseMachine {
   };
 
   /// Keeps references to the arguments.
-  /// in   rest  replaces the rest pose of `assets`
+  /// in   rest  replaces the rest pose of `assets`;   root  world transform above all root joints
   PoseMachine(const PoseProgramAssets& assets, const PoseSpan& rest, const PoseProgramInputs& inputs,
-              const PoseSlots& slots, PoseProgramWork& work, PosePhaseClock clock) noexcept
-      : assets_(assets), inputs_(inputs), rest_(rest), slots_(slots), work_(work), clock_(clock) {}
+              const Affine& root, const PoseSlots& slots, PoseProgramWork& work, PosePhaseClock clock) noexcept
+      : assets_(assets), inputs_(inputs), root_(root), rest_(rest), slots_(slots), work_(work), clock_(clock) {}
 
   void run(const PoseOp& op, const Step& step) noexcept;
   /// Counts an operation that an earlier machine has already run on this memory.
@@ -42,7 +42,7 @@ class PoseMachine {
     if (!step_.with_properties) slot.properties = {};
     return slot;
   }
-  std::span<const float> mask(std::uint8_t index) const noexcept;
+  PoseMask mask(std::uint8_t index) const noexcept;
 
   void push_rest() noexcept;
   void push_external(std::size_t index) noexcept;
@@ -51,6 +51,8 @@ class PoseMachine {
   void push_mirrored_rest() noexcept;
   void mirror(const PoseSpan& from, std::span<const float> weights, const PoseSlot& to) noexcept;
   void mean(std::size_t operands, double threshold) noexcept;
+  void blend_masked(std::span<const BlendLayer> layers, std::span<float> PoseSlot::*numbers,
+                    std::span<const float> PoseMask::*masks, std::span<const float> rest) noexcept;
   void overlay(bool in_model_space) noexcept;
   void add_to_rest(DeltaFrame frame) noexcept;
   void add_to_reference(DeltaFrame frame) noexcept;
@@ -64,6 +66,7 @@ class PoseMachine {
 
   const PoseProgramAssets& assets_;
   const PoseProgramInputs& inputs_;
+  const Affine& root_;
   PoseSpan rest_;
   PoseSlots slots_;
   PoseProgramWork& work_;

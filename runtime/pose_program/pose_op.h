@@ -33,11 +33,11 @@ enum class PoseOpKind : std::uint8_t {
 struct PoseOp {
   double time_s = 0.0;  ///< sample: seconds in the clip;  mean: its threshold;  override_joints, procedure: its share;
                         ///< transitions: progress in [0, 1], the share of the duration that has passed
-  float weight = 1.0f;  ///< finite, >= 0
+  float weight = 1.0f;  ///< finite, >= 0; below 0 only as the layer of an addition, which then subtracts (add_pose.h)
   std::uint16_t index = 0;      ///< of a clip, an external pose, an override or a procedure; mean: number of operands;
                                 ///< additions: DeltaFrame;  transitions: steps in the duration, >= 1. A step is the
                                 ///< time from "one step before" to the start; 0.1 to 1 ms measures velocities well
-  std::uint8_t mask = kNoMask;  ///< index of joint weights that multiply `weight`
+  std::uint8_t mask = kNoMask;  ///< index of a mask that multiplies `weight`
   PoseOpKind kind = PoseOpKind::rest;
 
   static constexpr std::uint8_t kNoMask = 255;

@@ -30,7 +30,6 @@ OpRule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   const bool has_share = op.kind == PoseOpKind::override_joints || op.kind == PoseOpKind::procedure;
   if (!is_kind(op.kind)) return {ErrorCode::unsupported, "the kind of operation is not known"};
   if (!std::isfinite(op.weight)) return {ErrorCode::not_finite, "its weight is not finite"};
-  if (op.weight < 0.0f) return {ErrorCode::negative_weight, "its weight is negative"};
   if (!std::isfinite(op.time_s)) return {ErrorCode::not_finite, "its time is not finite"};
   if (op.mask != PoseOp::kNoMask && op.mask >= limits.masks)
     return {ErrorCode::index_out_of_range, "there is no mask of that index"};
@@ -55,6 +54,18 @@ OpRule broken_rule(const PoseOp& op, const PoseProgramLimits& limits) noexcept {
   if (op.kind == PoseOpKind::mean && !(op.time_s > 0.0 && op.time_s <= 1.0))
     return {ErrorCode::not_a_fraction, "the threshold of a mean lies in (0, 1]"};
   return kKept;
+}
+
+/// True if an addition takes the pose of operation `i` as its layer.
+bool is_added(PoseProgramSpan program, std::size_t i) noexcept {
+  std::size_t above = 0;  // poses on the stack above that of operation i
+  for (const PoseOp& op : program.subspan(i + 1)) {
+    const std::size_t taken = operands_of(op);
+    if (taken > above)
+      return (op.kind == PoseOpKind::add_to_rest && above == 0) || (op.kind == PoseOpKind::add && above == 1);
+    above = above - taken + 1;
+  }
+  return false;
 }
 
 }  // namespace
@@ -106,6 +117,8 @@ PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& li
   for (std::size_t i = 0; i < program.size(); ++i) {
     if (const OpRule rule = broken_rule(program[i], limits); rule.code != ErrorCode::ok)
       return {rule.code, i, rule.text};
+    if (program[i].weight < 0.0f && !is_added(program, i))
+      return {ErrorCode::negative_weight, i, "its weight is negative, and only the layer of an addition may subtract"};
     const std::size_t taken = operands_of(program[i]);
     if (taken > depth) return {ErrorCode::size_mismatch, i, "it takes more poses than those before it leave"};
     if (kept_operands_of(program[i]) > 0 && ++kept > limits.kept)

@@ -58,9 +58,9 @@ SINEW_API PoseProgramRoom room_of(PoseProgramSpan program) noexcept;
 /// The larger of each number of two rooms.
 SINEW_API PoseProgramRoom larger(const PoseProgramRoom& a, const PoseProgramRoom& b) noexcept;
 
-/// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight,
-///      not_a_fraction (a share, threshold or progress; no steps), not_in_needs (mirrored without tables, more kept
-///      operations), unsupported (an unknown kind), size_mismatch (operands, length, slots)
+/// err  code  index_out_of_range (of clips, externals, masks, overrides, procedures), not_finite, negative_weight
+///      (but of an addition's layer), not_a_fraction (a share, threshold or progress; no steps), not_in_needs (mirrored
+///      without tables, more kept operations), unsupported (an unknown kind), size_mismatch (operands, length, slots)
 /// cost O(ops), no allocation
 SINEW_API PoseProgramFault find_fault(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept;
 inline ErrorCode check(PoseProgramSpan program, const PoseProgramLimits& limits) noexcept {

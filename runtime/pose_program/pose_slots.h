@@ -31,9 +31,10 @@ struct PoseSlotLayout {
   /// Offsets in bytes. The lowest pose of the stack is the output, which is not in this memory.
   std::size_t shares = 0, blend_layers = 0, poses = 0, pose_weights = 0, pose_properties = 0, unmirrored = 0,
               unmirrored_weights = 0, model_rotations = 0, kept = 0;
-  std::size_t kept_bytes = 0;   ///< bytes of each kept operation
-  std::size_t front_bytes = 0;  ///< used by every run; a single clip that plays alone uses only these
-  std::size_t bytes = 0;        ///< total, a multiple of 64
+  std::size_t kept_bytes = 0;  ///< bytes of each kept operation
+  std::size_t front_bytes =
+      0;                  ///< bytes at the start, which every run uses; a single clip that plays alone uses no others
+  std::size_t bytes = 0;  ///< total, a multiple of 64
 };
 
 /// The memory of a run.

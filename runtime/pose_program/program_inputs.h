@@ -25,8 +25,9 @@ struct ExternalPose {
   ContentVersion version = 0;
 };
 
-/// Space of an overriding transform. `model` is the space above all root joints, below FrameInput::root.
-enum class OverrideSpace : std::uint8_t { local, model };
+/// Space of an overriding transform. `model` is the space above all root joints, below FrameInput::root; `world` is the
+/// space above that root.
+enum class OverrideSpace : std::uint8_t { local, model, world };
 
 /// A joint that the caller places.
 struct JointOverride {
@@ -41,9 +42,12 @@ struct JointOverrides {
   ContentVersion version = 0;
 };
 
-/// Joint weights of the caller, which multiply the weight of an operation.
-struct JointMask {
-  std::span<const float> weights;  ///< [joints of the plan's poses] finite, >= 0
+/// Weights of the caller that multiply the weight of an operation, for each number of a pose. All are finite and >= 0.
+/// An empty list stands for ones.
+struct PoseMask {
+  std::span<const float> joints;      ///< [joints of the plan's poses]
+  std::span<const float> weights;     ///< [W] for the morph weights
+  std::span<const float> properties;  ///< [P] for the animated properties
   ContentVersion version = 0;
 };
 
@@ -70,7 +74,7 @@ struct PoseProgramInputs {
   std::span<const ExternalPose> externals = {};
   std::span<const JointOverrides> overrides = {};
   std::span<const PoseProcedure> procedures = {};
-  std::span<const JointMask> masks = {};  ///< indices continue after the shared masks
+  std::span<const PoseMask> masks = {};  ///< indices continue after the shared masks
 
   /// [operations] or empty: the part of the operation's clip that holds the keys for its time (paging/paged_clip.h).
   /// Null = the clip itself holds them.

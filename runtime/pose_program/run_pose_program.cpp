@@ -16,8 +16,8 @@ void run_unchecked(const PoseProgramJob& job) noexcept {
   PoseProgramWork uncounted;
   const PoseSlotLayout layout(*job.assets, room_of(job.program));
   const PoseSlots slots(layout, job.memory.data(), {job.pose, job.weights, job.properties});
-  PoseMachine machine(*job.assets, job.assets->rest, job.inputs, slots, job.work != nullptr ? *job.work : uncounted,
-                      job.clock);
+  PoseMachine machine(*job.assets, job.assets->rest, job.inputs, job.root, slots,
+                      job.work != nullptr ? *job.work : uncounted, job.clock);
   const ReadProperties properties(job.program, !job.properties.empty());
   const std::span<const Clip* const> pages = job.inputs.pages;
   const std::size_t end = std::min(job.end, job.program.size());

@@ -9,6 +9,7 @@
 #include "runtime/base/run_job.h"
 #include "runtime/clip/clip.h"
 #include "runtime/clip/clip_tracks.h"
+#include "runtime/math/affine.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/pose.h"
 #include "runtime/pose_program/pose_program.h"
@@ -63,7 +64,8 @@ SINEW_API std::size_t pose_program_bytes(const PoseProgramAssets& assets, const 
 ///      add       AddPoseJob;   override_joints   mix of the pose's local transform and the given one, brought to the
 ///                parent's space
 ///      inertialize, dead_blend   InertializeJob, DeadBlendJob; a job evaluates their operands each time
-///      Morph weights and properties follow the same rules without masks; additions leave properties as they are.
+///      Morph weights and properties follow the same rules, with the masks that are given for them; additions leave
+///      properties as they are.
 /// in   memory     64-byte aligned, pose_program_bytes
 ///      first, end  the operations to run in this call. With first > 0, memory and output hold the state after
 ///      operation first - 1. A caller may thus look at the pose between two calls, and change it.
@@ -85,6 +87,7 @@ struct PoseProgramJob {
   PosePhaseClock clock = {};
   std::size_t first = 0, end = kMostPoseOps;
   bool holds_clip = false;
+  Affine root = {};  ///< world transform above all root joints, for OverrideSpace::world
 };
 
 SINEW_API ErrorCode check(const PoseProgramJob& job) noexcept;

@@ -16,6 +16,12 @@ ErrorCode check_leader(const Plan& plan, std::uint32_t joint) noexcept {
   return joint < plan.scene().skeleton.joint_count() ? ErrorCode::ok : ErrorCode::index_out_of_range;
 }
 
+/// Checks that a character's memory holds the lists of this input, and that its plan allows cuts if the input has one.
+ErrorCode check_room(const Character& character, const FrameInput& input, std::size_t ops_before_cut) noexcept {
+  if (ops_before_cut != 0 && !character.plan.needs().in.cut) return ErrorCode::not_in_needs;
+  return character.inputs[0].frame.check_room(input);
+}
+
 }  // namespace
 
 bool CharacterRegistry::has(Id id) const noexcept {
@@ -34,8 +40,9 @@ CharacterRegistry::Id CharacterRegistry::add(const Plan& plan) {
     make_room(slots_, count);
     make_room(ids_, count);
     make_room(free_indices_, count);  // so that removing a character allocates nothing
-    make_room(index_of_entry_, count);
-    roster_.reserve(count);
+    make_room(indices_, count);
+    order_.reserve(count);
+    roster_.reserve(count, links_.size());
     slots_.emplace_back();
     free_indices_.push_back(static_cast<std::uint32_t>(slots_.size() - 1));
   }
@@ -43,7 +50,6 @@ CharacterRegistry::Id CharacterRegistry::add(const Plan& plan) {
   free_indices_.pop_back();
   Slot& slot = slots_[index];
   slot.now = std::move(character);
-  slot.leader = kNobody;
   const Id id = slot.generation << kIndexBits | index;
   ids_.push_back(id);
   is_current_ = false;
@@ -68,22 +74,26 @@ ErrorCode CharacterRegistry::remove(Id id) {
   // An index whose generations are used up is not used again.
   if (++slot.generation < Id{1} << (32 - kIndexBits)) free_indices_.push_back(index_of(id));
   ids_.erase(std::find(ids_.begin(), ids_.end(), id));
+  std::erase_if(links_,
+                [index = index_of(id)](const FollowLink& l) { return l.follower == index || l.leader == index; });
   is_current_ = false;
   return ErrorCode::ok;
 }
 
 ErrorCode CharacterRegistry::replace(Id id, const Plan& plan) {
   if (!has(id)) return ErrorCode::unknown_character;
-  for (const Id follower : ids_)
-    if (slot_of(follower).leader == id)
-      if (const ErrorCode error = check_leader(plan, slot_of(follower).joint); error != ErrorCode::ok) return error;
+  for (const FollowLink& link : links_)
+    if (link.leader == index_of(id))
+      if (const ErrorCode error = check_leader(plan, link.joint); error != ErrorCode::ok) return error;
   auto next = std::make_unique<Character>(plan, frame_buffers_, memory_);
   make_room_to_retire(2);  // from here on nothing throws
   Slot& slot = slot_of(id);
   if (slot.now->input_of_frame != 0) {
-    const FrameInput input = slot.now->inputs[slot.now->newest_input].view();
-    if (next->inputs[0].check_room(input) == ErrorCode::ok) {
-      next->inputs[0].assign(input);
+    const StoredInput& kept = slot.now->inputs[slot.now->newest_input];
+    const FrameInput input = kept.frame.view();
+    if (check_room(*next, input, kept.ops_before_cut) == ErrorCode::ok) {
+      next->inputs[0].frame.assign(input);
+      next->inputs[0].ops_before_cut = kept.ops_before_cut;
       next->input_of_frame = slot.now->input_of_frame;
     }
   }
@@ -97,26 +107,33 @@ ErrorCode CharacterRegistry::replace(Id id, const Plan& plan) {
   return ErrorCode::ok;
 }
 
-ErrorCode CharacterRegistry::follow(Id follower, Id leader, std::uint32_t joint) {
+ErrorCode CharacterRegistry::follow(Id follower, Id leader, std::uint32_t joint, const FollowPlace& place) {
   if (!has(follower) || !has(leader)) return ErrorCode::unknown_character;
+  if (place.kind == FollowKind::procedure && place.matrix == nullptr) return ErrorCode::size_mismatch;
   if (const ErrorCode error = check_leader(slot_of(leader).now->plan, joint); error != ErrorCode::ok) return error;
-  for (Id above = leader; above != kNobody && has(above); above = slot_of(above).leader)
-    if (above == follower) return ErrorCode::follows_itself;
-  slot_of(follower).leader = leader;
-  slot_of(follower).joint = joint;
+  if (follows(links_, slots_.size(), index_of(leader), index_of(follower))) return ErrorCode::follows_itself;
+  make_room(links_, links_.size() + 1);
+  roster_.reserve(ids_.size(), links_.size() + 1);  // from here on nothing throws
+  (void)stop_following(follower, place);
+  const FollowLink link{index_of(follower), index_of(leader), joint, place};
+  const auto before = [](const FollowLink& a, const FollowLink& b) { return a.follower < b.follower; };
+  links_.insert(std::upper_bound(links_.begin(), links_.end(), link, before), link);
   is_current_ = false;
   return ErrorCode::ok;
 }
 
-ErrorCode CharacterRegistry::stop_following(Id follower) {
+ErrorCode CharacterRegistry::stop_following(Id follower, const FollowPlace& place) {
   if (!has(follower)) return ErrorCode::unknown_character;
-  slot_of(follower).leader = kNobody;
+  std::erase_if(links_, [&](const FollowLink& link) {
+    return link.follower == index_of(follower) && link.place.is_same_place(place);
+  });
   is_current_ = false;
   return ErrorCode::ok;
 }
 
-ErrorCode CharacterRegistry::check_input(Id id, const FrameInput& input) const noexcept {
-  return has(id) ? slot_of(id).now->inputs[0].check_room(input) : ErrorCode::unknown_character;
+ErrorCode CharacterRegistry::check_input(const GivenInput& given) const noexcept {
+  if (!has(given.id)) return ErrorCode::unknown_character;
+  return check_room(*slot_of(given.id).now, given.input, given.ops_before_cut);
 }
 
 void CharacterRegistry::begin_frame(std::uint64_t number, std::uint64_t finished) noexcept {
@@ -124,55 +141,37 @@ void CharacterRegistry::begin_frame(std::uint64_t number, std::uint64_t finished
   std::erase_if(retired_, [finished](const Retired& retired) { return retired.last_frame <= finished; });
 }
 
-void CharacterRegistry::assign_input(Id id, const FrameInput& input) {
-  Slot& slot = slot_of(id);
+void CharacterRegistry::assign_input(const GivenInput& given) {
+  Slot& slot = slot_of(given.id);
   Character& character = *slot.now;
   if (character.input_of_frame != frame_) character.newest_input ^= 1;  // else this submit lists the character twice
   character.input_of_frame = frame_;
-  InputCopy& copy = character.inputs[character.newest_input];
-  copy.assign(input);
-  if (is_current_) roster_.entries[slot.entry].input = &copy;
+  StoredInput& stored = character.inputs[character.newest_input];
+  stored.frame.assign(given.input);
+  stored.ops_before_cut = given.ops_before_cut;
+  if (is_current_) roster_.entries[slot.entry].input = &stored;
 }
 
-/// Makes the list of followers of each character, in the order in which they were added.
-void CharacterRegistry::list_followers() noexcept {
-  constexpr std::uint32_t kEnd = kMostIndices;
-  for (const Id id : ids_) slot_of(id).first_follower = kEnd;
-  for (std::size_t i = ids_.size(); i-- > 0;) {
-    Slot& slot = slot_of(ids_[i]);
-    if (!has(slot.leader)) slot.leader = kNobody;  // the leader was removed
-    if (slot.leader == kNobody) continue;
-    slot.next_follower = slot_of(slot.leader).first_follower;
-    slot_of(slot.leader).first_follower = index_of(ids_[i]);
-  }
+void CharacterRegistry::append_to_roster(const FollowOrder::Position& position) noexcept {
+  Slot& slot = slots_[position.index];
+  const Character& character = *slot.now;
+  slot.entry = static_cast<std::uint32_t>(roster_.entries.size());
+  const auto first_link = static_cast<std::uint32_t>(roster_.links.size());
+  for (const FollowLink& link : links_of(links_, position.index))
+    roster_.links.push_back({slots_[link.leader].entry, link.joint, link.place});
+  roster_.append({.character = slot.now.get(),
+                  .input = character.input_of_frame != 0 ? &character.inputs[character.newest_input] : nullptr,
+                  .first_link = first_link,
+                  .link_count = static_cast<std::uint32_t>(roster_.links.size()) - first_link},
+                 position.begins_group, part_bytes_);
 }
 
 const Roster& CharacterRegistry::roster() noexcept {
   if (is_current_) return roster_;
-  list_followers();
   roster_.clear();
-  index_of_entry_.clear();
-  const auto append = [&](std::uint32_t index, std::uint32_t leader) {
-    Slot& slot = slots_[index];
-    const Character& character = *slot.now;
-    slot.entry = static_cast<std::uint32_t>(roster_.entries.size());
-    roster_.append({.character = slot.now.get(),
-                    .input = character.input_of_frame != 0 ? &character.inputs[character.newest_input] : nullptr,
-                    .leader = leader,
-                    .joint = slot.joint},
-                   part_bytes_);
-    index_of_entry_.push_back(index);
-  };
-  for (const Id id : ids_) {
-    if (slot_of(id).leader != kNobody) continue;
-    // All direct and indirect followers come after their leader.
-    std::size_t next = roster_.entries.size();
-    append(index_of(id), Roster::kNoLeader);
-    for (; next < roster_.entries.size(); ++next)
-      for (std::uint32_t f = slots_[index_of_entry_[next]].first_follower; f != kMostIndices;
-           f = slots_[f].next_follower)
-        append(f, static_cast<std::uint32_t>(next));
-  }
+  indices_.clear();
+  for (const Id id : ids_) indices_.push_back(index_of(id));
+  for (const FollowOrder::Position& position : order_.sort(indices_, links_)) append_to_roster(position);
   is_current_ = true;
   return roster_;
 }
@@ -194,6 +193,12 @@ const FrameResult* CharacterRegistry::latest(Id id) noexcept {
     return result;
   }
   return slot.before != nullptr ? newest(*slot.before) : nullptr;
+}
+
+const CutPose* CharacterRegistry::cut_pose(Id id) const noexcept {
+  if (!has(id)) return nullptr;
+  const Character& character = *slot_of(id).now;
+  return character.later == Later::second_half ? &character.cut : nullptr;
 }
 
 }  // namespace sinew

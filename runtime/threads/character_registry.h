@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/base/result.h"
+#include "runtime/threads/follow_order.h"
 #include "runtime/threads/roster.h"
 
 namespace sinew {
@@ -32,14 +33,21 @@ class CharacterRegistry {
   Id add(const Plan& plan);
   ErrorCode remove(Id id);
   ErrorCode replace(Id id, const Plan& plan);
-  ErrorCode follow(Id follower, Id leader, std::uint32_t joint);
-  ErrorCode stop_following(Id follower);
+  ErrorCode follow(Id follower, Id leader, std::uint32_t joint, const FollowPlace& place);
+  ErrorCode stop_following(Id follower, const FollowPlace& place);
+  std::size_t link_count() const noexcept { return links_.size(); }
 
-  ErrorCode check_input(Id id, const FrameInput& input) const noexcept;
+  /// An input of the caller.
+  struct GivenInput {
+    Id id;
+    const FrameInput& input;
+    std::size_t ops_before_cut;
+  };
+  ErrorCode check_input(const GivenInput& given) const noexcept;
   /// Inputs assigned from now on belong to frame `number`. Frees characters that no frame after `finished` uses.
   void begin_frame(std::uint64_t number, std::uint64_t finished) noexcept;
   /// Copies an input that check_input() accepts. Later frames use the copy, too, until another input is assigned.
-  void assign_input(Id id, const FrameInput& input);
+  void assign_input(const GivenInput& given);
   /// All characters with their newest inputs.     cost  O(1), O(characters) after they have changed; allocates nothing
   const Roster& roster() noexcept;
 
@@ -47,21 +55,18 @@ class CharacterRegistry {
   bool can_write() const noexcept;
   /// The newest published result, unchanged until the next call for the character; null before the first.
   const FrameResult* latest(Id id) noexcept;
+  /// The pose of a character at the cut of the frame that waits; null if it does not stop there.
+  const CutPose* cut_pose(Id id) const noexcept;
 
  private:
   static constexpr std::uint32_t kIndexBits = 20;
   static constexpr Id kMostIndices = Id{1} << kIndexBits;
-  static constexpr Id kNobody = ~Id{0};
 
   struct Slot {
     std::unique_ptr<Character> now;     // null = no character has the index
     std::unique_ptr<Character> before;  // the replaced one, shown until `now` has a result
     Id generation = 0;
-    Id leader = kNobody;
-    std::uint32_t joint = 0;
     std::uint32_t entry = 0;  // index in the roster, while the roster is current
-    // Followers as a list of indices, made together with the roster.
-    std::uint32_t first_follower = 0, next_follower = 0;
   };
   /// A character that left. Frames up to `last_frame` may still run it.
   struct Retired {
@@ -74,7 +79,7 @@ class CharacterRegistry {
   const Slot& slot_of(Id id) const noexcept { return slots_[index_of(id)]; }
   void make_room_to_retire(std::size_t count);
   void retire(std::unique_ptr<Character>& character) noexcept;
-  void list_followers() noexcept;
+  void append_to_roster(const FollowOrder::Position& position) noexcept;
 
   std::uint8_t frame_buffers_;
   std::size_t part_bytes_;
@@ -84,8 +89,10 @@ class CharacterRegistry {
   std::vector<Id> ids_;
   std::vector<Retired> retired_;
   std::size_t shown_in_place_ = 0;  // slots with a `before`, for which retired_ has room
-  std::vector<std::uint32_t> index_of_entry_;
-  std::uint64_t frame_ = 0;  // number of the newest frame that was begun
+  std::vector<FollowLink> links_;   // sorted by follower
+  FollowOrder order_;
+  std::vector<std::uint32_t> indices_;  // of ids_, for the order
+  std::uint64_t frame_ = 0;             // number of the newest frame that was begun
   Roster roster_;
   bool is_current_ = true;  // the roster fits the characters
 };

@@ -40,17 +40,19 @@ struct JobThread::State {
   }
 
   bool has_own_thread() const noexcept { return worker.joinable(); }
-  bool has_task() const noexcept { return in_flight ? next_task < crowd.task_count() : has_queued; }
+  bool has_task() const noexcept { return in_flight ? !at_cut && next_task < crowd.task_count() : has_queued; }
 
   void work() noexcept;
   void start_queued() noexcept;
   void run_by_executor();
+  void end_tasks() noexcept;
   void finish() noexcept;
+  ErrorCode resume() noexcept;
   bool run_next_task() noexcept;
   std::optional<std::size_t> take_task() noexcept;
   bool poll();
-  template <class Id, class Input>
-  Result<Ticket> submit(std::size_t count, const Id& id, const Input& input);
+  template <class Given>
+  Result<Ticket> submit(std::size_t count, const Given& given);
   template <class Condition>
   void wait_until(std::unique_lock<std::mutex>& lock, const Condition& holds);
 
@@ -64,6 +66,7 @@ struct JobThread::State {
   std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
   // Guarded by the mutex.
   bool has_queued = false, in_flight = false, stop = false;
+  bool at_cut = false;        // the frame in flight waits for resume()
   std::size_t next_task = 0;  // next task of the frame in flight; used without a thread of its own
   Ticket last_submitted = 0, running = 0;
 
@@ -75,12 +78,12 @@ struct JobThread::State {
 void JobThread::State::work() noexcept {
   std::unique_lock lock(mutex);
   for (;;) {
-    changed.wait(lock, [this] { return stop || has_queued; });
+    changed.wait(lock, [this] { return stop || (in_flight ? !at_cut : has_queued); });
     if (stop) return;
-    start_queued();
+    if (!in_flight) start_queued();
     lock.unlock();
     run_by_executor();
-    finish();
+    end_tasks();
     lock.lock();
   }
 }
@@ -103,7 +106,25 @@ void JobThread::State::run_by_executor() {
   CONTRACT(crowd.tasks_run() == count);
 }
 
-/// Called when all tasks of the frame in flight have ended. A thread that learns of this by done() may destroy the job
+/// Called when all tasks of the frame in flight have ended: it waits at its cut, or is finished.
+void JobThread::State::end_tasks() noexcept {
+  if (!crowd.stops_at_cut()) return finish();
+  const std::lock_guard lock(mutex);
+  at_cut = true;
+  changed.notify_all();
+}
+
+ErrorCode JobThread::State::resume() noexcept {
+  const std::lock_guard lock(mutex);
+  if (!at_cut) return ErrorCode::no_cut;
+  crowd.start_second_half();
+  at_cut = false;
+  next_task = 0;
+  changed.notify_all();
+  return ErrorCode::ok;
+}
+
+/// Publishes the results. A thread that learns of this by done() may destroy the job
 /// thread as soon as the mutex is free.
 void JobThread::State::finish() noexcept {
   error.store(crowd.publish(), std::memory_order_release);
@@ -123,7 +144,7 @@ std::optional<std::size_t> JobThread::State::take_task() noexcept {
 bool JobThread::State::run_next_task() noexcept {
   const std::optional<std::size_t> task = take_task();
   if (!task) return false;
-  if (crowd.run_task(*task)) finish();
+  if (crowd.run_task(*task)) end_tasks();
   return true;
 }
 
@@ -142,19 +163,18 @@ bool JobThread::State::poll() {
   return true;
 }
 
-/// in   id, input  return the i-th of `count` characters with a new input, and that input
-template <class Id, class Input>
-Result<Ticket> JobThread::State::submit(std::size_t count, const Id& id, const Input& input) {
+/// in   given  returns the i-th of `count` new inputs
+template <class Given>
+Result<Ticket> JobThread::State::submit(std::size_t count, const Given& given) {
   Ticket ticket = 0;
   {
     const std::lock_guard lock(mutex);
     for (std::size_t i = 0; i < count; ++i)
-      if (const ErrorCode code = registry.check_input(id(i), input(i)); code != ErrorCode::ok)
-        return tl::unexpected(code);
+      if (const ErrorCode code = registry.check_input(given(i)); code != ErrorCode::ok) return tl::unexpected(code);
     if (has_queued || (double_buffered && (in_flight || !registry.can_write()))) return tl::unexpected(ErrorCode::busy);
     ticket = last_submitted + 1;
     registry.begin_frame(ticket, finished.load(std::memory_order_acquire));
-    for (std::size_t i = 0; i < count; ++i) registry.assign_input(id(i), input(i));
+    for (std::size_t i = 0; i < count; ++i) registry.assign_input(given(i));
     crowd.queue(registry.roster());
     last_submitted = ticket;
     has_queued = true;
@@ -198,7 +218,7 @@ JobThread::Character JobThread::add_character(const Plan& plan) {
   CONTRACT(plan.is_compiled() && "a character needs a plan that compile_plan made");
   {
     const std::lock_guard lock(state_->mutex);
-    state_->crowd.make_room(character_count() + 1);
+    state_->crowd.make_room(character_count() + 1, state_->registry.link_count());
   }
   return state_->registry.add(plan);
 }
@@ -210,26 +230,32 @@ ErrorCode JobThread::replace_plan(Character character, const Plan& plan) {
   return state_->registry.replace(character, plan);
 }
 
-ErrorCode JobThread::follow(Character follower, Character leader, std::uint32_t joint) {
-  return state_->registry.follow(follower, leader, joint);
+ErrorCode JobThread::follow(Character follower, Character leader, std::uint32_t joint, const FollowPlace& place) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->crowd.make_room(character_count(), state_->registry.link_count() + 1);
+  }
+  return state_->registry.follow(follower, leader, joint, place);
 }
 
-ErrorCode JobThread::stop_following(Character follower) { return state_->registry.stop_following(follower); }
+ErrorCode JobThread::stop_following(Character follower, const FollowPlace& place) {
+  return state_->registry.stop_following(follower, place);
+}
 
 std::span<const JobThread::Character> JobThread::characters() const noexcept { return state_->registry.ids(); }
 
 Result<Ticket> JobThread::submit(std::span<const FrameInput> inputs) {
   const std::span<const Character> ids = characters();
   if (inputs.size() != ids.size()) return tl::unexpected(ErrorCode::size_mismatch);
-  return state_->submit(
-      inputs.size(), [&](std::size_t i) { return ids[i]; },
-      [&](std::size_t i) -> const FrameInput& { return inputs[i]; });
+  return state_->submit(inputs.size(), [&](std::size_t i) {
+    return CharacterRegistry::GivenInput{ids[i], inputs[i], 0};
+  });
 }
 
 Result<Ticket> JobThread::submit(std::span<const CharacterInput> changed) {
-  return state_->submit(
-      changed.size(), [&](std::size_t i) { return changed[i].character; },
-      [&](std::size_t i) -> const FrameInput& { return changed[i].input; });
+  return state_->submit(changed.size(), [&](std::size_t i) {
+    return CharacterRegistry::GivenInput{changed[i].character, changed[i].input, changed[i].ops_before_cut};
+  });
 }
 
 Ticket JobThread::last_submitted() const noexcept {
@@ -241,14 +267,22 @@ bool JobThread::done(Ticket ticket) const noexcept {
   return state_->finished.load(std::memory_order_acquire) >= ticket;
 }
 
-void JobThread::wait(Ticket ticket) const {
+bool JobThread::wait(Ticket ticket) const {
   std::unique_lock lock(state_->mutex);
   CONTRACT(ticket <= state_->last_submitted);
-  state_->wait_until(lock, [&] { return done(ticket); });
+  state_->wait_until(lock, [&] { return done(ticket) || state_->at_cut; });
+  return done(ticket);
 }
 
+const CutPose* JobThread::cut_pose(Character character) const noexcept {
+  const std::lock_guard lock(state_->mutex);
+  return state_->at_cut ? state_->registry.cut_pose(character) : nullptr;
+}
+
+ErrorCode JobThread::resume() noexcept { return state_->resume(); }
+
 void JobThread::Task::operator()() const noexcept {
-  if (state_->crowd.run_task(index_)) state_->finish();
+  if (state_->crowd.run_task(index_)) state_->end_tasks();
 }
 
 std::optional<JobThread::Task> JobThread::take_task() noexcept {

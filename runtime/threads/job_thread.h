@@ -2,9 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <memory_resource>
 #include <optional>
 #include <span>
 
@@ -12,45 +10,31 @@
 
 #include "runtime/base/api.h"
 #include "runtime/base/result.h"
+#include "runtime/plan/cut_pose.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/threads/follow_place.h"
+#include "runtime/threads/job_thread_options.h"
 
 namespace sinew {
 
 /// Names one submitted frame: 1 for the first, rising by one per submit. FrameResult::frame of its results is the same.
 using Ticket = std::uint64_t;
 
-/// Runs `body(i)` exactly once for every i in [0, count), on any threads, and returns when all are done. It must not
-/// throw. An engine passes its own job system here. Results are the same bits whichever thread runs which i. Each i
-/// evaluates several characters, some microseconds of work, so the executor need not group them.
-using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
-
-struct JobThreadOptions {
-  /// Empty = oneTBB, or sinew's own pool in builds without it. If own_thread is false, empty = the thread that polls.
-  Executor executor;
-  /// A frame is one task, and is not handed to the executor, if the sum of Plan::frame_bytes() of all characters is
-  /// below this. That sum grows with the work. Waking sleeping threads takes as long as this much work.
-  std::size_t inline_below_bytes = std::size_t{1} << 19;
-  /// A task takes consecutive characters until the sum of their Plan::frame_bytes() reaches this.
-  std::size_t part_bytes = std::size_t{1} << 17;
-  /// Allocates frame buffers and copies of inputs; null = operator new. Must outlive the job thread. Only the thread
-  /// that submits calls it: when characters are added, replaced or removed, and in the destructor.
-  std::pmr::memory_resource* frame_memory = nullptr;
-  bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
-  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit returns busy until the frame
-  /// before is finished and latest() has taken its result of every character.
-  std::uint8_t frame_buffers = 3;
-};
-
-SINEW_API ErrorCode check(const JobThreadOptions& options) noexcept;  ///< unsupported: neither 2 nor 3 frame buffers
-
 /// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
 /// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the
 /// worker unless it calls wait().
 ///
-/// Without a thread of its own a submitted frame waits for the engine. This is for engines whose jobs are fibres, or
-/// that have only one thread. poll() runs the frame, or take_task() hands it out in pieces for any threads or fibres.
-/// The last task to end publishes the results. No call but wait() and the destructor blocks.
+/// Without a thread of its own a submitted frame waits for the engine, whose jobs may be fibres. poll() runs the frame,
+/// or take_task() hands it out in pieces for any threads or fibres. The last task to end publishes the results. No call
+/// but wait() and the destructor blocks.
 ///
+/// Frames may stop at a cut (CharacterInput::ops_before_cut): the caller looks at poses and changes them, then the
+/// frame goes on. Results are those of run_from_cut (cut_frame.h), and all are published together:
+///     const Ticket ticket = *jobs.submit(changed);
+///     while (!jobs.wait(ticket)) {  // true: done; false: the frame waits at its cut
+///       for (Body& body : bodies) body.place(*jobs.cut_pose(body.character));
+///       jobs.resume();
+///     }
 /// Characters may be added, removed and given other plans at any time. Such changes apply from the next submit on, not
 /// to frames that are queued or running.
 /// owns  one worker thread unless own_thread is false, the frame buffers of all characters
@@ -66,11 +50,14 @@ class SINEW_API JobThread {
   struct CharacterInput {
     Character character = 0;
     FrameInput input;
+    /// Operations of the program that run before the cut, as in run_to_cut; kMostPoseOps = all. 0 = no cut. Needs
+    /// Needs::in.cut. A kept input stops again in each frame, unless it is asleep.
+    std::size_t ops_before_cut = 0;
   };
 
   explicit JobThread(JobThreadOptions options = {});
-  /// Finishes the frame in flight and drops the queued one. Without a thread of its own it drops the tasks that were
-  /// not taken; tasks that were taken must have ended.
+  /// Finishes the frame in flight, or drops it at its cut, and drops the queued one. Without a thread of its own it
+  /// drops the tasks that were not taken; tasks that were taken must have ended.
   ~JobThread();
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
@@ -84,15 +71,18 @@ class SINEW_API JobThread {
   /// the first frame of the new plan is done. Its input stays, if the plan has room for it.
   /// err  unknown_character, index_out_of_range and not_in_needs (followers need a joint that the plan does not show)
   ErrorCode replace_plan(Character character, const Plan& plan);
-  /// Places the root of a character's input on a joint of another character in the same frame: a rider on a horse, a
-  /// prop in a hand. While the leader is out of view, its followers are not run.
-  /// eq   root' = M_joint root,   M_joint the world matrix of the leader's joint
+  /// Places the root of a character's input, an override or the target of a procedure on a joint of another character
+  /// in the same frame (follow_place.h). Each place has one leader at most; the last call counts. While the leader of
+  /// its root is out of view, a follower is not run; other places then keep what the input says. Characters that
+  /// follow each other, by any number of steps, run one after the other.
   /// err  unknown_character, follows_itself (the leader follows the character, by any number of steps),
-  ///      index_out_of_range (joint), not_in_needs (the leader's plan has no Needs::out.joints)
-  ErrorCode follow(Character follower, Character leader, std::uint32_t joint);
+  ///      index_out_of_range (joint), not_in_needs (the leader's plan has no Needs::out.joints), size_mismatch (a
+  ///      procedure without a matrix). last_error() tells of inputs that lack the place: index_out_of_range,
+  ///      unsupported (an override in local space), rank_deficient (the follower's root has no inverse)
+  ErrorCode follow(Character follower, Character leader, std::uint32_t joint, const FollowPlace& place = {});
   /// err  unknown_character
-  ErrorCode stop_following(Character follower);
-  /// All characters, in the order in which they were added; valid until one is added or removed.
+  ErrorCode stop_following(Character follower, const FollowPlace& place = {});
+  /// All characters in the order of adding; valid until one is added or removed.
   std::span<const Character> characters() const noexcept;
   std::size_t character_count() const noexcept { return characters().size(); }
 
@@ -102,14 +92,24 @@ class SINEW_API JobThread {
   Result<Ticket> submit(std::span<const FrameInput> inputs);
   /// Queues one frame in which these inputs are new. All other characters keep their last input, so the pages and
   /// procedures that it refers to must stay valid. A character that never had an input is not run.
-  /// err  those above, unknown_character
+  /// err  those above, unknown_character, not_in_needs (a cut)
   Result<Ticket> submit(std::span<const CharacterInput> changed);
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet
   bool done(Ticket ticket) const noexcept;
-  /// Blocks until the frame is done. Without a thread of its own it runs the pending frame as poll() does, then waits
-  /// for tasks that other threads have taken.
-  void wait(Ticket ticket) const;
+  /// Blocks until the frame is done, or it or the frame before it waits at its cut. Without a thread of its own it runs
+  /// the pending frame as poll() does, then waits for tasks that other threads have taken.
+  /// out  done(ticket)
+  bool wait(Ticket ticket) const;
+
+  /// The pose of a character whose frame waits at its cut; the caller may write it until resume(). Null if no frame
+  /// waits, or the character does not stop there, was removed or got another plan since. A follower sees a leader that
+  /// stops as well as it is at the cut, and a leader that runs after the cut as in its last result. The second half
+  /// uses the final joints, for the root and for the operations that are left.
+  const CutPose* cut_pose(Character character) const noexcept;
+  /// Lets the frame that waits at its cut go on. Followers of characters that stopped run now.
+  /// err  no_cut (no frame waits). A pose with NaN or infinity is reported by last_error() as not_finite
+  ErrorCode resume() noexcept;
 
   /// Evaluates some characters of one frame. A task is a small value: two machine words.
   class SINEW_API Task {

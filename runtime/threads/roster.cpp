@@ -5,14 +5,15 @@
 
 namespace sinew {
 
-void Roster::reserve(std::size_t count) {
+void Roster::reserve(std::size_t count, std::size_t link_count) {
   make_room(entries, count);
+  make_room(links, link_count);
   make_room(part_end, count);
 }
 
-void Roster::append(const Entry& entry, std::size_t part_bytes) {
+void Roster::append(const Entry& entry, bool begins_group, std::size_t part_bytes) {
   entries.push_back(entry);
-  if (part_end.empty() || (!entry.follows() && last_part_bytes_ >= part_bytes)) {
+  if (part_end.empty() || (begins_group && last_part_bytes_ >= part_bytes)) {
     part_end.push_back(0);
     last_part_bytes_ = 0;
   }
@@ -23,6 +24,7 @@ void Roster::append(const Entry& entry, std::size_t part_bytes) {
 
 void Roster::clear() noexcept {
   entries.clear();
+  links.clear();
   part_end.clear();
   bytes = 0;
   last_part_bytes_ = 0;

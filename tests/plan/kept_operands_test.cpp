@@ -86,6 +86,31 @@ TEST_F(kept_operands, are_found_again_where_another_transition_begins_or_ends) {
   EXPECT_EQ(started, (std::vector<std::uint64_t>{1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
+// A program between updates: the later pose lies over the earlier one by the part of the way.
+TEST_F(kept_operands, are_poses_between_updates_each_sampled_once) {
+  Needs needs = plan_.needs();
+  needs.in.between_updates = true;
+  const Plan plan = compile_plan(lend(scene_), needs);
+  FrameBuffer by_program(plan_), by_layers(plan);
+  for (int i = 0; i < 12; ++i) {
+    const double from_s = 0.1 * (i / 4), to_s = from_s + 0.1;
+    const float way = 0.25f * static_cast<float>(i % 4);
+    const PoseProgram program = PoseProgram().sample(0, from_s).cached().sample(0, to_s).cached(way).overlay();
+    const WorkCounters work = run_both(input(program), by_program);
+    EXPECT_EQ(work.clips_sampled, i == 0 ? 2u : i % 4 == 0 ? 1u : 0u) << i;
+    const ClipLayer from{0, from_s}, to{0, to_s};
+    FrameInput layered{.layers = {&from, 1}, .weights = {}, .root = {}};
+    layered.next_layers = {&to, 1};
+    layered.interpolation_factor = way;
+    ASSERT_EQ(run_plan(plan, layered, by_layers), ErrorCode::ok);
+    for (std::size_t j = 0; j < scene_.skeleton.joint_count(); ++j) {
+      const Transform a = by_program.result().local.get(j), b = by_layers.result().local.get(j);
+      EXPECT_LT(glm::distance(a.translation, b.translation), 1e-6f);
+      EXPECT_GT(std::abs(quat_dot(a.rotation, b.rotation)), 1.0f - 1e-6f);
+    }
+  }
+}
+
 TEST_F(kept_operands, of_the_caller_stand_by_their_versions) {
   FrameBuffer frame(plan_);
   const auto started = [&](double progress) {

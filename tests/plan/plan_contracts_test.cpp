@@ -292,7 +292,7 @@ TEST(plan_contracts, why_refused_names_field_index_and_rule) {
   };
   EXPECT_EQ(why(), "");
   layers[1].weight = -1.0f;
-  EXPECT_EQ(why(), "layers[1].weight: a weight is below 0");
+  EXPECT_EQ(why(), "layers[1].weight: a weight is below 0, and only additive layers subtract");
   layers[1] = {99, 0.6};
   EXPECT_EQ(why(), "layers[1].clip: the plan was compiled for fewer clips");
   layers[1] = {1, 0.6, 0.5f, kNone, LayerKind::add_to_rest};

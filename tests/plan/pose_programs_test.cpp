@@ -13,6 +13,7 @@
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/pose_memory.h"
 #include "tests/plan/frame_equality.h"
+#include "tests/plan/program_scene.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -21,58 +22,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr PoseProgramRoom kRoom{.ops = 24,
-                                .slots = 6,
-                                .externals = 1,
-                                .overrides = 1,
-                                .masks = 3,
-                                .procedures = 1,
-                                .overridden_joints = 4,
-                                .overlays_in_model_space = true};
-
-/// A scene, a plan whose frames may be anything, and a pose, a joint and a mask of the caller.
-struct Actor {
-  Scene scene;
-  Plan plan;
-  PoseMemory pose_memory;
-  std::vector<float> pose_weights, mask_weights;
-  ExternalPose external;
-  JointOverride joint;
-  JointOverrides overrides;
-  JointMask mask;
-
-  explicit Actor(std::uint64_t seed, bool cut = false)
-      : scene(random_scene(seed)), plan(lend_plan(scene, cut)), pose_memory(scene.skeleton.joint_count()) {
-    FixedRandom random(seed + 50);
-    for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j) {
-      Transform t = scene.skeleton.rest[j];
-      t.rotation = random.rotation_by(0.5) * t.rotation;
-      pose_memory.span().set(j, t);
-      mask_weights.push_back(j % 2 == 0 ? 1.0f : 0.25f);
-    }
-    for (std::size_t w = 0; w < scene.weight_count(); ++w) pose_weights.push_back(static_cast<float>(random.unit()));
-    external = {pose_memory.span(), pose_weights, {}, 1};
-    const auto last = static_cast<std::uint32_t>(scene.skeleton.joint_count() - 1);
-    joint = {last, {{0.5f, 1, -2}, quat_cast<float>(quat_from_axis_angle(Vec3<double>(1, 0, 0), 0.8)), {1, 1, 1}}};
-    overrides = {{&joint, 1}, 1};
-    mask = {mask_weights, 1};
-  }
-
-  static Plan lend_plan(const Scene& scene, bool cut) {
-    Needs needs{.out = {.palettes = true, .bounds = true}};
-    needs.in.additive = true;
-    needs.in.masks = {std::vector<float>(scene.skeleton.joint_count(), 0.5f)};
-    needs.in.program = kRoom;
-    needs.in.cut = cut;
-    return compile_plan(lend(scene), needs);
-  }
-  FrameInput input(const PoseProgram& program) const {
-    FrameInput input;
-    input.program = program.ops();
-    input.program_inputs = {.externals = {&external, 1}, .overrides = {&overrides, 1}, .masks = {&mask, 1}};
-    return input;
-  }
-};
+using Actor = ProgramScene;
 
 TEST(pose_programs, layers_give_the_bits_of_the_program_that_they_stand_for) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -112,6 +62,27 @@ TEST(pose_programs, layers_name_more_clips_than_operations_can) {
   EXPECT_EQ(run_plan(many, actor.input(PoseProgram().sample(65'534, 0.1)), of_many), ErrorCode::ok);
   for (const std::uint32_t beyond : {65'535u, 65'536u, last})
     EXPECT_EQ(run_plan(many, actor.input(PoseProgram().sample(beyond, 0.1)), of_many), ErrorCode::index_out_of_range);
+}
+
+// Two frames whose cached operands hold a joint still in the world while the character walks away.
+TEST(pose_programs, joints_in_world_space_stay_there_while_the_root_moves) {
+  Actor actor(3);
+  Needs needs = actor.plan.needs();
+  needs.in.program.kept = 1;
+  const Plan plan = compile_plan(lend(actor.scene), needs);
+  actor.joint.space = OverrideSpace::world;
+  const PoseProgram program = PoseProgram().sample(0, 0.3).override_joints(0).cached();
+  FrameBuffer kept(plan);
+  for (const float way : {0.0f, 2.5f, 2.5f}) {
+    FrameInput input = actor.input(program);
+    input.root.row[0].w = way;
+    FrameBuffer fresh(plan);
+    ASSERT_EQ(run_plan(plan, input, kept), ErrorCode::ok) << why_refused(plan, input, kept);
+    ASSERT_EQ(run_plan(plan, input, fresh), ErrorCode::ok);
+    EXPECT_EQ(first_difference(fresh.result(), kept.result()), "") << way;
+    EXPECT_LT(glm::distance(translation_of(kept.result().model[actor.joint.joint]), actor.joint.transform.translation),
+              2e-5f);
+  }
 }
 
 TEST(pose_programs, a_plan_has_up_to_255_masks) {

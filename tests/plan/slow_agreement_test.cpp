@@ -164,9 +164,11 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
                                 {0, 0.9, 0.8f, kNone, LayerKind::add_to_start},
                                 {1, 0.4, 0.5f, 1, LayerKind::add_to_rest},
                                 {1, 0.8, 1.0f, 0},
-                                {0, 0.6, 1.0f, 1, LayerKind::add_to_start}};
+                                {0, 0.6, 1.0f, 1, LayerKind::add_to_start},
+                                {1, 0.5, -0.6f, 0, LayerKind::add_to_rest},
+                                {0, 0.7, -1.0f, kNone, LayerKind::add_to_start}};
     for (const auto& [first, count] :
-         {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}, {3, 2}, {4, 2}, {5, 1}}) {
+         {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}, {3, 2}, {4, 2}, {5, 1}, {5, 2}, {6, 2}}) {
       const FrameInput input{
           .layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
           .weights = {},

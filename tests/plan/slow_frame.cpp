@@ -2,10 +2,12 @@
 #include "tests/plan/slow_frame.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/math/decompose.h"
 #include "runtime/math/normal_transform.h"
 #include "tests/plan/slow_mirror.h"
+#include "tests/reference/mirror_rows.h"
 #include "tests/reference/pose_corrective.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/skinning.h"
@@ -38,7 +40,7 @@ Transformd unmirrored_joint_at(const Scene& scene, const ClipLayer& layer, std::
 Transformd joint_at(const Scene& scene, const Needs& needs, const ClipLayer& layer, std::uint32_t joint) {
   if (!layer.mirrored) return unmirrored_joint_at(scene, layer, joint);
   const MirroredJoint& to = needs.in.mirror->joints[joint];
-  return mirrored_plainly(to, unmirrored_joint_at(scene, layer, to.source));
+  return reference::mirrored_plainly(to, unmirrored_joint_at(scene, layer, to.source));
 }
 
 void sample_into(const WeightTrack& track, double time_s, std::span<double> out) {
@@ -93,8 +95,11 @@ Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput&
     const Quat<double> one = quat_xyzw(0.0, 0.0, 0.0, 1.0),
                        turn = aligned_with(one, added.rotation * quat_conjugate(reference.rotation));
     sum.translation += w * (added.translation - reference.translation);
-    sum.rotation = normalised((one * (1.0 - w) + turn * w) * sum.rotation);
-    sum.scale *= 1.0 + w * (added.scale / reference.scale - 1.0);
+    const double size = std::fabs(w);
+    const Quat<double> part = one * (1.0 - size) + turn * size;
+    const Vec3<double> factor = 1.0 + size * (added.scale / reference.scale - 1.0);
+    sum.rotation = normalised((w < 0.0 ? quat_conjugate(part) : part) * sum.rotation);
+    sum.scale = w < 0.0 ? sum.scale / factor : sum.scale * factor;
   }
   return sum;
 }

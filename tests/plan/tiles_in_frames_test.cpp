@@ -124,12 +124,23 @@ TEST(tiles_in_frames, the_plan_says_how_many_and_frames_count_their_vertices) {
   EXPECT_EQ(frame.result().work.vertices_skinned_in_tiles, skin.count);
 }
 
-TEST(tiles_in_frames, are_left_out_where_vertices_share_no_joints_and_of_other_kinds_of_skinning) {
-  EXPECT_EQ(tiled_primitives(compile_plan(random_scene(3), {})), 0u);
+TEST(tiles_in_frames, serve_dual_quaternions_too_and_are_shared_with_linear_skinning) {
   const Scene scene = tiled_scene(3);
   Needs needs;
   needs.skin.kind = Skinning::dual_quaternion;
-  EXPECT_EQ(tiled_primitives(compile_plan(lend(scene), needs)), 0u);
+  const Plan linear = compile_plan(lend(scene), {}), rigid = compile_plan(lend(scene), needs, linear);
+  ASSERT_GT(tiled_primitives(rigid), 0u);
+  for (std::size_t p = 0; p < rigid.primitives().size(); ++p) {
+    const PrimitiveSkinning &of_linear = linear.compiled()->primitive_skinning[p],
+                            &of_rigid = rigid.compiled()->primitive_skinning[p];
+    if (of_linear.combined != kNone) continue;
+    EXPECT_EQ(of_rigid.tiles, of_linear.tiles) << p;
+  }
+  EXPECT_NE(stage(rigid, "skin_dual_quaternion").reason.find("sorted by joints"), std::string::npos);
+}
+
+TEST(tiles_in_frames, are_left_out_where_vertices_share_no_joints) {
+  EXPECT_EQ(tiled_primitives(compile_plan(random_scene(3), {})), 0u);
   const Plan plan = compile_plan(random_scene(3), {});
   FrameBuffer frame(plan);
   ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);

@@ -8,6 +8,7 @@
 #include "runtime/animation/mirror_animation.h"
 #include "runtime/math/axis_angle.h"
 #include "tests/playback/motion_distance.h"
+#include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
 namespace sinew {
@@ -155,6 +156,31 @@ TEST(root_motion, a_clip_without_length_and_a_root_without_tracks_move_nothing) 
   EXPECT_LT(apart(root_motion({}, {}, kAll, other.advance(5.0)), {}), 1e-15);
 }
 
+TEST(root_motion, headings_are_the_twist_or_the_first_euler_angle) {
+  test::FixedRandom random(3);
+  const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto place = [](const Quat<double>& rotation, RootTurn turn) {
+    BoneAnimation root;
+    root.rotation = {Interpolation::linear, {0.0f}, {quat_cast<float>(rotation)}};
+    return root_place(root, {}, {.turn = turn}, 0.0).real;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const double heading = random.in(-3.14, 3.14);
+    const double lean = random.in(-1.5, 1.5);
+    const double roll = random.in(-3.1, 3.1);
+    const Quat<double> turned =
+        quat_from_axis_angle(y, heading) * quat_from_axis_angle(z, lean) * quat_from_axis_angle(x, roll);
+    EXPECT_LT(test::angle_between(place(turned, RootTurn::heading_euler), quat_from_axis_angle(y, heading)), 2e-5);
+  }
+  const Quat<double> upright = quat_from_axis_angle(y, 0.7) * quat_from_axis_angle(z, 1.5707963267948966);
+  EXPECT_LT(test::angle_between(place(upright, RootTurn::heading_euler), quat_from_axis_angle(y, 0.7)), 1e-6);
+  const Quat<double> back = quat_from_axis_angle(y, 3.14159265358979);
+  EXPECT_LT(test::angle_between(place(back, RootTurn::heading_euler), back), 1e-6);
+  const Quat<double> leaning = quat_from_axis_angle(x, 0.8) * quat_from_axis_angle(y, 0.7);
+  EXPECT_LT(test::angle_between(place(leaning, RootTurn::heading), quat_from_axis_angle(y, 0.7)), 1e-6);
+  EXPECT_GT(test::angle_between(place(leaning, RootTurn::heading_euler), quat_from_axis_angle(y, 0.7)), 0.05);
+}
+
 TEST(root_motion, of_a_mirrored_clip_it_is_the_motion_reflected) {
   Skeleton skeleton;
   skeleton.parents = {kNone};
@@ -164,7 +190,7 @@ TEST(root_motion, of_a_mirrored_clip_it_is_the_motion_reflected) {
   const BoneAnimation root = walk();
   const Animation mirrored = mirror_animation({"walk", 1.0, {root}, {}}, make_mirror_map(skeleton), skeleton);
   PlaybackClock clock(1.0), other(1.0);
-  for (const RootTurn turn : {RootTurn::none, RootTurn::heading, RootTurn::full}) {
+  for (const RootTurn turn : {RootTurn::none, RootTurn::heading, RootTurn::full, RootTurn::heading_euler}) {
     const RootMotionParts parts{true, true, true, turn};
     const DualQuatd plain = root_motion(root, {}, parts, clock.advance(2.3));
     const DualQuatd reflected = mirrored_motion(plain, {1, 0, 0});

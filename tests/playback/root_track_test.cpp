@@ -50,7 +50,7 @@ BoneAnimation wander(test::FixedRandom& random, Interpolation interpolation) {
 TEST(root_track, stays_within_its_tolerance_of_the_authoring_keys) {
   test::FixedRandom random(7);
   for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
-    for (const RootTurn turn : {RootTurn::none, RootTurn::heading, RootTurn::full}) {
+    for (const RootTurn turn : {RootTurn::none, RootTurn::heading, RootTurn::full, RootTurn::heading_euler}) {
       const BoneAnimation root = wander(random, interpolation);
       const RootMotionParts parts{true, turn != RootTurn::heading, true, turn};
       const RootTrack track = RootTrack::make(root, {}, parts, 1e-4);

@@ -43,6 +43,10 @@ TEST(pose_program, a_fault_names_its_operation_and_its_rule) {
       {of().rest().sample(0, nan), ErrorCode::not_finite, "operation 1 (sample): its time"},
       {of().sample(0, 0.0, infinity), ErrorCode::not_finite, "operation 0 (sample): its weight is not finite"},
       {of().sample(0, 0.0, -0.5f), ErrorCode::negative_weight, "operation 0 (sample): its weight is negative"},
+      {of().rest(-1.0f).rest().add_to_rest(), ErrorCode::negative_weight, "operation 0 (rest): its weight is negative"},
+      {of().rest().rest().rest(-1.0f).add(), ErrorCode::negative_weight, "operation 2 (rest): its weight is negative"},
+      {of().rest().rest(-1.0f).overlay(), ErrorCode::negative_weight, "operation 1 (rest): its weight is negative"},
+      {of().rest().rest(-1.0f).mean(2), ErrorCode::negative_weight, "operation 1 (rest): its weight is negative"},
       {of().sample(0, 0.0, 1.0f, 1), ErrorCode::index_out_of_range, "operation 0 (sample): there is no mask"},
       {of().sample_mirrored(0, 0.0), ErrorCode::not_in_needs, "operation 0 (sample_mirrored): nothing says how"},
       {of().external(1), ErrorCode::index_out_of_range, "operation 0 (external): there is no external pose"},
@@ -108,6 +112,8 @@ TEST(pose_program, indices_and_shares_are_taken_up_to_their_limits_and_not_beyon
   EXPECT_EQ(code(PoseProgram().external(1)), beyond);
   EXPECT_EQ(code(PoseProgram().rest(0.0f)), ErrorCode::ok);
   EXPECT_EQ(code(PoseProgram().rest(-1e-30f)), ErrorCode::negative_weight);
+  EXPECT_EQ(code(PoseProgram().rest().rest(-1.0f).add_to_rest()), ErrorCode::ok) << "a layer may subtract";
+  EXPECT_EQ(code(PoseProgram().rest().rest(-1.0f).rest().cached().add()), ErrorCode::ok);
   const double above_1 = std::nextafter(1.0, 2.0);
   for (const double share : {0.0, 1.0}) EXPECT_EQ(code(PoseProgram().rest().override_joints(0, share)), ErrorCode::ok);
   for (const double share : {-1e-300, above_1})

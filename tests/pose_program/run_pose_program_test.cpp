@@ -28,7 +28,7 @@ class RandomProgram {
   /// rotations that are half a turn apart have no one meaning.
   PoseProgram next() {
     program_.clear();
-    depth_ = 0;
+    depth_ = kept_ = 0;
     push();
     for (int i = 0; i < 12; ++i) add_operation();
     program_.mean(depth_);
@@ -36,16 +36,29 @@ class RandomProgram {
       push();
       program_.overlay_model();
     }
-    if (random_.below(2) == 0) program_.override_joints(random_.below(2));
+    if (random_.below(2) == 0) {
+      push_mirrored(1.0f);
+      program_.overlay_model();
+    }
+    if (random_.below(2) == 0) {
+      push_mirrored(random_.below(2) == 0 ? 0.1f : -0.1f);
+      program_.push({.kind = PoseOpKind::rest_mirrored}).add();
+    }
+    if (random_.below(2) == 0) program_.override_joints(random_.below(3));
     return program_;
   }
 
  private:
-  void push() {
+  void push(float sign = 1.0f) {
+    if (random_.below(8) == 0) {
+      program_.rest();
+      ++depth_;
+      return;
+    }
     const bool external = random_.below(5) == 0;
     const std::uint32_t clip = random_.below(clips_);
     const double time_s = random_.in(-0.2, 1.5);
-    const auto weight = static_cast<float>(random_.below(4) == 0 ? 1.0 : random_.unit());
+    const auto weight = sign * static_cast<float>(random_.below(4) == 0 ? 1.0 : random_.unit());
     const std::uint8_t mask = random_mask();
     if (external)
       program_.external(0, weight, mask);
@@ -54,8 +67,15 @@ class RandomProgram {
     ++depth_;
   }
 
+  void push_mirrored(float scale) {
+    const std::uint32_t clip = random_.below(clips_);
+    const double time_s = random_.in(-0.2, 1.5);
+    const auto weight = scale * static_cast<float>(random_.unit());
+    program_.sample_mirrored(clip, time_s, weight, random_mask());
+  }
+
   void add_operation() {
-    const std::uint32_t kind = random_.below(6);
+    const std::uint32_t kind = random_.below(9);
     if (kind < 3 || depth_ < 2) {
       if (depth_ < 5) push();
       return;
@@ -67,21 +87,37 @@ class RandomProgram {
       const double threshold = random_.below(2) == 0 ? 1.0 : 0.1;
       program_.mean(count, weight, threshold, mask);
       depth_ -= count - 1;
-    } else {
-      const auto frame = random_.below(2) == 0 ? DeltaFrame::parent : DeltaFrame::joint;
-      kind == 4 ? program_.overlay(weight, mask) : program_.add_to_rest(0.1f * weight, frame);
+    } else if (kind == 4) {
+      program_.overlay(weight, mask);
       --depth_;
+    } else if (kind == 7) {
+      if (kept_++ < kMostKept) program_.cached(weight, mask);
+    } else if (kind == 8) {
+      const double share = random_.unit();
+      program_.procedure(0, share, weight);
+    } else {
+      add_difference(kind == 6, 0.1f * weight);
     }
+  }
+
+  /// Adds or subtracts a new pose, from the rest pose or from a reference.
+  void add_difference(bool from_reference, float weight) {
+    const auto frame = random_.below(2) == 0 ? DeltaFrame::parent : DeltaFrame::joint;
+    push(random_.below(2) == 0 ? 1.0f : -1.0f);
+    if (from_reference) push();
+    from_reference ? program_.add(weight, frame) : program_.add_to_rest(weight, frame);
+    depth_ -= from_reference ? 2 : 1;
   }
 
   std::uint8_t random_mask() {
     const bool masked = random_.below(3) == 0;
-    const auto mask = static_cast<std::uint8_t>(random_.below(2));
+    const auto mask = static_cast<std::uint8_t>(random_.below(3));
     return masked ? mask : PoseOp::kNoMask;
   }
 
   FixedRandom random_;
-  std::uint32_t clips_, depth_ = 0;
+  static constexpr std::uint32_t kMostKept = 4;
+  std::uint32_t clips_, depth_ = 0, kept_ = 0;
   PoseProgram program_;
 };
 
@@ -95,6 +131,7 @@ TEST(run_pose_program, random_programs_agree_with_the_equations_of_their_operati
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Stage stage(seed);
+    stage.use_mirror();
     RandomProgram random(100 + seed, stage.scene);
     for (int i = 0; i < 60; ++i) {
       const PoseProgram program = random.next();
@@ -112,6 +149,7 @@ TEST(run_pose_program, random_programs_agree_with_the_equations_of_their_operati
 
 TEST(run_pose_program, the_same_program_gives_the_same_bits_and_allocates_nothing) {
   Stage stage(3);
+  stage.use_mirror();
   RandomProgram random(5, stage.scene);
   for (int i = 0; i < 20; ++i) {
     const PoseProgram program = random.next();
@@ -240,6 +278,7 @@ TEST(run_pose_program, a_procedure_changes_the_topmost_pose_and_without_a_share_
 // A caller looks at the pose in the middle, so both halves together give the bits of the whole.
 TEST(run_pose_program, a_program_that_runs_in_two_parts_gives_the_bits_of_the_whole) {
   Stage stage(12);
+  stage.use_mirror();
   RandomProgram random(17, stage.scene);
   for (int i = 0; i < 20; ++i) {
     const PoseProgram program = random.next();
@@ -259,7 +298,7 @@ TEST(run_pose_program, a_program_that_runs_in_two_parts_gives_the_bits_of_the_wh
 
 TEST(run_pose_program, masks_of_the_caller_follow_those_of_the_tables) {
   Stage stage(13);
-  const auto pose = [&](const PoseProgram& program, std::span<const JointMask> masks) {
+  const auto pose = [&](const PoseProgram& program, std::span<const PoseMask> masks) {
     PoseProgramJob job = stage.job(program.ops());
     job.inputs.masks = masks;
     EXPECT_EQ(run(job), ErrorCode::ok);
@@ -269,11 +308,11 @@ TEST(run_pose_program, masks_of_the_caller_follow_those_of_the_tables) {
   };
   const PoseProgram by_table = PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 0).overlay();
   const PoseProgram by_caller = PoseProgram().sample(0, 0.3).sample(1, 0.7, 1.0f, 2).overlay();
-  const JointMask mask{stage.mask_memory[0], 1};
+  const PoseMask mask{.joints = stage.mask_memory[0], .version = 1};
   EXPECT_EQ(pose(by_table, {}), pose(by_caller, {&mask, 1}));
   std::vector<float> negative = stage.mask_memory[0];
   negative[1] = -0.1f;
-  const JointMask bad{negative, 1};
+  const PoseMask bad{.joints = negative, .version = 1};
   PoseProgramJob job = stage.job(by_caller.ops());
   job.inputs.masks = {&bad, 1};
   EXPECT_EQ(run(job), ErrorCode::negative_weight);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "runtime/math/inverse.h"
 #include "runtime/model/scene.h"
 #include "runtime/pose_program/run_pose_program.h"
+#include "tests/reference/mirror_rows.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/transitions.h"
 
@@ -24,13 +26,21 @@ struct SlowPose {
   std::vector<double> weights, properties;
 };
 
+/// The tables that a program indexes.
+struct SlowTables {
+  std::vector<PoseMask> masks;  ///< those of the assets, then those of the caller
+  std::vector<SlowPose> externals;
+  std::span<const JointOverrides> overrides;
+  std::vector<std::function<void(SlowPose& pose, double share)>> procedures;
+  const MirrorMap* mirror = nullptr;
+  Affine root = {};
+};
+
 /// Runs a program by the equations of its operations, from the authoring form: the truth for run(PoseProgramJob).
-/// Mirrored operations are not evaluated.
 class SlowProgram {
  public:
-  SlowProgram(const Scene& scene, std::span<const float> rest_weights, std::span<const std::span<const float>> masks,
-              std::span<const SlowPose> externals, std::span<const JointOverrides> overrides)
-      : scene_(scene), masks_(masks), externals_(externals), overrides_(overrides) {
+  SlowProgram(const Scene& scene, std::span<const float> rest_weights, SlowTables tables)
+      : scene_(scene), tables_(std::move(tables)) {
     for (const Transform& t : scene.skeleton.rest) rest_.joints.push_back(in_double(t));
     rest_.weights.assign(rest_weights.begin(), rest_weights.end());
     rest_.properties.assign(scene.properties.rest.begin(), scene.properties.rest.end());
@@ -55,7 +65,9 @@ class SlowProgram {
   SlowPose apply(const PoseOp& op) {
     switch (op.kind) {
       case PoseOpKind::sample: return sampled(op.index, op.time_s);
-      case PoseOpKind::external: return externals_[op.index];
+      case PoseOpKind::sample_mirrored: return mirrored(sampled(op.index, op.time_s));
+      case PoseOpKind::rest_mirrored: return mirrored(rest_);
+      case PoseOpKind::external: return tables_.externals[op.index];
       case PoseOpKind::mean: return mean(op.index, op.time_s);
       case PoseOpKind::overlay: return overlaid(false);
       case PoseOpKind::overlay_model: return overlaid(true);
@@ -77,7 +89,12 @@ class SlowProgram {
         return in_transition<2>([&](const auto& now, const auto& start) {
           return dead_blended(now, start[0], start[1], op.time_s, double(op.index));
         });
-      case PoseOpKind::override_joints: return overridden(popped().pose, overrides_[op.index].joints, op.time_s);
+      case PoseOpKind::override_joints: return overridden(popped().pose, tables_.overrides[op.index].joints, op.time_s);
+      case PoseOpKind::procedure: {
+        SlowPose pose = popped().pose;
+        if (op.time_s > 0.0) tables_.procedures[op.index](pose, op.time_s);
+        return pose;
+      }
       default: return rest_;
     }
   }
@@ -88,8 +105,23 @@ class SlowProgram {
     return top;
   }
 
-  double share(const Entry& entry, std::size_t joint) const {
-    return entry.weight * (entry.mask == PoseOp::kNoMask ? 1.0 : double(masks_[entry.mask][joint]));
+  using MaskPart = std::span<const float> PoseMask::*;
+
+  double share(const Entry& entry, std::size_t i, MaskPart part = &PoseMask::joints) const {
+    if (entry.mask == PoseOp::kNoMask || (tables_.masks[entry.mask].*part).empty()) return entry.weight;
+    return entry.weight * double((tables_.masks[entry.mask].*part)[i]);
+  }
+
+  /// Properties have no sides: a mirrored sample keeps them.
+  SlowPose mirrored(const SlowPose& pose) const {
+    SlowPose out = pose;
+    for (std::size_t j = 0; j < pose.joints.size(); ++j) {
+      const MirroredJoint& joint = tables_.mirror->joints[j];
+      out.joints[j] = mirrored_plainly(joint, pose.joints[joint.source]);
+    }
+    for (std::size_t w = 0; w < tables_.mirror->weight_source.size(); ++w)
+      out.weights[w] = pose.weights[tables_.mirror->weight_source[w]];
+    return out;
   }
 
   SlowPose sampled(std::size_t clip, double time_s) const {
@@ -131,18 +163,19 @@ class SlowProgram {
       const double by = 1.0 / (total + fill);
       out.joints[j] = {sum.translation * by, normalised(sum.rotation), sum.scale * by};
     }
-    const auto numbers = [&](auto member) {
-      double total = 0.0;
-      for (const Entry& entry : operands) total += entry.weight;
-      const double fill = std::max(0.0, threshold - total);
+    const auto numbers = [&](auto member, MaskPart part) {
       for (std::size_t i = 0; i < (out.*member).size(); ++i) {
-        double sum = fill * (rest_.*member)[i];
-        for (const Entry& entry : operands) sum += entry.weight * (entry.pose.*member)[i];
-        (out.*member)[i] = sum / (total + fill);
+        double total = 0.0, sum = 0.0;
+        for (const Entry& entry : operands) {
+          total += share(entry, i, part);
+          sum += share(entry, i, part) * (entry.pose.*member)[i];
+        }
+        const double fill = std::max(0.0, threshold - total);
+        (out.*member)[i] = (sum + fill * (rest_.*member)[i]) / (total + fill);
       }
     };
-    numbers(&SlowPose::weights);
-    numbers(&SlowPose::properties);
+    numbers(&SlowPose::weights, &PoseMask::weights);
+    numbers(&SlowPose::properties, &PoseMask::properties);
     return out;
   }
 
@@ -169,39 +202,51 @@ class SlowProgram {
         model.push_back(is_root ? a.rotation : model[parent] * a.rotation);
       }
     }
-    const double w = std::min(1.0, above.weight);
-    for (std::size_t i = 0; i < out.weights.size(); ++i)
-      out.weights[i] = out.weights[i] * (1.0 - w) + above.pose.weights[i] * w;
-    for (std::size_t i = 0; i < out.properties.size(); ++i)
-      out.properties[i] = out.properties[i] * (1.0 - w) + above.pose.properties[i] * w;
+    const auto numbers = [&](auto member, MaskPart part) {
+      for (std::size_t i = 0; i < (out.*member).size(); ++i) {
+        const double w = std::min(1.0, share(above, i, part));
+        (out.*member)[i] = (out.*member)[i] * (1.0 - w) + (above.pose.*member)[i] * w;
+      }
+    };
+    numbers(&SlowPose::weights, &PoseMask::weights);
+    numbers(&SlowPose::properties, &PoseMask::properties);
     return out;
   }
 
   SlowPose added(SlowPose base, const Entry& layer, const SlowPose& reference, bool in_joint_frame) const {
     const Quat<double> one = quat_identity<double>();
     for (std::size_t j = 0; j < base.joints.size(); ++j) {
-      const double w = share(layer, j);
+      const double w = share(layer, j), size = std::fabs(w);
       const Transformd &l = layer.pose.joints[j], &r = reference.joints[j];
       Transformd& x = base.joints[j];
       x.translation += (l.translation - r.translation) * w;
       const Quat<double> back = quat_conjugate(r.rotation);
       const Quat<double> d = aligned_with(one, in_joint_frame ? back * l.rotation : l.rotation * back);
-      const Quat<double> part = one * (1.0 - w) + d * w;
+      const Quat<double> added = one * (1.0 - size) + d * size, part = w < 0.0 ? quat_conjugate(added) : added;
       x.rotation = normalised(in_joint_frame ? x.rotation * part : part * x.rotation);
-      for (int c = 0; c < 3; ++c) x.scale[c] *= 1.0 + w * ((r.scale[c] == 0.0 ? 1.0 : l.scale[c] / r.scale[c]) - 1.0);
+      for (int c = 0; c < 3; ++c) {
+        const double factor = 1.0 + size * ((r.scale[c] == 0.0 ? 1.0 : l.scale[c] / r.scale[c]) - 1.0);
+        if (w >= 0.0)
+          x.scale[c] *= factor;
+        else if (factor != 0.0)
+          x.scale[c] /= factor;
+      }
     }
     for (std::size_t i = 0; i < base.weights.size(); ++i)
-      base.weights[i] += layer.weight * (layer.pose.weights[i] - reference.weights[i]);
+      base.weights[i] += share(layer, i, &PoseMask::weights) * (layer.pose.weights[i] - reference.weights[i]);
     return base;
   }
 
   SlowPose overridden(SlowPose pose, std::span<const JointOverride> joints, double share) const {
     for (const JointOverride& given : joints) {
       Transformd to = in_double(given.transform);
-      if (given.space == OverrideSpace::model && scene_.skeleton.parents[given.joint] != kNone) {
+      if (given.space != OverrideSpace::local) {
         std::vector<Affined> model(pose.joints.size());
         model_from_local(scene_.skeleton, pose.joints, model);
-        const auto back = inverse_of(model[scene_.skeleton.parents[given.joint]]);
+        const std::uint32_t parent = scene_.skeleton.parents[given.joint];
+        Affined above = parent == kNone ? Affined{} : model[parent];
+        if (given.space == OverrideSpace::world) above = affine_cast<double>(tables_.root) * above;
+        const auto back = inverse_of(above);
         if (!back) continue;
         to = decompose_trs(*back * affine_from_transform(to)).transform;
       }
@@ -234,9 +279,7 @@ class SlowProgram {
   }
 
   const Scene& scene_;
-  std::span<const std::span<const float>> masks_;
-  std::span<const SlowPose> externals_;
-  std::span<const JointOverrides> overrides_;
+  SlowTables tables_;
   SlowPose rest_;
   std::vector<Entry> stack_;
 };

@@ -9,7 +9,10 @@
 
 namespace sinew::reference {
 
-/// eq   the quintic with p(0) = 1, p'(0) = k and a fourfold zero at its end, which is min(1, -5 / k) for k < 0
+/// Factor by which the offset between two poses fades out during an inertialized transition.
+/// in   k  slope at the start;   u  progress in [0, 1]
+/// eq   the quintic p with p(0) = 1, p'(0) = k and a zero of order four at its end. The end is -5 / k for k < -5, and 1
+///      for others. From there on the factor is 0
 inline double decay(double k, double u) {
   const double end = k < -5.0 ? -5.0 / k : 1.0;
   if (u >= end) return 0.0;

@@ -119,7 +119,8 @@ struct Deformation {
                                     .vertices = now,
                                     .out = out,
                                     .pairs = skinning.pairs,
-                                    .palette = palette()};
+                                    .palette = palette(),
+                                    .tiles = skinning.tiles.get()};
     run_counted(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
@@ -131,7 +132,8 @@ struct Deformation {
                                       .centers = primitive.centers_of_rotation,
                                       .vertices = now,
                                       .out = out,
-                                      .pairs = skinning.pairs};
+                                      .pairs = skinning.pairs,
+                                      .tiles = skinning.tiles.get()};
     run_counted(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
   }
 

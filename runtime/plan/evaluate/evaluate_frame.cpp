@@ -102,8 +102,12 @@ void sleep(const CompiledPlan& plan, const Reuse& reuse, FrameResult& result) no
 /// in   ops  number of operations of the pose program to run
 PoseSpan make_pose(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step, std::size_t ops,
                    FrameWork& work) noexcept {
-  const PoseStep pose_step{
-      .given_weights = input.weights, .memory = step.memory, .has_base = step.reuse.stands().base_pose, .end = ops};
+  const PoseStep pose_step{.inputs = input.program_inputs,
+                           .root = input.root,
+                           .given_weights = input.weights,
+                           .memory = step.memory,
+                           .has_base = step.reuse.stands().base_pose,
+                           .end = ops};
   if (!input.program.empty()) return evaluate_program(plan, input, pose_step, step.reuse, work);
   return plan.interpolate ? interpolate_poses(plan, input, step, work)
                           : evaluate_layers(plan, input.layers, pose_step, work);
@@ -170,7 +174,7 @@ void evaluate_from_cut(const CompiledPlan& plan, const FrameInput& input, FrameM
   const FrameStep step{memory, reuse, reuse.tables(), past_caches};
   FrameWork work(step.tables.stage_ns, result.work);
   if (!input.program.empty())
-    evaluate_program(plan, input, {.given_weights = input.weights, .memory = memory, .first = ops}, reuse, work);
+    evaluate_program(plan, input, {input.program_inputs, input.root, input.weights, memory, false, ops}, reuse, work);
   run_stages_after_pose(plan, input, step, memory.of(plan.layout.pose.pose), work, result);
 }
 

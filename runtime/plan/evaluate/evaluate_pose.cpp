@@ -30,12 +30,12 @@ PoseSlot own_slot(const CompiledPlan& plan, const PoseStep& step) noexcept {
 }
 
 /// A machine for pose operations on the memory of a frame.
-PoseMachine machine_for(const CompiledPlan& plan, const PoseProgramInputs& inputs, const PoseStep& step,
-                        FrameWork& work) noexcept {
+PoseMachine machine_for(const CompiledPlan& plan, const PoseStep& step, FrameWork& work) noexcept {
   std::copy(step.given_weights.begin(), step.given_weights.end(), step.memory.of(plan.layout.pose.weights).begin());
   return {plan.pose_assets,
           step.memory.of(plan.layout.rest_pose),
-          inputs,
+          step.inputs,
+          step.root,
           PoseSlots(plan.layout.pose_slots, step.memory.of(plan.layout.pose_program).data(), own_slot(plan, step)),
           work,
           {work.measures() ? &charge_time : nullptr, &work}};
@@ -100,8 +100,7 @@ void run_keeping(PoseMachine& machine, const FrameInput& input, const PoseStep& 
 PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> layers, const PoseStep& step,
                          FrameWork& work) noexcept {
   if (!plan.poses) return show_rest(plan, step);
-  static constexpr PoseProgramInputs kNothing{};
-  PoseMachine machine = machine_for(plan, kNothing, step, work);
+  PoseMachine machine = machine_for(plan, step, work);
   std::uint16_t blended = 0;
   bool plays_alone = false;  // the mean of a single pose of full weight has the bits of that pose
   for (const ClipLayer& layer : layers) {
@@ -118,7 +117,7 @@ PoseSpan evaluate_layers(const CompiledPlan& plan, std::span<const ClipLayer> la
 PoseSpan evaluate_program(const CompiledPlan& plan, const FrameInput& input, const PoseStep& step, const Reuse& reuse,
                           FrameWork& work) noexcept {
   if (!plan.poses) return show_rest(plan, step);
-  PoseMachine machine = machine_for(plan, input.program_inputs, step, work);
+  PoseMachine machine = machine_for(plan, step, work);
   const ReadProperties properties(input.program, plan.properties);
   if (plan.needs.in.program.kept > 0) {
     run_keeping(machine, input, step, properties, reuse);

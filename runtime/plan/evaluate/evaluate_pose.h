@@ -12,6 +12,8 @@ namespace sinew {
 
 /// Settings for the evaluation of a frame's pose.
 struct PoseStep {
+  const PoseProgramInputs& inputs;            ///< FrameInput::program_inputs
+  const Affine& root;                         ///< FrameInput::root
   std::span<const float> given_weights = {};  ///< [W] replace the clips' morph weights; empty = the clips' own
   FrameMemory memory = {};
   bool has_base = false;  ///< the memory holds a pose of the only clip that plays, so only its tracks are sampled

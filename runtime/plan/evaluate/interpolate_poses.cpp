@@ -10,16 +10,20 @@
 namespace sinew {
 namespace {
 
-/// Makes sure that the frame's memory holds the pose of these layers. Evaluates it if no earlier frame holds it.
+/// Makes sure that the frame's memory holds the pose of an update. Evaluates it if no earlier frame holds it.
 /// in   update  0 for FrameInput::layers, 1 for FrameInput::next_layers
-void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t update,
-                    const FrameStep& step, FrameWork& work) noexcept {
-  if (!step.reuse.find_update(update, layers)) {
+void provide_update(const CompiledPlan& plan, const FrameInput& input, std::size_t update, const FrameStep& step,
+                    FrameWork& work) noexcept {
+  const std::span<const ClipLayer> layers = update == 0 ? input.layers : input.next_layers;
+  const bool may_keep = input.program_inputs.masks.empty();  // a mask may change while the layers stay the same
+  if (!may_keep || !step.reuse.find_update(update, layers)) {
     const PoseNumbers place = step.memory.of(plan.layout.updates[update]);
-    copy_pose(evaluate_layers(plan, layers, {.memory = step.memory}, work), place.pose);
+    copy_pose(evaluate_layers(plan, layers, {.inputs = input.program_inputs, .root = input.root, .memory = step.memory},
+                              work),
+              place.pose);
     copy_numbers(step.memory.of(plan.layout.pose), place);
   }
-  step.reuse.keep_update(update, layers);
+  may_keep ? step.reuse.keep_update(update, layers) : step.reuse.forget_update(update);
   work.spent_on(Stage::interpolate);
 }
 
@@ -41,8 +45,8 @@ PoseSpan interpolate_poses(const CompiledPlan& plan, const FrameInput& input, co
                            FrameWork& work) noexcept {
   const PoseNumbers own = step.memory.of(plan.layout.pose), first = step.memory.of(plan.layout.updates[0]),
                     second = step.memory.of(plan.layout.updates[1]);
-  provide_update(plan, input.layers, 0, step, work);
-  if (input.interpolation_factor != 0.0f) provide_update(plan, input.next_layers, 1, step, work);
+  provide_update(plan, input, 0, step, work);
+  if (input.interpolation_factor != 0.0f) provide_update(plan, input, 1, step, work);
   copy_numbers(first, own);
   if (input.interpolation_factor != 0.0f) {
     mix(first, second, input.interpolation_factor, own);

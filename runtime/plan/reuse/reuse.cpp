@@ -16,6 +16,14 @@ bool same_played(const PlayedGeometry& a, const PlayedGeometry& b) noexcept {
           same_bits(a.world_from_source, b.world_from_source) && same_bits(a.world_from_pose, b.world_from_pose));
 }
 
+/// True if the root has an influence on the pose.
+bool has_world_override(const PoseProgramInputs& inputs) noexcept {
+  return std::any_of(inputs.overrides.begin(), inputs.overrides.end(), [](const JointOverrides& overrides) {
+    return std::any_of(overrides.joints.begin(), overrides.joints.end(),
+                       [](const JointOverride& joint) { return joint.space == OverrideSpace::world; });
+  });
+}
+
 /// Morph weights of one instance.
 std::span<float> weights_of(const CompiledPlan& plan, std::span<float> weights, std::size_t instance) noexcept {
   const std::size_t first = plan.scene->first_weight[instance];
@@ -45,7 +53,8 @@ LastProgram Reuse::last_program(const FrameInput& input) const noexcept {
   if (last_input_ == nullptr || !last_input_->is_known || last_input_->asleep) return {};
   if (input.weights.empty() != (last_input_->weight_count == 0)) return {};
   return {tables_.input_program.first(last_input_->op_count),
-          has_versions(input.program_inputs, tables_.input_versions.first(last_input_->version_count)),
+          has_versions(input.program_inputs, tables_.input_versions.first(last_input_->version_count)) &&
+              (same_bits(input.root, last_input_->root) || !has_world_override(input.program_inputs)),
           plan_.masks.size()};
 }
 

@@ -49,6 +49,9 @@ class Reuse {
   /// Records that place `update` holds the pose of these layers.
   void keep_update(std::size_t update, std::span<const ClipLayer> layers) const noexcept;
 
+  /// Call it if place `update` holds a pose that no later frame may use.
+  void forget_update(std::size_t update) const noexcept { tables_.updates[update].is_there = false; }
+
   /// True if the palette in the memory is valid for this frame.
   bool palette_stands(std::size_t skin) const noexcept;
   void keep_palette(std::size_t skin) const noexcept;

@@ -56,10 +56,10 @@ bool had_same_geometry(const FrameTables& tables, const FrameInput& input) noexc
 
 bool had_same_program(const LastFrame& frame, const FrameInput& input) noexcept {
   if (input.program.size() != frame.input.op_count) return false;
-  if (input.program.empty()) return true;
+  if (input.program.empty() && input.program_inputs.masks.empty()) return frame.input.version_count == 0;
   const std::span<const PoseOp> last = frame.tables.input_program.first(frame.input.op_count);
-  return std::memcmp(input.program.data(), last.data(), last.size_bytes()) == 0 &&
-         has_versions(input.program_inputs, frame.tables.input_versions.first(frame.input.version_count));
+  return (last.empty() || std::memcmp(input.program.data(), last.data(), last.size_bytes()) == 0) &&
+         has_versions(inputs_in_use(input), frame.tables.input_versions.first(frame.input.version_count));
 }
 
 }  // namespace
@@ -109,14 +109,15 @@ void remember(const FrameInput& input, const FrameTables& tables, LastInput& las
   last.next_layer_count = next_layers.size();
   last.weight_count = input.weights.size();
   last.op_count = input.program.size();
-  last.version_count = input.program.empty() ? 0 : version_count(input.program_inputs);
+  const bool has_lists = !input.program.empty() || !input.program_inputs.masks.empty();
+  last.version_count = has_lists ? version_count(inputs_in_use(input)) : 0;
   last.interpolation_factor = input.interpolation_factor;
   last.root = input.root;
   std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
   std::copy(next_layers.begin(), next_layers.end(), tables.input_next_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
   std::copy(input.program.begin(), input.program.end(), tables.input_program.begin());
-  if (!input.program.empty()) copy_versions(input.program_inputs, tables.input_versions);
+  if (has_lists) copy_versions(inputs_in_use(input), tables.input_versions);
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
   for (std::size_t s = 0; s < tables.input_geometry.size(); ++s) {
     tables.input_geometry[s] = playing(tables, input, s);
