@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <iterator>
 
+#include "importer/graph/compile_formulas.h"
 #include "importer/graph/graph_text.h"
 #include "importer/graph/json_path.h"
+#include "runtime/graph/fade_curve.h"
 
 namespace sinew {
 namespace {
@@ -29,6 +31,7 @@ class GraphCompiler {
   explicit GraphCompiler(const Document& document) : d_(document) {}
 
   GraphTables t;
+  std::vector<std::string> curve_places;  ///< [curves] JSON pointers
   GraphTextFault fault;
   bool failed = false;
 
@@ -36,15 +39,28 @@ class GraphCompiler {
     const JsonPath root, parameters(&root, "parameters"), nodes(&root, "nodes");
     for (const auto& [name, parameter] : d_.parameters)
       t.parameters.push_back({text(name), parameter.initial, parameter.kind});
+    const JsonPath beats(&root, "beats");
+    for (const auto& [name, beat] : d_.beats) {
+      const JsonPath here(&beats, name);
+      if (!beat.mirror.empty()) find(d_.beats, beat.mirror, {&here, "mirror"}, "beat");
+    }
+    for (const auto& [name, joints] : d_.masks) {
+      t.masks.push_back({text(name), size_of(t.mask_joints), size_of(joints)});
+      for (const Document::MaskJoint& joint : joints)
+        t.mask_joints.push_back({text(joint.joint), joint.weight, joint.below});
+    }
     for (const auto& [name, node] : d_.nodes) compile(node, text(name), {&nodes, name});
     t.root = node_index(d_.root, {&root, "root"});
+    if (!failed)
+      if (const auto formula_fault = compile_formulas(d_, t)) fail(*formula_fault);
   }
 
  private:
-  void fail(const JsonPath& path, std::string sentence) {
-    if (!failed) fault = {path.text(), std::move(sentence)};
+  void fail(const GraphTextFault& first) {
+    if (!failed) fault = first;
     failed = true;
   }
+  void fail(const JsonPath& path, std::string sentence) { fail({path.text(), std::move(sentence)}); }
   std::uint32_t text(const std::string& name) {
     const auto offset = static_cast<std::uint32_t>(t.names.size());
     t.names += name;
@@ -76,7 +92,7 @@ class GraphCompiler {
   void compile(const Document::Node& node, std::uint32_t name, const JsonPath& path) {
     GraphIndex settings = 0;
     switch (node.kind) {
-      case GraphNodeKind::clip:
+      case Document::NodeKind::clip:
         settings = size_of(t.clips);
         t.clips.push_back({.speed = node.speed,
                            .offset_s = node.offset_s,
@@ -85,11 +101,11 @@ class GraphCompiler {
                            .loop = node.loop,
                            .mirror = node.mirror});
         break;
-      case GraphNodeKind::blend_space:
+      case Document::NodeKind::blend_space:
         settings = size_of(t.spaces);
         compile_space(node, path);
         break;
-      case GraphNodeKind::select: {
+      case Document::NodeKind::select: {
         settings = size_of(t.selects);
         const JsonPath children(&path, "children");
         t.selects.push_back({parameter_index(node.by, {&path, "by"}), size_of(t.children), size_of(node.children)});
@@ -97,20 +113,21 @@ class GraphCompiler {
           t.children.push_back(node_index(node.children[i], {&children, std::to_string(i)}));
         break;
       }
-      case GraphNodeKind::layers:
+      case Document::NodeKind::layers:
         settings = size_of(t.layers);
         compile_layers(node, path);
         break;
-      case GraphNodeKind::machine:
+      case Document::NodeKind::machine:
         settings = size_of(t.machines);
         compile_machine(node, path);
         break;
-      case GraphNodeKind::external:
+      case Document::NodeKind::external:
         if (node.pose < 0 || node.pose >= kNoGraphIndex) fail({&path, "pose"}, "is no index of a pose");
         settings = static_cast<GraphIndex>(node.pose);
         break;
+      case Document::NodeKind::graph: return fail({&path, "file"}, "a graph of another file must be read with it");
     }
-    t.nodes.push_back({name, settings, node.kind});
+    t.nodes.push_back({name, settings, static_cast<GraphNodeKind>(node.kind)});
   }
 
   void compile_space(const Document::Node& node, const JsonPath& path) {
@@ -178,10 +195,12 @@ class GraphCompiler {
                                .to = find(machine.states, from.to, {&here, "to"}, "state"),
                                .first_condition = size_of(t.conditions),
                                .condition_count = size_of(from.when),
+                               .curve = compile_curve(from, here),
                                .fade = from.fade,
                                .kind = from.kind,
                                .interruption = from.interruption,
                                .sync = from.sync,
+                               .start_by = from.start_by,
                                .ordered = from.ordered,
                                .to_self = from.to_self});
       for (std::size_t c = 0; c < from.when.size(); ++c) {
@@ -190,6 +209,18 @@ class GraphCompiler {
       }
     }
     return first;
+  }
+
+  GraphIndex compile_curve(const Document::Transition& from, const JsonPath& path) {
+    if (!from.curve) return kNoGraphIndex;
+    if (from.fade != GraphFade::smooth) fail({&path, "fade"}, "is not used by a transition with a curve of its own");
+    std::vector<GraphFadeKey> points;
+    for (const Document::CurveKey& key : from.curve->keys) points.push_back({key.at, key.share, 0.0f});
+    const auto keys = fade_curve_keys(from.curve->start_slope, from.curve->end_slope, points);
+    t.curves.push_back({size_of(t.curve_keys), size_of(keys)});
+    t.curve_keys.insert(t.curve_keys.end(), keys.begin(), keys.end());
+    curve_places.push_back(JsonPath(&path, "curve").text());
+    return static_cast<GraphIndex>(t.curves.size() - 1);  // tables of 65535 entries are refused later
   }
 
   void compile_condition(const Document::Condition& from, const JsonPath& path) {
@@ -240,11 +271,23 @@ std::string place_in_node(const GraphTables& t, const GraphFault& fault, std::si
   }
 }
 
-GraphTextFault text_fault(const GraphTables& t, const GraphFault& fault) {
+GraphTextFault text_fault(const GraphCompiler& compiler, const GraphFault& fault) {
+  const GraphTables& t = compiler.t;
   const JsonPath root;
+  if (fault.table == GraphTable::curve && fault.index < compiler.curve_places.size())
+    return {compiler.curve_places[fault.index], fault.rule};
+  if (fault.table == GraphTable::formula && fault.index < t.formulas.size()) {
+    const JsonPath parameters(&root, "parameters");
+    const JsonPath parameter(&parameters, std::string(t.name_at(t.parameters[t.formulas[fault.index].parameter].name)));
+    return {JsonPath(&parameter, "formula").text(), fault.rule};
+  }
   if (fault.table == GraphTable::parameter) {
     const JsonPath parameters(&root, "parameters");
     return {JsonPath(&parameters, std::string(t.name_at(t.parameters[fault.index].name))).text(), fault.rule};
+  }
+  if (fault.table == GraphTable::mask) {
+    const JsonPath masks(&root, "masks");
+    return {JsonPath(&masks, std::string(t.name_at(t.masks[fault.index].name))).text(), fault.rule};
   }
   if (fault.node >= t.nodes.size()) return {"", fault.rule};
   const JsonPath nodes(&root, "nodes");
@@ -259,7 +302,7 @@ GraphTextResult<GraphDefinition> compile_graph(const GraphDocument& document) {
   compiler.compile();
   if (compiler.failed) return tl::make_unexpected(compiler.fault);
   auto graph = GraphDefinition::make(compiler.t);
-  if (!graph) return tl::make_unexpected(text_fault(compiler.t, graph.error()));
+  if (!graph) return tl::make_unexpected(text_fault(compiler, graph.error()));
   return std::move(*graph);
 }
 

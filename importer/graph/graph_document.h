@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,23 @@ namespace sinew {
 /// A motion graph as its JSON file states it: nodes, parameters and masks refer to each other by name. The maps sort
 /// names, so equal documents give equal text. graph_schema.h lists the JSON key of each member.
 struct GraphDocument {
+  /// The kinds of nodes of a GraphDefinition, and `graph`: a reference to the graph of another file.
+  enum class NodeKind : std::uint8_t { clip, blend_space, select, layers, machine, external, graph };
+
+  /// New names by old names.
+  using Names = std::map<std::string, std::string>;
+
   struct Parameter {
     GraphParameterKind kind = GraphParameterKind::number;
     float initial = 0.0f;
+    std::string formula;  ///< computes it from other parameters (formula_text.h); empty: the caller sets it
+  };
+  struct CurveKey {
+    float at = 0.0f, share = 0.0f;
+  };
+  struct Curve {
+    float start_slope = 0.0f, end_slope = 0.0f;
+    std::vector<CurveKey> keys;
   };
   struct Condition {
     GraphConditionKind kind = GraphConditionKind::on;
@@ -28,8 +43,10 @@ struct GraphDocument {
     std::int32_t priority = 0;
     GraphTransitionKind kind = GraphTransitionKind::cross_fade;
     GraphFade fade = GraphFade::smooth;
+    std::optional<Curve> curve;
     GraphInterruption interruption = GraphInterruption::target;
     GraphSync sync = GraphSync::none;
+    SyncStart start_by = SyncStart::phase;
     bool ordered = false, to_self = false;
   };
   struct State {
@@ -49,7 +66,7 @@ struct GraphDocument {
 
   /// A node of the graph. `kind` selects the group of members that is used; all other members keep their defaults.
   struct Node {
-    GraphNodeKind kind = GraphNodeKind::clip;
+    NodeKind kind = NodeKind::clip;
     std::string clip, speed_by;  // clip
     float speed = 1.0f, offset_s = 0.0f;
     bool loop = true, mirror = false;
@@ -66,12 +83,29 @@ struct GraphDocument {
     std::map<std::string, State> states;
     std::vector<Transition> any, entry;
     std::int32_t pose = 0;  // external
+    std::string file;       // graph
+    Names parameters, clips;
+  };
+
+  /// An entry of a mask. One of weight 1 that counts with all below it is written as the name alone.
+  struct MaskJoint {
+    std::string joint;
+    float weight = 1.0f;
+    bool below = true;
+  };
+
+  /// A foot that touches the ground.
+  struct Beat {
+    std::string event, foot, mirror;
   };
 
   std::map<std::string, Parameter> parameters;
-  /// Joint names of each mask; a joint stands for itself and all its descendants. Compiled masks are in name order.
-  std::map<std::string, std::vector<std::string>> masks;
+  std::map<std::string, Beat> beats;
+  /// Later entries of a mask win. Compiled masks are in name order.
+  std::map<std::string, std::vector<MaskJoint>> masks;
   std::map<std::string, Node> nodes;
+  /// Clips that characters of another kind play instead of the graph's clips.
+  std::map<std::string, Names> variations;
   std::string root;
 };
 

@@ -29,6 +29,15 @@ std::string write_graph(const GraphDocument& document);
 /// err  a reference to a name that is not defined; a fault found by find_fault, with its place in the document
 GraphTextResult<GraphDefinition> compile_graph(const GraphDocument& document);
 
+/// The differences between two documents, in words, one sentence each: "node body, state go, transition to stand:
+/// duration_s was 0.3 and is 0.5". Transitions, layers and points are found again by the state or node that they name.
+/// So one that is added or moved does not change the others. Empty if the graphs are the same.
+std::vector<std::string> compare_graphs(const GraphDocument& before, const GraphDocument& after);
+
+/// A picture for GraphViz: nodes with what they play, a frame around the states of each machine, and transitions with
+/// their conditions.
+std::string draw_graph(const GraphDocument& document);
+
 /// A table of all members in Markdown, as README.md shows it.
 std::string describe_graph_format();
 

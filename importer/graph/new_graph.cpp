@@ -46,7 +46,7 @@ GraphTextResult<GraphDocument> new_graph(const std::vector<std::string>& clips) 
   GraphDocument graph;
   graph.root = "body";
   GraphDocument::Node gaits;
-  gaits.kind = GraphNodeKind::blend_space;
+  gaits.kind = GraphDocument::NodeKind::blend_space;
   gaits.x = "speed";
   for (const Gait& gait : kGaits) {
     const std::string* clip = clip_called(clips, gait.word);
@@ -58,7 +58,7 @@ GraphTextResult<GraphDocument> new_graph(const std::vector<std::string>& clips) 
     return tl::make_unexpected(
         GraphTextFault{"", "no clip is called idle, stand, walk, jog, trot, run, sprint or gallop"});
   GraphDocument::Node body;
-  body.kind = GraphNodeKind::machine;
+  body.kind = GraphDocument::NodeKind::machine;
   body.initial = "ground";
   body.states["ground"].node = "gaits";
   if (const std::string* jump = clip_called(clips, "jump")) {

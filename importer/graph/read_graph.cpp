@@ -1,121 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <set>
-#include <type_traits>
+#include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
-#include "importer/graph/graph_schema.h"
 #include "importer/graph/graph_text.h"
-#include "importer/graph/json_path.h"
+#include "importer/graph/program_text.h"
+#include "importer/graph/schema_reader.h"
 
 namespace sinew {
 namespace {
 
-using nlohmann::json;
-
-/// Reads members of objects as the schema describes them. Keeps the first fault.
-class GraphReader {
- public:
-  GraphTextFault fault;
-  bool failed = false;
-
-  void fail(const JsonPath& path, std::string sentence) {
-    if (!failed) fault = {path.text(), std::move(sentence)};
-    failed = true;
-  }
-
-  void read(const json& from, const JsonPath& path, bool& to) {
-    if (!from.is_boolean()) return fail(path, "is not true or false");
-    to = from.get<bool>();
-  }
-  void read(const json& from, const JsonPath& path, float& to) {
-    if (!from.is_number()) return fail(path, "is no number");
-    const double value = from.get<double>();
-    if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max())))
-      return fail(path, "is too large a number");
-    to = static_cast<float>(value);
-  }
-  void read(const json& from, const JsonPath& path, std::int32_t& to) {
-    if (!from.is_number_integer() || from.get<double>() < -1e9 || from.get<double>() > 1e9)
-      return fail(path, "is no whole number of a sensible size");
-    to = from.get<std::int32_t>();
-  }
-  void read(const json& from, const JsonPath& path, std::string& to) {
-    if (!from.is_string()) return fail(path, "is no text");
-    to = from.get<std::string>();
-    if (to.find('\0') != std::string::npos) fail(path, "has a zero character");
-  }
-  template <class Word>
-  requires std::is_enum_v<Word>
-  void read(const json& from, const JsonPath& path, Word& to) {
-    std::string word, words;
-    read(from, path, word);
-    const auto all = graph_schema::words_of(to);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (word == all[i]) {
-        to = static_cast<Word>(i);
-        return;
-      }
-      words += (i == 0 ? "" : ", ");
-      words += all[i];
-    }
-    fail(path, "is none of " + words);
-  }
-  template <class T>
-  void read(const json& from, const JsonPath& path, std::vector<T>& to) {
-    if (!from.is_array()) return fail(path, "is no list");
-    for (std::size_t i = 0; i < from.size() && !failed; ++i)
-      read(from[i], {&path, std::to_string(i)}, to.emplace_back());
-  }
-  template <class T>
-  void read(const json& from, const JsonPath& path, std::map<std::string, T>& to) {
-    if (!from.is_object()) return fail(path, "is no object");
-    for (const auto& [key, value] : from.items()) {
-      if (failed) return;
-      if (key.empty() || key.find('\0') != std::string::npos) return fail({&path, key}, "has no name");
-      read(value, {&path, key}, to[key]);
-    }
-  }
-  template <class Object>
-  requires std::is_class_v<Object>
-  void read(const json& from, const JsonPath& path, Object& to) {
-    if (!from.is_object()) return fail(path, "is no object");
-    Members members{*this, from, path, {}};
-    graph_schema::describe(members, to, static_cast<const Object*>(nullptr));
-    for (const auto& [key, value] : from.items())
-      if (!members.known.contains(key) && key != "editor" && !(path.parent == nullptr && key == "graph"))
-        fail({&path, key}, "is not a known key here");
-  }
-
- private:
-  struct Members {
-    GraphReader& reader;
-    const json& from;
-    const JsonPath& path;
-    std::set<std::string> known;
-
-    template <class T>
-    void required(const char* key, T& to, const char*) {
-      if (!from.contains(key)) return reader.fail(path, std::string("has no \"") + key + "\"");
-      optional(key, to, nullptr);
-    }
-    template <class T>
-    void optional(const char* key, T& to, const char*) {
-      known.insert(key);
-      if (from.contains(key) && !reader.failed) reader.read(from[key], {&path, key}, to);
-    }
-  };
-};
-
-}  // namespace
-
-GraphTextResult<GraphDocument> read_graph(std::string_view text) {
-  constexpr std::size_t kMostDepth = 64;
+/// Deepest nesting of objects and lists in JSON text.
+std::size_t json_depth(std::string_view text) {
   std::size_t depth = 0, deepest = 0;
   bool in_text = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -128,22 +28,42 @@ GraphTextResult<GraphDocument> read_graph(std::string_view text) {
     else if (!in_text && (text[i] == '}' || text[i] == ']') && depth > 0)
       --depth;
   }
-  if (deepest > kMostDepth) return tl::make_unexpected(GraphTextFault{"", "is nested more than 64 deep"});
-  const json all = json::parse(text, nullptr, false);
+  return deepest;
+}
+
+/// Reads a document of a known version from JSON text.
+template <class Document>
+GraphTextResult<Document> read_document(std::string_view text, const char* version_key, std::int32_t known) {
+  constexpr std::size_t kMostDepth = 64;
+  if (json_depth(text) > kMostDepth) return tl::make_unexpected(GraphTextFault{"", "is nested more than 64 deep"});
+  const nlohmann::json all = nlohmann::json::parse(text, nullptr, false);
   if (!all.is_object()) return tl::make_unexpected(GraphTextFault{"", "is no JSON object"});
   const JsonPath root;
-  GraphReader reader;
+  SchemaReader reader(version_key);
   std::int32_t version = 0;
-  if (!all.contains("graph"))
-    reader.fail(root, "has no \"graph\", the version of the format");
+  if (!all.contains(version_key))
+    reader.fail(root, std::string("has no \"") + version_key + "\", the version of the format");
   else
-    reader.read(all["graph"], {&root, "graph"}, version);
-  if (!reader.failed && version != graph_schema::kVersion)
-    reader.fail({&root, "graph"}, "is a version that is not known");
-  GraphDocument document;
+    reader.read(all[version_key], {&root, version_key}, version);
+  if (!reader.failed && version != known) reader.fail({&root, version_key}, "is a version that is not known");
+  Document document;
   if (!reader.failed) reader.read(all, root, document);
   if (reader.failed) return tl::make_unexpected(reader.fault);
   return document;
+}
+
+}  // namespace
+
+GraphTextResult<GraphDocument> read_graph(std::string_view text) {
+  return read_document<GraphDocument>(text, "graph", graph_schema::kVersion);
+}
+
+GraphTextResult<ProgramDocument> read_program(std::string_view text) {
+  return read_document<ProgramDocument>(text, "program", graph_schema::kProgramVersion);
+}
+
+GraphTextResult<TraceDocument> read_trace(std::string_view text) {
+  return read_document<TraceDocument>(text, "trace", graph_schema::kTraceVersion);
 }
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -39,6 +40,11 @@ Ordered written(const std::map<std::string, T>& values) {
   return object;
 }
 
+template <class T>
+Ordered written(const std::optional<T>& value) {
+  return value ? written(*value) : Ordered();
+}
+
 /// All members, in the order of the schema.
 struct Collected {
   std::vector<std::pair<const char*, Ordered>> members;
@@ -72,6 +78,8 @@ requires std::is_class_v<Object> Ordered written(const Object& object) {
   const Object defaults = defaults_of(object);
   graph_schema::describe(all, object, static_cast<const Object*>(nullptr));
   graph_schema::describe(standard, defaults, static_cast<const Object*>(nullptr));
+  if constexpr (std::is_same_v<Object, GraphDocument::MaskJoint>)
+    if (object.weight == defaults.weight && object.below == defaults.below) return object.joint;
   Ordered to = Ordered::object();
   for (std::size_t i = 0; i < all.members.size(); ++i)
     if (all.is_required[i] || all.members[i].second != standard.members[i].second)
@@ -132,15 +140,20 @@ std::string describe_graph_format() {
   std::string text = "| object | key | meaning | default |\n|---|---|---|---|\n";
   list_members<GraphDocument>(text, "graph");
   list_members<GraphDocument::Parameter>(text, "parameter");
-  for (std::size_t kind = 0; kind < graph_schema::words_of(GraphNodeKind{}).size(); ++kind) {
+  for (std::size_t kind = 0; kind < graph_schema::words_of(GraphDocument::NodeKind{}).size(); ++kind) {
     GraphDocument::Node node;
-    node.kind = static_cast<GraphNodeKind>(kind);
-    list_members(text, graph_schema::words_of(node.kind)[kind], node);
+    node.kind = static_cast<GraphDocument::NodeKind>(kind);
+    const bool is_reference = node.kind == GraphDocument::NodeKind::graph;
+    list_members(text, is_reference ? "graph (node)" : graph_schema::words_of(node.kind)[kind], node);
   }
   list_members<GraphDocument::Point>(text, "point");
   list_members<GraphDocument::Layer>(text, "layer");
+  list_members<GraphDocument::MaskJoint>(text, "mask");
+  list_members<GraphDocument::Beat>(text, "beat");
   list_members<GraphDocument::State>(text, "state");
   list_members<GraphDocument::Transition>(text, "transition");
+  list_members<GraphDocument::Curve>(text, "curve");
+  list_members<GraphDocument::CurveKey>(text, "key");
   list_members<GraphDocument::Condition>(text, "condition");
   return text;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "runtime/graph/check_formulas.h"
 #include "runtime/graph/graph_definition.h"
 #include "runtime/graph/state_blocks.h"
 
@@ -18,6 +19,10 @@ class GraphChecker {
     check_sizes();
     for (std::size_t i = 0; i < t_.parameters.size(); ++i) check_parameter(i);
     for (std::size_t i = 0; i < t_.nodes.size(); ++i) check_node(i);
+    node_ = kNoGraphIndex;
+    for (std::size_t i = 0; i < t_.masks.size(); ++i) check_mask(i);
+    if (is_sound()) fault_ = find_formula_fault(t_);
+    if (is_sound()) fault_ = find_curve_fault(t_);
     if (fault_.code == ErrorCode::ok) check_tree();
     return fault_;
   }
@@ -34,9 +39,11 @@ class GraphChecker {
   }
 
   void check_sizes() {
-    const std::size_t sizes[] = {t_.clip_names.size(), t_.parameters.size(), t_.nodes.size(),    t_.points.size(),
-                                 t_.children.size(),   t_.layer_list.size(), t_.states.size(),   t_.transitions.size(),
-                                 t_.conditions.size(), t_.clips.size(),      t_.machines.size(), t_.selects.size()};
+    const std::size_t sizes[] = {
+        t_.clip_names.size(), t_.parameters.size(), t_.nodes.size(),        t_.points.size(),      t_.children.size(),
+        t_.layer_list.size(), t_.states.size(),     t_.transitions.size(),  t_.conditions.size(),  t_.clips.size(),
+        t_.machines.size(),   t_.selects.size(),    t_.masks.size(),        t_.mask_joints.size(), t_.curves.size(),
+        t_.curve_keys.size(), t_.formulas.size(),   t_.formula_steps.size()};
     for (const std::size_t size : sizes)
       expect(size < kNoGraphIndex, ErrorCode::too_large, GraphTable::graph, 0, "a table has 65535 entries or more");
     expect(!t_.nodes.empty() && t_.root < t_.nodes.size(), ErrorCode::index_out_of_range, GraphTable::graph, 0,
@@ -51,6 +58,17 @@ class GraphChecker {
            "its initial value is not finite");
     expect(p.kind != GraphParameterKind::trigger || i < kMostGraphTriggers, ErrorCode::too_large, GraphTable::parameter,
            i, "a trigger is not among the first 64 parameters");
+  }
+
+  void check_mask(std::size_t i) {
+    const GraphMask& mask = t_.masks[i];
+    expect(i < PoseOp::kNoMask, ErrorCode::too_large, GraphTable::mask, i, "there are more than 255 masks");
+    expect(in_table(t_.mask_joints, mask.first_joint, mask.joint_count), ErrorCode::index_out_of_range,
+           GraphTable::mask, i, "its joints do not exist");
+    if (!is_sound()) return;
+    for (std::size_t j = mask.first_joint; j < std::size_t{mask.first_joint} + mask.joint_count; ++j)
+      expect(t_.mask_joints[j].weight >= 0.0f && t_.mask_joints[j].weight <= 1.0f, ErrorCode::not_a_fraction,
+             GraphTable::mask, i, "a weight is not between 0 and 1");
   }
 
   void expect_number(GraphIndex parameter, GraphTable table, std::size_t index, bool may_lack) {
@@ -174,8 +192,13 @@ class GraphChecker {
       want(t.to < m.state_count, ErrorCode::index_out_of_range, "its target is no state of the machine");
       want(t.duration_s >= 0.0f && t.duration_s <= 3600.0f, ErrorCode::too_large, "it does not last 0 to 3600 s");
       want(t.fade <= GraphFade::ease_out && t.interruption <= GraphInterruption::target_then_source &&
-               t.sync <= GraphSync::locked && t.kind <= GraphTransitionKind::dead_blend,
+               t.sync <= GraphSync::locked && t.start_by <= SyncStart::time_left &&
+               t.kind <= GraphTransitionKind::dead_blend,
            ErrorCode::unsupported, "its kind, fade, interruption or synchronisation is unknown");
+      want(t.curve == kNoGraphIndex || t.curve < t_.curves.size(), ErrorCode::index_out_of_range,
+           "its curve does not exist");
+      want(t.curve == kNoGraphIndex || t.kind == GraphTransitionKind::cross_fade, ErrorCode::unsupported,
+           "only a cross-fade has a curve of its own");
       want(in_table(t_.conditions, t.first_condition, t.condition_count), ErrorCode::index_out_of_range,
            "its conditions do not exist");
       if (!is_sound()) return;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "runtime/graph/start_in_sync.h"
+
 namespace sinew {
 namespace {
 
@@ -44,42 +46,6 @@ void enter(const LiveGraph& live, const GraphMachine& machine, const MachineSlot
            const SlotState& slot) noexcept {
   slots.slot(index) = slot;
   start_node(live, live.tables().states[machine.first_state + slot.state].node, slots.inside(index));
-}
-
-/// The main motion of a node that has just started.
-struct Driver {
-  MotionState* state = nullptr;
-  std::int64_t period = 0;
-};
-
-Driver driver_of(const LiveGraph& live, GraphIndex node, std::byte* base) noexcept {
-  const GraphTables& t = live.tables();
-  const std::size_t s = t.nodes[node].settings;
-  std::byte* const own = base + live.graph().offset_of(node);
-  switch (t.nodes[node].kind) {
-    case GraphNodeKind::clip: return {&block_at<MotionState>(own), live.clips().entries()[t.clips[s].clip].period};
-    case GraphNodeKind::blend_space: return {&block_at<MotionState>(own), kPhasePeriod};
-    case GraphNodeKind::select:
-      return driver_of(live, t.children[t.selects[s].first_child + block_at<SelectState>(own).child],
-                       own + sizeof(SelectState));
-    case GraphNodeKind::layers: return driver_of(live, t.layers[s].base, base);
-    case GraphNodeKind::machine: {
-      const MachineSlots slots = live.slots_of(node, base);
-      const GraphMachine& machine = t.machines[s];
-      return driver_of(live, t.states[machine.first_state + slots.top().state].node, slots.inside(slots.depth() - 1));
-    }
-    case GraphNodeKind::external: break;
-  }
-  return {};
-}
-
-/// Starts a motion at the phase of another motion. The events at that place are reported for the other motion only.
-void start_in_phase(const Driver& target, const Driver& source) noexcept {
-  if (target.period == 0 || source.period == 0) return;
-  const double phase = static_cast<double>(source.state->position) / static_cast<double>(source.period);
-  target.state->position =
-      std::min(static_cast<std::int64_t>(std::llround(phase * static_cast<double>(target.period))), target.period - 1);
-  target.state->started = 1;
 }
 
 /// Forgets slots [first, first + count).
@@ -156,7 +122,7 @@ bool follow_choices(const LiveGraph& live, GraphIndex node, std::byte* base) noe
     }
     case GraphNodeKind::machine: {
       const MachineSlots slots = live.slots_of(node, base);
-      for (std::size_t i = 0; i < slots.depth(); ++i)
+      for (std::size_t i = live.first_playing(slots, slots.depth()); i < slots.depth(); ++i)
         changed |=
             follow_choices(live, t.states[t.machines[s].first_state + slots.slot(i).state].node, slots.inside(i));
       return changed;
@@ -183,14 +149,10 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
       if (condition.kind == GraphConditionKind::trigger) triggers |= std::uint64_t{1} << condition.parameter;
     }
   }
-  // The phase is read first, since entering may drop the slot of the source.
-  const GraphIndex source_node = t.states[machine.machine->first_state + slots.top().state].node;
-  Driver source = driver_of(live, source_node, slots.inside(slots.depth() - 1));
-  MotionState kept{};
-  if (source.state != nullptr) {
-    kept = *source.state;
-    source.state = &kept;
-  }
+  SyncSource source;  // found first, since entering may drop the slot of the state that is left
+  if (sync != GraphSync::none)
+    source = find_sync_source(live, t.states[machine.machine->first_state + slots.top().state].node,
+                              slots.inside(slots.depth() - 1));
   if (duration == 0 || machine.machine->fades == 0) {
     slots.head().depth = 0;
     slot.whole = 1;
@@ -200,9 +162,9 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
   const std::size_t index = slots.depth();
   slots.head().depth = static_cast<std::uint16_t>(index + 1);
   enter(live, *machine.machine, slots, index, slot);
-  if (sync != GraphSync::none && source.state != nullptr)
-    start_in_phase(driver_of(live, t.states[machine.machine->first_state + slot.state].node, slots.inside(index)),
-                   source);
+  if (sync != GraphSync::none)
+    start_in_sync(live, t.states[machine.machine->first_state + slot.state].node, slots.inside(index), source,
+                  t.transitions[next.transition].start_by);
   if (slot.whole == 0 && kind != GraphTransitionKind::cross_fade) {
     std::memcpy(slots.started(index), slots.inside(index), slots.largest_state);
     for (std::size_t p = 0; p < t.parameters.size(); ++p)

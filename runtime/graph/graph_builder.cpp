@@ -2,6 +2,7 @@
 #include "runtime/graph/graph_builder.h"
 
 #include "runtime/base/contract.h"
+#include "runtime/graph/fade_curve.h"
 
 namespace sinew {
 namespace {
@@ -23,6 +24,20 @@ std::uint32_t GraphBuilder::text(std::string_view name) {
 GraphIndex GraphBuilder::parameter(std::string_view name, GraphParameterKind kind, float initial) {
   tables_.parameters.push_back({text(name), initial, kind});
   return static_cast<GraphIndex>(tables_.parameters.size() - 1);
+}
+
+GraphIndex GraphBuilder::computed(std::string_view name, std::span<const GraphFormulaStep> steps) {
+  const GraphIndex made = number(name);
+  tables_.formulas.push_back({made, size_of(tables_.formula_steps), static_cast<GraphIndex>(steps.size())});
+  tables_.formula_steps.insert(tables_.formula_steps.end(), steps.begin(), steps.end());
+  return made;
+}
+
+GraphIndex GraphBuilder::curve(float start_slope, float end_slope, std::span<const GraphFadeKey> points) {
+  const std::vector<GraphFadeKey> keys = fade_curve_keys(start_slope, end_slope, points);
+  tables_.curves.push_back({size_of(tables_.curve_keys), static_cast<GraphIndex>(keys.size())});
+  tables_.curve_keys.insert(tables_.curve_keys.end(), keys.begin(), keys.end());
+  return static_cast<GraphIndex>(tables_.curves.size() - 1);
 }
 
 GraphIndex GraphBuilder::clip_name(std::string_view name) {

@@ -33,6 +33,13 @@ class SINEW_API GraphBuilder {
   GraphIndex flag(std::string_view name) { return parameter(name, GraphParameterKind::flag); }
   GraphIndex trigger(std::string_view name) { return parameter(name, GraphParameterKind::trigger); }
 
+  /// Makes a number that the graph computes.
+  GraphIndex computed(std::string_view name, std::span<const GraphFormulaStep> steps);
+
+  /// Adds a curve for fades: a cubic with these slopes at its ends, or through points between the ends.
+  /// in   points  `at` increases within (0, 1); slopes are found here, so that the curve has no bumps of its own
+  GraphIndex curve(float start_slope, float end_slope, std::span<const GraphFadeKey> points = {});
+
   /// Returns the index of a clip name, and adds the name if it is new.
   GraphIndex clip_name(std::string_view name);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/graph/graph_definition.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -54,6 +55,9 @@ const char* word_of(GraphTable table) noexcept {
     case GraphTable::state: return "state";
     case GraphTable::transition: return "transition";
     case GraphTable::condition: return "condition";
+    case GraphTable::mask: return "mask";
+    case GraphTable::formula: return "formula";
+    case GraphTable::curve: return "curve";
   }
   return "?";
 }
@@ -121,6 +125,11 @@ ErrorCode GraphDefinition::prepare_spaces(std::size_t& space) {
     if (code != ErrorCode::ok) return code;
   }
   return ErrorCode::ok;
+}
+
+bool GraphDefinition::is_computed(GraphIndex parameter) const noexcept {
+  return std::any_of(tables_.formulas.begin(), tables_.formulas.end(),
+                     [&](const GraphFormula& formula) { return formula.parameter == parameter; });
 }
 
 GraphIndex GraphDefinition::find_parameter(std::string_view name) const noexcept {

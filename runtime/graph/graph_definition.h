@@ -36,7 +36,16 @@ struct GraphTables {
   std::vector<GraphMachineState> states;
   std::vector<GraphTransition> transitions;
   std::vector<GraphCondition> conditions;
+  std::vector<GraphFadeCurve> curves;
+  std::vector<GraphFadeKey> curve_keys;
+  std::vector<GraphFormula> formulas;  ///< in the order in which they are computed
+  std::vector<GraphFormulaStep> formula_steps;
+  std::vector<GraphMask> masks;  ///< those that layers refer to by index; masks of the caller may follow
+  std::vector<GraphMaskJoint> mask_joints;
 
+  std::span<const GraphFadeKey> keys_of(GraphIndex curve) const noexcept {
+    return std::span(curve_keys).subspan(curves[curve].first_key, curves[curve].key_count);
+  }
   std::string_view name_at(std::uint32_t offset) const noexcept {
     return offset < names.size() ? std::string_view(names.c_str() + offset) : std::string_view();
   }
@@ -57,7 +66,10 @@ enum class GraphTable : std::uint8_t {
   machine,
   state,
   transition,
-  condition
+  condition,
+  mask,
+  formula,
+  curve
 };
 
 /// The first rule that a graph breaks, and the table and entry that break it.
@@ -111,6 +123,8 @@ class SINEW_API GraphDefinition {
   /// Bytes of a machine's slot. A slot holds a state that plays or fades.
   std::uint32_t slot_bytes(GraphIndex machine) const noexcept { return slot_bytes_[machine]; }
 
+  /// True if a formula computes the parameter, so that callers do not set it.
+  bool is_computed(GraphIndex parameter) const noexcept;
   /// Index of the entry with this name, or kNoGraphIndex.
   GraphIndex find_parameter(std::string_view name) const noexcept;
   GraphIndex find_node(std::string_view name) const noexcept;

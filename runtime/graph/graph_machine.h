@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "runtime/graph/graph_nodes.h"
+#include "runtime/sync/sync_group.h"
 
 namespace sinew {
 
@@ -46,10 +47,23 @@ enum class GraphFade : std::uint8_t {
   ease_out,  ///< u (2 - u)
 };
 
+/// A key of a fade's own curve. Between keys the share is a cubic with these slopes.
+struct GraphFadeKey {
+  float at = 0.0f;     ///< elapsed fraction u of the fade
+  float share = 0.0f;  ///< of the new pose
+  float slope = 0.0f;  ///< d share / d u
+};
+
+/// The curve of a fade. Its first key is (0, 0), its last one (1, 1), and `at` increases. A cubic never leaves the
+/// range of its two shares: both slopes have the sign of the secant and at most three times its size.
+struct GraphFadeCurve {
+  GraphIndex first_key = 0, key_count = 0;
+};
+
 /// How the new state starts and plays while the old one fades.
 enum class GraphSync : std::uint8_t {
   none,
-  start,   ///< it starts at the phase of the old state's main clip
+  start,   ///< it starts at a place that follows from the old state's main clip, by GraphTransition::start_by
   locked,  ///< as `start`; while they fade, both states play with the weighted mean of their lengths
 };
 
@@ -67,12 +81,14 @@ struct GraphTransition {
   std::int32_t priority = 0;
   GraphIndex to = 0;                                    ///< state of the machine
   GraphIndex first_condition = 0, condition_count = 0;  ///< no conditions: taken at once
+  GraphIndex curve = kNoGraphIndex;                     ///< of a cross-fade, instead of `fade`
   GraphFade fade = GraphFade::smooth;
-  /// If clips move the character, all kinds act as cross-fades. Their places differ by metres, and such an offset must
-  /// not decay.
+  /// If the pose of some clip contains its root motion (GraphClip::root_in_pose), all kinds act as cross-fades. Such
+  /// places differ by metres, and such an offset must not decay. Root motion and events follow the curve of the pose.
   GraphTransitionKind kind = GraphTransitionKind::cross_fade;
   GraphInterruption interruption = GraphInterruption::target;
   GraphSync sync = GraphSync::none;
+  SyncStart start_by = SyncStart::phase;  ///< if `sync` is not none: same phase, same beat or same time left
   bool ordered = false;  ///< transitions of the source may only interrupt this one if their priority is smaller
   bool to_self = false;  ///< transition from any state: may also enter the active state and thus restart it
 };

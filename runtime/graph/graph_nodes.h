@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "runtime/blend_space/blend_space.h"
@@ -40,6 +41,45 @@ struct GraphParameter {
   GraphParameterKind kind = GraphParameterKind::number;
 };
 
+/// Steps of a formula. Each takes its operands from a stack of numbers and puts its result there. Truths are 1 and 0;
+/// every number but 0 is true.
+enum class GraphFormulaKind : std::uint8_t {
+  number,          ///< the step's value
+  parameter,       ///< the value of the step's parameter
+  negate,          ///< -a
+  absolute,        ///< |a|
+  is_false,        ///< a == 0
+  add,             ///< a + b
+  subtract,        ///< a - b
+  multiply,        ///< a b
+  divide,          ///< a / b; 0 if b is 0
+  minimum,         ///< of a and b
+  maximum,         ///< of a and b
+  length,          ///< sqrt(a^2 + b^2)
+  below,           ///< a < b
+  below_or_equal,  ///< a <= b
+  equal,           ///< a == b
+  both,            ///< a and b are true
+  either,          ///< a or b is true
+  choose,          ///< b if a is true, else c
+};
+
+struct GraphFormulaStep {
+  float value = 0.0f;
+  GraphIndex parameter = kNoGraphIndex;
+  GraphFormulaKind kind = GraphFormulaKind::number;
+};
+
+/// Computes a parameter from others, in double precision, at the start of each update. The caller's value of the
+/// parameter is ignored. A formula may read parameters that earlier formulas compute. Results beyond the range of float
+/// are its largest numbers.
+struct GraphFormula {
+  GraphIndex parameter = 0;
+  GraphIndex first_step = 0, step_count = 0;
+};
+inline constexpr std::size_t kMostFormulaNumbers = 16;     ///< on the stack at once
+inline constexpr std::size_t kMostParametersBeside = 256;  ///< parameters of a graph that has formulas
+
 struct GraphClipNode {
   float speed = 1.0f;                          ///< from -kMostGraphSpeed to kMostGraphSpeed; negative plays backwards
   float offset_s = 0.0f;                       ///< time in the clip at which it starts
@@ -56,7 +96,7 @@ struct GraphBlendSpace {
   GraphIndex x = kNoGraphIndex;
   GraphIndex y = kNoGraphIndex;  ///< kNoGraphIndex: the space is a line
   GraphIndex first_point = 0, point_count = 0;
-  BlendSpaceKind form = BlendSpaceKind::cartesian;  ///< rule for a plane; ignored for a line
+  BlendSpaceKind form = BlendSpaceKind::cartesian;  ///< how a place in a plane becomes weights of the points
   float angle_factor = 1.0f;                        ///< as BlendSpace::angle_factor
 };
 
@@ -92,6 +132,19 @@ struct GraphLayer {
   GraphIndex weight_parameter = kNoGraphIndex;  ///< multiplies `weight`; values below 0 count as 0
   std::uint8_t mask = 255;                      ///< index of joint weights, as PoseOp::mask; 255 = all joints
   GraphLayerKind kind = GraphLayerKind::overlay;
+};
+
+/// A named choice of joints for layers (make_graph_masks).
+struct GraphMask {
+  std::uint32_t name = 0;
+  GraphIndex first_joint = 0, joint_count = 0;
+};
+
+/// An entry of a mask. Later entries of a mask win, so an entry of weight 0 takes joints out again.
+struct GraphMaskJoint {
+  std::uint32_t name = 0;
+  float weight = 1.0f;  ///< [0, 1]
+  bool below = true;    ///< true: also all joints below it
 };
 
 }  // namespace sinew

@@ -13,6 +13,7 @@ inline constexpr GraphTicks kTicksPerSecond = 705'600'000;
 /// The time of events that never occur: later than any real time.
 inline constexpr GraphTicks kNever = std::int64_t{1} << 62;
 
+/// Converts seconds to the nearest tick.
 /// in   time_s  finite, below 10^9 s
 inline GraphTicks ticks_of(double time_s) noexcept {
   return static_cast<GraphTicks>(std::llround(time_s * static_cast<double>(kTicksPerSecond)));

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/graph/fade_share.h"
-
 namespace sinew {
 namespace {
 
@@ -18,30 +16,17 @@ constexpr float kLeastShare = 1e-6f;
 
 }  // namespace
 
-double LiveMotion::time_s(const LiveSample& sample, std::int64_t position) const noexcept {
-  if (is_space) return static_cast<double>(position) * kRoundsOfPhase * sample.entry->duration_s;
-  return static_cast<double>(position) * kTicksOfClip / static_cast<double>(kTicksPerSecond);
-}
-
-std::int64_t LiveMotion::position_at(GraphTicks ahead) const noexcept {
-  if (ahead == 0 || period == 0) return state->position;
-  const std::int64_t position = state->position + step * ahead;
-  if (!loop) return std::clamp(position, std::int64_t{0}, period);
-  const std::int64_t rest = position % period;
-  return rest < 0 ? rest + period : rest;
-}
-
 void LiveGraph::clear() noexcept {
   motion_count_ = sample_count_ = machine_count_ = root_samples_ = 0;
-  plays_in_step_ = false;
+  plays_in_step_ = has_segments_ = has_root_cuts_ = false;
   moves_root_ = true;
 }
 
 void LiveGraph::open() noexcept { open_only(tables_.root, state_); }
 
-void LiveGraph::open_only(GraphIndex node, std::byte* base) noexcept {
+std::uint16_t LiveGraph::open_only(GraphIndex node, std::byte* base) noexcept {
   clear();
-  open_node(node, base);
+  return open_node(node, base);
 }
 
 void LiveGraph::open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept {
@@ -97,21 +82,24 @@ std::uint16_t LiveGraph::open_clip(GraphIndex node, std::byte* base) noexcept {
       motion.own_step != 0 ? static_cast<double>(entry.period) / std::fabs(static_cast<double>(motion.own_step)) : 0.0;
   motion.first_sample = static_cast<std::uint16_t>(sample_count_);
   motion.sample_count = 1;
+  motion.segments = 0;
   motion.node = node;
   motion.loop = clip.loop;
   motion.is_space = false;
   motion.moves_root = moves_root_;
   root_samples_ += moves_root_ ? 1 : 0;
-  samples_[sample_count_++] = {&entry, 1.0f, clip.clip, clip.mirror};
+  samples_[sample_count_++] = {&entry, nullptr, motion.length, 1.0f, clip.clip, kNoGraphIndex, clip.mirror};
   return static_cast<std::uint16_t>(motion_count_++);
 }
 
 std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
-  const GraphBlendSpace& space = tables_.spaces[tables_.nodes[node].settings];
+  const GraphIndex index = tables_.nodes[node].settings;
+  const GraphBlendSpace& space = tables_.spaces[index];
+  const std::uint32_t segments = clips_.space_beats().segments(index);
   const std::span points = std::span(tables_.points).subspan(space.first_point, space.point_count);
   std::array<float, kMostBlendPoints> weights;
-  blend_space_weights(graph_.blend_space(tables_.nodes[node].settings), value_of(space.x),
-                      space.y == kNoGraphIndex ? 0.0f : value_of(space.y), std::span(weights).first(points.size()));
+  blend_space_weights(graph_.blend_space(index), value_of(space.x), space.y == kNoGraphIndex ? 0.0f : value_of(space.y),
+                      std::span(weights).first(points.size()));
   LiveMotion& motion = motions_[motion_count_];
   motion.first_sample = static_cast<std::uint16_t>(sample_count_);
   double length = 0.0, moving = 0.0, direction = 0.0;
@@ -119,10 +107,15 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
     if (!(weights[i] > kLeastShare)) continue;
     const GraphClipNode& clip = tables_.clips[tables_.nodes[points[i].node].settings];
     const GraphClipSet::Entry& entry = clips_.entries()[clip.clip];
-    samples_[sample_count_++] = {&entry, weights[i], clip.clip, clip.mirror};
+    const auto point = static_cast<GraphIndex>(space.first_point + i);
+    const double* const bounds = segments == 0 ? nullptr : clips_.space_beats().bounds(point);
+    LiveSample& sample = samples_[sample_count_++];
+    sample = {&entry, bounds, 0.0, weights[i], clip.clip, point, clip.mirror};
     const double speed = speed_of(clip), weight = static_cast<double>(weights[i]);
     if (entry.period == 0 || speed == 0.0) continue;
-    length += weight * static_cast<double>(entry.period) * kTicksOfClip / std::fabs(speed);
+    sample.length = static_cast<double>(entry.period) * kTicksOfClip / std::fabs(speed);
+    const double rounds = segments == 0 ? 1.0 : std::round(bounds[segments] - bounds[0]);
+    length += weight * sample.length * rounds;
     moving += weight;
     direction += weight * speed;
   }
@@ -133,11 +126,36 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
   if (direction < 0.0) motion.own_step = -motion.own_step;
   motion.step = motion.own_step;
   motion.period = kPhasePeriod;
+  motion.segments = static_cast<std::uint16_t>(segments);
+  if (segments > 0) {
+    has_segments_ = true;
+    follow_segment(motion, false);
+  }
   motion.node = node;
   motion.loop = motion.is_space = true;
   motion.moves_root = moves_root_;
   root_samples_ += moves_root_ ? motion.sample_count : 0;
   return static_cast<std::uint16_t>(motion_count_++);
+}
+
+void LiveGraph::follow_segment(LiveMotion& motion, bool backwards) noexcept {
+  if (motion.segments == 0 || motion.own_step == 0) return;
+  const std::uint64_t k = motion.segment(backwards);
+  double length = 0.0, moving = 0.0;
+  for (const LiveSample& sample : samples_of(motion)) {
+    if (!(sample.length > 0.0)) continue;
+    length += static_cast<double>(sample.share) * sample.length * (sample.bounds[k + 1] - sample.bounds[k]);
+    moving += static_cast<double>(sample.share);
+  }
+  const double ticks = std::max(length / moving, kShortestRound) * static_cast<double>(motion.segments);
+  const std::int64_t step = std::llround(static_cast<double>(kPhasePeriod) / ticks);
+  motion.own_step = motion.own_step < 0 ? -step : step;
+  motion.step = motion.own_step;
+}
+
+void LiveGraph::follow_segments(bool backwards) noexcept {
+  if (!has_segments_) return;
+  for (LiveMotion& motion : motions()) follow_segment(motion, backwards);
 }
 
 std::size_t LiveGraph::first_playing(const MachineSlots& slots, std::size_t end) const noexcept {
@@ -152,6 +170,9 @@ std::uint16_t LiveGraph::open_machine(GraphIndex node, std::byte* base, std::siz
   live.slots = slots_of(node, base);
   live.node = node;
   live.first = first_playing(live.slots, end);
+  live.end = end;
+  has_root_cuts_ |= live.first > 0 && moves_root_;
+  live.moves_root = moves_root_;
   for (std::size_t i = 0; i < live.first; ++i) live.driver[i] = kNoMotion;
   for (std::size_t i = live.first; i < end; ++i) {
     const SlotState& slot = live.slots.slot(i);
@@ -173,96 +194,6 @@ float LiveGraph::weight_of(const GraphLayer& layer) const noexcept {
   if (layer.weight_parameter == kNoGraphIndex) return layer.weight;
   const float weight = layer.weight * value_of(layer.weight_parameter);
   return weight > 0.0f && std::isfinite(weight) ? weight : 0.0f;
-}
-
-float LiveGraph::fade_of(const SlotState& slot, GraphTicks ahead) const noexcept {
-  if (slot.whole != 0) return 1.0f;
-  const GraphFade fade = is_cut(slot) ? GraphFade::smoother : tables_.transitions[slot.transition].fade;
-  const auto u = static_cast<double>(slot.time + ahead) / static_cast<double>(duration_of(slot));
-  return static_cast<float>(fade_share(fade, u));
-}
-
-void LiveGraph::weigh(GraphTicks ahead) noexcept {
-  weighed_ = 0;
-  ahead_ = ahead;
-  weigh_node(tables_.root, state_, 1.0f, 1.0f);
-}
-
-void LiveGraph::weigh_node(GraphIndex node, std::byte* base, float weight, float root_weight) noexcept {
-  const std::size_t s = tables_.nodes[node].settings;
-  switch (tables_.nodes[node].kind) {
-    case GraphNodeKind::clip:
-    case GraphNodeKind::blend_space: {
-      LiveMotion& motion = motions_[weighed_++];
-      motion.weight = weight;
-      motion.root_weight = root_weight;
-      return;
-    }
-    case GraphNodeKind::select: {
-      std::byte* const own = base + graph_.offset_of(node);
-      return weigh_node(tables_.children[tables_.selects[s].first_child + block_at<SelectState>(own).child],
-                        own + sizeof(SelectState), weight, root_weight);
-    }
-    case GraphNodeKind::layers: {
-      const GraphLayers& layers = tables_.layers[s];
-      const std::size_t base_motion = weighed_;
-      weigh_node(layers.base, base, weight, root_weight);
-      for (std::size_t i = 0; i < layers.layer_count; ++i) {
-        const GraphLayer& layer = tables_.layer_list[layers.first_layer + i];
-        const float w = weight_of(layer), mean = w / (1.0f + w);
-        const bool is_mean = layer.kind == GraphLayerKind::mean;
-        if (is_mean)
-          for (std::size_t m = base_motion; m < weighed_; ++m) {
-            motions_[m].weight *= 1.0f - mean;
-            motions_[m].root_weight *= 1.0f - mean;
-          }
-        weigh_node(layer.node, base, weight * (is_mean ? mean : std::min(w, 1.0f)),
-                   is_mean ? root_weight * mean : 0.0f);
-      }
-      return;
-    }
-    case GraphNodeKind::machine: {
-      const GraphMachine& machine = tables_.machines[s];
-      const MachineSlots slots = slots_of(node, base);
-      std::array<float, kMostGraphFades + 1> shares;
-      float rest = 1.0f;
-      for (std::size_t i = slots.depth(); i-- > 0;) {
-        const float fade = i == 0 ? 1.0f : fade_of(slots.slot(i), ahead_);
-        shares[i] = rest * fade;
-        rest *= 1.0f - fade;
-      }
-      for (std::size_t i = first_playing(slots, slots.depth()); i < slots.depth(); ++i)
-        weigh_node(tables_.states[machine.first_state + slots.slot(i).state].node, slots.inside(i), weight * shares[i],
-                   root_weight * shares[i]);
-      return;
-    }
-    case GraphNodeKind::external: return;
-  }
-}
-
-void LiveGraph::match_lengths(GraphTicks ahead) noexcept {
-  for (LiveMotion& motion : motions()) motion.step = motion.own_step;
-  if (!plays_in_step_) return;
-  for (const LiveMachine& live : machines()) {
-    const auto is_locked = [&](std::size_t i) {
-      const SlotState& slot = live.slots.slot(i);
-      return i > live.first && slot.whole == 0 && tables_.transitions[slot.transition].sync == GraphSync::locked &&
-             live.driver[i] != kNoMotion && live.driver[i - 1] != kNoMotion && motions_[live.driver[i]].length > 0.0 &&
-             motions_[live.driver[i - 1]].length > 0.0;
-    };
-    for (std::size_t first = live.first, end = 1; first < live.slots.depth(); first = end) {
-      double length = live.driver[first] == kNoMotion ? 0.0 : motions_[live.driver[first]].length;
-      for (end = first + 1; end < live.slots.depth() && is_locked(end); ++end) {
-        const double share = static_cast<double>(fade_of(live.slots.slot(end), ahead));
-        length += share * (motions_[live.driver[end]].length - length);
-      }
-      if (end == first + 1) continue;
-      for (std::size_t i = first; i < end; ++i) {
-        LiveMotion& motion = motions_[live.driver[i]];
-        motion.step = std::llround(static_cast<double>(motion.own_step) * (motion.length / length));
-      }
-    }
-  }
 }
 
 }  // namespace sinew

@@ -9,38 +9,12 @@
 #include "runtime/graph/graph_definition.h"
 #include "runtime/graph/graph_layout.h"
 #include "runtime/graph/graph_time.h"
+#include "runtime/graph/live_motion.h"
 #include "runtime/graph/state_blocks.h"
 
 namespace sinew {
 
 inline constexpr std::uint16_t kNoMotion = 0xFFFF;
-
-/// A clip of a motion that plays, with its share in the motion.
-struct LiveSample {
-  const GraphClipSet::Entry* entry;
-  float share;
-  GraphIndex name;  ///< index of its clip name in the graph
-  bool mirror;
-};
-
-/// A motion: a clip node or a blend space that plays.
-struct LiveMotion {
-  MotionState* state;
-  std::int64_t period;    ///< period of state->position; 0: the motion stands still
-  std::int64_t step;      ///< change of position per tick
-  std::int64_t own_step;  ///< the same without synchronisation
-  double length;          ///< ticks of a round at own_step; 0: the motion stands still
-  std::uint16_t first_sample, sample_count;
-  GraphIndex node;
-  bool loop, is_space;
-  bool moves_root;            ///< false: its layer does not contribute to root motion
-  float weight, root_weight;  ///< shares of its pose and its root motion in those of the graph, from the last weigh()
-
-  /// Clip time of a sample at a position.
-  double time_s(const LiveSample& sample, std::int64_t position) const noexcept;
-  /// Position `ahead` ticks from now; negative looks back.
-  std::int64_t position_at(GraphTicks ahead) const noexcept;
-};
 
 /// A machine that plays.
 struct LiveMachine {
@@ -48,6 +22,9 @@ struct LiveMachine {
   MachineSlots slots;
   GraphIndex node;
   std::size_t first;  ///< first slot that plays; slots below are frozen by a cut (inertialize or dead_blend)
+  std::size_t end;    ///< slots in use
+  bool moves_root;    ///< false: its layer does not contribute to root motion
+  float root_weight;  ///< share of the machine in the root motion of the graph, from the last weigh()
   std::array<std::uint16_t, kMostGraphFades + 1> driver;  ///< main motion of each slot, or kNoMotion
 };
 
@@ -63,10 +40,15 @@ class LiveGraph {
   /// Makes the lists of the whole graph.
   void open() noexcept;
   /// Makes the lists of a single node, or of the slots [0, end) of a machine.
-  void open_only(GraphIndex node, std::byte* base) noexcept;
+  /// out  the main motion of the node, or kNoMotion
+  std::uint16_t open_only(GraphIndex node, std::byte* base) noexcept;
   void open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept;
+  /// Sets the steps of motions with segments to those of the segments in which they move on.
+  void follow_segments(bool backwards) noexcept;
   /// Computes the weights that all motions have `ahead` ticks from now.
   void weigh(GraphTicks ahead) noexcept;
+  /// Same, for lists that open_slots has made: the shares in the motion of the machine.
+  void weigh_slots(GraphTicks ahead) noexcept;
   /// Sets the steps of synchronised motions, by their weights `ahead` ticks from now.
   void match_lengths(GraphTicks ahead) noexcept;
 
@@ -77,10 +59,12 @@ class LiveGraph {
   }
   bool plays_in_step() const noexcept { return plays_in_step_; }       ///< motions are synchronised while states fade
   std::size_t root_samples() const noexcept { return root_samples_; }  ///< samples of motions that move the root
+  bool has_root_cuts() const noexcept { return has_root_cuts_; }       ///< frozen states still move the root
 
   const GraphDefinition& graph() const noexcept { return graph_; }
   const GraphTables& tables() const noexcept { return tables_; }
   const GraphClipSet& clips() const noexcept { return clips_; }
+  std::span<const float> parameters() const noexcept { return parameters_; }
   std::byte* state() const noexcept { return state_; }
   GraphHeader& header() const noexcept { return block_at<GraphHeader>(state_); }
   float value_of(GraphIndex parameter) const noexcept { return parameters_[parameter]; }
@@ -92,7 +76,7 @@ class LiveGraph {
   GraphIndex choice_of(const GraphSelect& select) const noexcept;
   float weight_of(const GraphLayer& layer) const noexcept;
   GraphTransitionKind kind_of(const GraphTransition& transition) const noexcept {
-    return clips_.any_root() ? GraphTransitionKind::cross_fade : transition.kind;
+    return clips_.any_root_in_pose() ? GraphTransitionKind::cross_fade : transition.kind;
   }
   bool is_cut(const SlotState& slot) const noexcept {
     return slot.whole == 0 && kind_of(tables_.transitions[slot.transition]) != GraphTransitionKind::cross_fade;
@@ -105,6 +89,9 @@ class LiveGraph {
   }
   /// Share of the slot's state in the mix with the slots below it.
   float fade_of(const SlotState& slot, GraphTicks ahead) const noexcept;
+  /// Share that the states above the cut in slot `first`, and above all cuts below it, have in root motion. The frozen
+  /// states below each cut have the remainder. 1 without a cut.
+  float share_above_cuts(const MachineSlots& slots, std::size_t first, GraphTicks ahead) const noexcept;
 
  private:
   std::uint16_t open_node(GraphIndex node, std::byte* base) noexcept;
@@ -112,7 +99,10 @@ class LiveGraph {
   std::uint16_t open_space(GraphIndex node, std::byte* base) noexcept;
   std::uint16_t open_machine(GraphIndex node, std::byte* base, std::size_t end) noexcept;
   void clear() noexcept;
+  void follow_segment(LiveMotion& motion, bool backwards) noexcept;
+  void weaken(std::size_t first_motion, std::size_t first_machine, float factor) noexcept;
   void weigh_node(GraphIndex node, std::byte* base, float weight, float root_weight) noexcept;
+  void weigh_machine(LiveMachine& live, float weight, float root_weight) noexcept;
   double speed_of(const GraphClipNode& clip) const noexcept;
 
   const GraphDefinition& graph_;
@@ -122,10 +112,10 @@ class LiveGraph {
   std::byte* state_;
 
   std::size_t motion_count_ = 0, sample_count_ = 0, machine_count_ = 0;
-  std::size_t weighed_ = 0;  // motions weighed so far by the current weigh()
-  GraphTicks ahead_ = 0;     // argument of the current weigh()
+  std::size_t weighed_ = 0, weighed_machines_ = 0;  // weighed so far by the current weigh()
+  GraphTicks ahead_ = 0;                            // argument of the current weigh()
   std::size_t root_samples_ = 0;
-  bool plays_in_step_ = false, moves_root_ = true;
+  bool plays_in_step_ = false, has_segments_ = false, has_root_cuts_ = false, moves_root_ = true;
   // Only the entries below the counts are initialised.
   std::array<LiveMotion, kMostPoseOps> motions_;
   std::array<LiveSample, kMostPoseOps> samples_;

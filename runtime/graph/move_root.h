@@ -17,7 +17,8 @@ GraphTicks to_cell_middle(GraphTicks now, bool backwards) noexcept;
 /// eq   one clip: E(from)^-1 E(to) over its rounds.
 ///      several: exp(f sum w x / sum w). x is the logarithm of a clip's motion over the whole cell, f the fraction of
 ///      the cell that the piece covers, and w the weights in the middle of the cell. The pieces of a cell multiply to
-///      the motion over the cell.
+///      the motion over the cell. States that a transition without a cross-fade has frozen go on with the velocity that
+///      they had, with the share that cut_share leaves them.
 /// in   ticks  negative plays backwards; with several clips, the piece must not cross the end of a cell
 DualQuatd move_root(LiveGraph& live, GraphTicks ticks) noexcept;
 

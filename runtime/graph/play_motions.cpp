@@ -31,6 +31,11 @@ class Passage {
   void tell_events(const LiveSample& sample) noexcept {
     const GraphClipSet::Entry& entry = *sample.entry;
     if (entry.event_count == 0 || entry.period == 0) return;
+    if (motion_.segments > 0) {
+      for (const SpaceEvent& event : live_.clips().space_beats().events(sample.point))
+        tell(sample, event.index, event.position);
+      return;
+    }
     const auto events = live_.clips().events_of(entry);
     for (std::size_t e = 0; e < events.size(); ++e)
       tell(sample, static_cast<std::uint32_t>(e), place_of(events[e], entry));
@@ -58,7 +63,8 @@ class Passage {
       log_.leave_out(static_cast<std::uint64_t>(last - round + 1 - kMostRoundsOfEvents));
       last = round + kMostRoundsOfEvents - 1;
     }
-    for (; round <= last; ++round) add(sample, event, mirrored + round * period);
+    for (; round <= last && !log_.is_full(); ++round) add(sample, event, mirrored + round * period);
+    if (round <= last) log_.leave_out(static_cast<std::uint64_t>(last - round + 1));
   }
 
   void add(const LiveSample& sample, std::uint32_t event, std::int64_t place) noexcept {
@@ -116,10 +122,12 @@ void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcep
   if (log.count() > first + 1) log.sort_from(first, ticks < 0);
 }
 
-GraphTicks longest_piece(LiveGraph& live) noexcept {
+GraphTicks longest_piece(LiveGraph& live, bool backwards) noexcept {
   GraphTicks longest = kNever;
-  for (const LiveMotion& motion : live.motions())
-    if (motion.step != 0) longest = std::min(longest, (std::int64_t{1} << 61) / std::abs(motion.step));
+  for (const LiveMotion& motion : live.motions()) {
+    if (motion.step == 0) continue;
+    longest = std::min({longest, (std::int64_t{1} << 61) / std::abs(motion.step), motion.to_segment_end(backwards)});
+  }
   return longest;
 }
 

@@ -16,6 +16,7 @@ class GraphEventLog {
       ++step_.events_left_out;
   }
   void leave_out(std::uint64_t count) noexcept { step_.events_left_out += count; }
+  bool is_full() const noexcept { return step_.event_count >= room_.size(); }
   std::size_t count() const noexcept { return step_.event_count; }
   /// Sorts the events from index `first` on by time.
   void sort_from(std::size_t first, bool backwards) noexcept;
@@ -30,7 +31,7 @@ class GraphEventLog {
 /// in   ticks  not 0; negative plays backwards. |ticks * step| of each motion stays below 2^61
 void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcept;
 
-/// Longest piece of a step, in ticks, that play_motions accepts.
-GraphTicks longest_piece(LiveGraph& live) noexcept;
+/// Longest piece of a step, in ticks, that play_motions accepts: no motion leaves its segment.
+GraphTicks longest_piece(LiveGraph& live, bool backwards) noexcept;
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "runtime/base/contract.h"
+#include "runtime/graph/graph_values.h"
 #include "runtime/graph/live_graph.h"
 
 namespace sinew {
@@ -12,7 +13,8 @@ std::size_t read_graph_state(const GraphDefinition& graph, const GraphClipSet& c
                              std::span<const std::byte> state, std::span<GraphStateView> views) noexcept {
   CONTRACT(state.size() >= graph.state_bytes() && parameters.size() >= graph.tables().parameters.size());
   // The const_cast is safe, because open() does not write into the state.
-  LiveGraph live(graph, clips, parameters, const_cast<std::byte*>(state.data()));
+  const GraphValues values(graph.tables(), parameters);
+  LiveGraph live(graph, clips, values.all(), const_cast<std::byte*>(state.data()));
   live.open();
   std::size_t count = 0;
   for (const LiveMachine& machine : live.machines()) {

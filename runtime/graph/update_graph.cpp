@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "runtime/graph/enter_state.h"
+#include "runtime/graph/graph_values.h"
 #include "runtime/graph/live_graph.h"
 #include "runtime/graph/move_root.h"
 #include "runtime/graph/next_moment.h"
@@ -20,7 +21,10 @@ namespace {
 class GraphUpdate {
  public:
   GraphUpdate(const UpdateGraphJob& job, GraphStep& step) noexcept
-      : live_(*job.graph, *job.clips, job.parameters, job.state.data()), step_(step), log_(job.events, step) {}
+      : values_(job.graph->tables(), job.parameters),
+        live_(*job.graph, *job.clips, values_.all(), job.state.data()),
+        step_(step),
+        log_(job.events, step) {}
 
   void play(double dt_s) noexcept {
     GraphHeader& header = live_.header();
@@ -43,21 +47,22 @@ class GraphUpdate {
 
  private:
   bool needs_cells() const noexcept {
-    return live_.plays_in_step() || (live_.clips().any_root() && live_.root_samples() > 1);
+    return live_.plays_in_step() || (live_.clips().any_root() && (live_.root_samples() > 1 || live_.has_root_cuts()));
   }
 
   /// Prepares the next piece and returns its longest length in ticks. The steps of motions are constant within it.
   GraphTicks prepare_piece(GraphTicks left, bool backwards) noexcept {
     const GraphTicks now = live_.header().now;
+    live_.follow_segments(backwards);
     if (live_.plays_in_step()) live_.match_lengths(to_cell_middle(now, backwards));
-    GraphTicks piece = std::min(left, longest_piece(live_));
+    GraphTicks piece = std::min(left, longest_piece(live_, backwards));
     if (needs_cells()) piece = std::min(piece, to_cell_end(now, backwards));
     return piece;
   }
 
   void play_piece(GraphTicks ticks) noexcept {
     if (ticks == 0) return;
-    if (live_.clips().any_root() && live_.root_samples() > 0)
+    if (live_.clips().any_root() && (live_.root_samples() > 0 || live_.has_root_cuts()))
       step_.root_motion = step_.root_motion * move_root(live_, ticks);
     play_motions(live_, ticks, log_);
     live_.header().now += ticks;
@@ -131,6 +136,7 @@ class GraphUpdate {
     ++taken_;
   }
 
+  GraphValues values_;
   LiveGraph live_;
   GraphStep& step_;
   GraphEventLog log_;
@@ -165,7 +171,8 @@ ErrorCode check(const StartGraphJob& job) noexcept {
 void run_unchecked(const StartGraphJob& job) noexcept {
   std::memset(job.state.data(), 0, job.graph->state_bytes());
   block_at<GraphHeader>(job.state.data()) = {.signature = job.graph->signature()};
-  const LiveGraph live(*job.graph, *job.clips, job.parameters, job.state.data());
+  const GraphValues values(job.graph->tables(), job.parameters);
+  const LiveGraph live(*job.graph, *job.clips, values.all(), job.state.data());
   start_node(live, job.graph->tables().root, job.state.data());
 }
 

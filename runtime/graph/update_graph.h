@@ -20,7 +20,7 @@ enum class GraphEventKind : std::uint8_t { clip, state };
 struct GraphEvent {
   GraphTicks at = 0;                ///< time on the graph's clock, which starts at 0
   GraphIndex node = 0;              ///< clip node or blend space that plays the clip, or the machine
-  GraphIndex clip = kNoGraphIndex;  ///< index of a clip name of the graph
+  GraphIndex clip = kNoGraphIndex;  ///< index into GraphTables::clip_names
   std::uint32_t index = 0;          ///< index of the clip's event, or of the machine's state that is entered
   float weight = 1.0f;              ///< weight of the clip in the pose at that moment
   GraphEventKind kind = GraphEventKind::clip;
@@ -57,7 +57,7 @@ SINEW_API void run_unchecked(const StartGraphJob& job) noexcept;
 /// taken or a fade ends, so results do not depend on how time is cut into steps. Parameters hold for the whole step.
 /// Backwards (dt_s < 0) clips play backwards, fades and times in states stand still, and no transition is taken. Root
 /// motion of several clips has their weighted mean velocity, which is constant in cells of 1/60 s of the graph's clock.
-/// in   dt_s  finite, at most kMostGraphStep_s on either side of 0
+/// in   dt_s  from -kMostGraphStep_s to kMostGraphStep_s
 /// out  program  cleared first;   events  in the order of time;   step
 /// err  size_mismatch (parameters, state, clips), wrong_plan (a state of another graph), not_finite, too_large (dt_s)
 /// cost O(what plays + transitions of active states), no allocation; nodes that do not play are not visited

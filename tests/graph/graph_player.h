@@ -19,12 +19,12 @@ namespace sinew::test {
 class GraphPlayer {
  public:
   GraphPlayer(const GraphBuilder& builder, GraphIndex root, std::vector<GraphClip> clips,
-              std::size_t room_for_events = 4096)
+              std::size_t room_for_events = 4096, std::span<const std::uint32_t> mirrored_beats = {})
       : events_(room_for_events) {
     auto graph = builder.build(root);
     if (!graph) ADD_FAILURE() << describe(graph.error(), builder.tables(root));
     graph_ = std::move(graph.value());
-    set_ = *GraphClipSet::make(clips);
+    set_ = *GraphClipSet::make(graph_, clips, mirrored_beats);
     for (const GraphParameter& p : graph_.tables().parameters) values_.push_back(p.initial);
     state_.resize(graph_.state_bytes() / sizeof(std::uint64_t) + 1);
     start();

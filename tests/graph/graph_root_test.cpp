@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "runtime/graph/rigid_exponential.h"
@@ -102,6 +105,77 @@ TEST(graph_root, follows_the_curve_of_the_fade) {
   }
   player.advance(0.5);
   EXPECT_NEAR(translation_of(player.step().root_motion).z, 1.0, 1e-6);
+}
+
+/// Three states whose clips move on the spot, at 1, 4 and 2 m/s; each transition is triggered.
+struct ThreeSpeeds {
+  static constexpr double kSpeeds[] = {1.0, 4.0, 2.0};
+  std::array<RootTrack, 3> tracks;
+  GraphBuilder b;
+  GraphIndex root, go;
+  double duration_s = 0.5;
+
+  explicit ThreeSpeeds(GraphTransitionKind kind) {
+    root = b.machine("gait", {.fades = 8});
+    go = b.trigger("go");
+    for (std::size_t s = 0; s < 3; ++s) {
+      BoneAnimation steady;
+      const auto end = static_cast<float>(kSpeeds[s]);
+      steady.translation = {Interpolation::linear, {0.0f, 1.0f}, {{0, 0, 0}, {0, 0, end}}};
+      tracks[s] = RootTrack::make(steady, {}, {}, 1e-6);
+      b.state(root, "state", b.clip("clip" + std::to_string(s)));
+    }
+    for (GraphIndex s = 0; s < 3; ++s)
+      b.transition(root, s, {.duration_s = 0.5f, .to = static_cast<GraphIndex>((s + 1) % 3), .kind = kind},
+                   {when_triggered(go)});
+  }
+  GraphPlayer player() const {
+    std::vector<GraphClip> clips;
+    for (std::uint32_t s = 0; s < 3; ++s)
+      clips.push_back({.clip = s, .duration_s = 1.0, .root = &tracks[s], .root_in_pose = false});
+    return GraphPlayer(b, root, clips);
+  }
+};
+
+/// Share of the new state, written from the equations of the transitions.
+double share_of(GraphTransitionKind kind, double u) {
+  if (u >= 1.0) return 1.0;
+  return kind == GraphTransitionKind::dead_blend ? 3 * u * u - 2 * u * u * u : 1.0 - std::pow(1 - u, 4) * (1 + 4 * u);
+}
+
+TEST(graph_root, inertialized_and_dead_blended_velocity_follows_the_curve_of_the_pose) {
+  for (const GraphTransitionKind kind : {GraphTransitionKind::inertialize, GraphTransitionKind::dead_blend}) {
+    const ThreeSpeeds speeds(kind);
+    GraphPlayer player = speeds.player();
+    player.advance(0.5);
+    // The second transition interrupts the first one after 10 frames.
+    double before = 0.0;
+    for (int frame = 0; frame < 60; ++frame) {
+      if (frame == 0 || frame == 10) player.trigger(speeds.go);
+      player.advance(1.0 / 60.0);
+      const double first = share_of(kind, (frame + 0.5) / 30.0), second = share_of(kind, (frame - 9.5) / 30.0);
+      const double target = frame < 10 ? 4.0 : 4.0 + second * (2.0 - 4.0);
+      const double speed = translation_of(player.step().root_motion).z * 60.0;
+      EXPECT_NEAR(speed, 1.0 + first * (target - 1.0), 2e-5) << frame;
+      EXPECT_LT(apart(player.step().root_place, DualQuatd()), 1e-12) << "nothing is left in the pose";
+      EXPECT_LT(frame == 0 ? 0.0 : std::fabs(speed - before), 0.35) << frame;
+      before = speed;
+    }
+    EXPECT_NEAR(before, 2.0, 1e-5);
+  }
+}
+
+TEST(graph_root, transitions_without_cross_fades_do_not_depend_on_how_time_is_cut) {
+  const ThreeSpeeds speeds(GraphTransitionKind::inertialize);
+  GraphPlayer one = speeds.player(), many = speeds.player();
+  for (int i = 0; i < 7; ++i) {
+    for (GraphPlayer* player : {&one, &many}) player->trigger(speeds.go);
+    one.advance(0.3);
+    many.advance(0.001, 300);
+    EXPECT_LT(apart(one.root(), many.root()), 1e-9) << i;
+  }
+  EXPECT_TRUE(std::equal(one.ops().begin(), one.ops().end(), many.ops().begin(), many.ops().end()));
+  EXPECT_EQ(one.ops().back().kind, PoseOpKind::inertialize);
 }
 
 TEST(graph_root, layers_that_overlay_leave_the_root_alone_and_means_do_not) {

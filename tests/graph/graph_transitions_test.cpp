@@ -228,5 +228,25 @@ TEST(graph_transitions, are_cross_fades_where_clips_move_the_character) {
   EXPECT_EQ(player.ops()[2].kind, PoseOpKind::mean);
 }
 
+TEST(graph_transitions, a_select_that_was_left_keeps_its_choice) {
+  for (const auto kind : {GraphTransitionKind::inertialize, GraphTransitionKind::dead_blend}) {
+    GraphBuilder b;
+    const GraphIndex pick = b.number("pick"), go = b.flag("go");
+    const std::vector<GraphIndex> children = {b.clip("a"), b.clip("b")};
+    const GraphIndex machine = b.machine("m");
+    const GraphIndex choice = b.state(machine, "choice", b.select("select", pick, children));
+    const GraphIndex other = b.state(machine, "other", b.clip("c"));
+    b.transition(machine, choice, {.duration_s = 1.0f, .to = other, .kind = kind}, {when_on(go)});
+    GraphPlayer player(b, machine, {{0, 1.0}, {1, 1.0}, {2, 1.0}});
+    player.advance(0.3);
+    player.set(go, 1.0f);
+    player.advance(0.1);
+    const std::vector<PoseOp> before(player.ops().begin(), player.ops().end());
+    player.set(pick, 1.0f);
+    player.advance(0.0);
+    EXPECT_EQ(std::vector<PoseOp>(player.ops().begin(), player.ops().end()), before);
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

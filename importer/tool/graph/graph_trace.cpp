@@ -2,10 +2,8 @@
 #include "importer/tool/graph/graph_trace.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include <fmt/core.h>
@@ -19,32 +17,39 @@
 namespace sinew::tool {
 namespace {
 
-std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || stop != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// One character that plays.
 class Tracer {
  public:
   explicit Tracer(const GraphOfModel& model)
-      : graph_(model.graph), clips_(GraphClipSet::make(model.clips).value()), state_(graph_.state_bytes() / 8 + 1) {
+      : graph_(model.graph), clips_(model.clips), state_(graph_.state_bytes() / 8 + 1) {
     for (const GraphParameter& p : graph_.tables().parameters) values_.push_back(p.initial);
   }
 
-  void set(const GraphScript::Setting& setting) {
-    if (graph_.tables().parameters[setting.parameter].kind != GraphParameterKind::trigger)
-      values_[setting.parameter] = setting.value;
+  void set(const GraphSetting& setting) {
+    const GraphIndex parameter = graph_.find_parameter(setting.parameter);
+    if (graph_.tables().parameters[parameter].kind != GraphParameterKind::trigger)
+      values_[parameter] = setting.value;
     else if (setting.value != 0.0f)
-      static_cast<void>(set_trigger(graph_, bytes(), setting.parameter));
+      static_cast<void>(set_trigger(graph_, bytes(), parameter));
   }
   ErrorCode start() { return run(StartGraphJob{&graph_, &clips_, values_, bytes()}); }
   ErrorCode advance(double dt_s) {
     return run(UpdateGraphJob{&graph_, &clips_, values_, bytes(), dt_s, &program_, events_, &step_});
   }
 
+  const PoseProgram& pose_program() const { return program_; }
+  Json states() {
+    std::vector<GraphStateView> views(64);
+    views.resize(std::min(read_graph_state(graph_, clips_, values_, bytes(), views), views.size()));
+    Json list = Json::array();
+    for (const GraphStateView& view : views)
+      list.push_back({{"machine", node_name(view.node)},
+                      {"state", state_name(view.node, view.state)},
+                      {"weight", static_cast<double>(view.weight)},
+                      {"time_s", view.time_s},
+                      {"rounds", view.rounds}});
+    return list;
+  }
   Json frame(double time_s) {
     return {{"time_s", time_s}, {"states", states()}, {"program", program()}, {"events", events()}};
   }
@@ -57,19 +62,6 @@ class Tracer {
   std::string_view state_name(GraphIndex machine, GraphIndex state) const {
     const GraphTables& t = graph_.tables();
     return t.name_at(t.states[t.machines[t.nodes[machine].settings].first_state + state].name);
-  }
-
-  Json states() {
-    std::vector<GraphStateView> views(64);
-    views.resize(std::min(read_graph_state(graph_, clips_, values_, bytes(), views), views.size()));
-    Json list = Json::array();
-    for (const GraphStateView& view : views)
-      list.push_back({{"machine", node_name(view.node)},
-                      {"state", state_name(view.node, view.state)},
-                      {"weight", static_cast<double>(view.weight)},
-                      {"time_s", view.time_s},
-                      {"rounds", view.rounds}});
-    return list;
   }
 
   Json program() const {
@@ -99,7 +91,7 @@ class Tracer {
   }
 
   const GraphDefinition& graph_;
-  GraphClipSet clips_;
+  const GraphClipSet& clips_;
   std::vector<float> values_;
   std::vector<std::uint64_t> state_;
   std::vector<GraphEvent> events_ = std::vector<GraphEvent>(1024);
@@ -107,37 +99,9 @@ class Tracer {
   GraphStep step_;
 };
 
-}  // namespace
-
-tl::expected<std::vector<GraphScript::Setting>, std::string> read_settings(const std::vector<std::string>& texts,
-                                                                           const GraphDefinition& graph) {
-  std::vector<GraphScript::Setting> settings;
-  for (const std::string& text : texts) {
-    const auto refused = [&](const std::string& why) {
-      return tl::unexpected("--set " + in_quotes(text) + ": " + why);
-    };
-    const std::size_t equals = text.find('='), at = text.rfind('@');
-    if (equals == std::string::npos) return refused("is not NAME=VALUE@TIME");
-    const bool has_time = at != std::string::npos && at > equals;
-    const auto value = number_of(std::string_view(text).substr(equals + 1, has_time ? at - equals - 1 : text.npos));
-    const auto time_s = has_time ? number_of(std::string_view(text).substr(at + 1)) : 0.0;
-    if (!value || !time_s || std::fabs(*value) > 1e30) return refused("VALUE and TIME must be numbers");
-    const GraphIndex parameter = graph.find_parameter(text.substr(0, equals));
-    if (parameter == kNoGraphIndex) {
-      std::string known;
-      for (const GraphParameter& p : graph.tables().parameters)
-        known += (known.empty() ? "" : ", ") + in_quotes(graph.tables().name_at(p.name));
-      return refused("the graph has no such parameter; it has " + (known.empty() ? "none" : known));
-    }
-    settings.push_back({*time_s, parameter, static_cast<float>(*value)});
-  }
-  std::stable_sort(settings.begin(), settings.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-  return settings;
-}
-
-Json trace_graph(const GraphOfModel& model, const GraphScript& script) {
-  Tracer tracer(model);
-  Json frames = Json::array();
+/// Plays a script. Calls each_frame(time in seconds) after each frame.
+template <class EachFrame>
+ErrorCode play(Tracer& tracer, const GraphScript& script, const EachFrame& each_frame) {
   std::size_t next = 0;
   const auto apply = [&](double until_s) {
     for (; next < script.settings.size() && script.settings[next].time_s <= until_s + 1e-9; ++next)
@@ -151,13 +115,31 @@ Json trace_graph(const GraphOfModel& model, const GraphScript& script) {
     const double time_s = i / script.fps;
     if (i > 0) apply((i - 1) / script.fps);
     code = tracer.advance(i == 0 ? 0.0 : time_s - (i - 1) / script.fps);
-    frames.push_back(tracer.frame(time_s));
+    each_frame(time_s);
   }
+  return code;
+}
+
+}  // namespace
+
+Json trace_graph(const GraphOfModel& model, const GraphScript& script) {
+  Tracer tracer(model);
+  Json frames = Json::array();
+  const ErrorCode code = play(tracer, script, [&](double time_s) { frames.push_back(tracer.frame(time_s)); });
   const std::string text = frames.dump();
   Json trace{{"fps", script.fps}, {"frames", frames}};
   trace["hash"] = fmt::format("{:016x}", checksum(std::as_bytes(std::span(text))));
   if (code != ErrorCode::ok) trace["error"] = describe(code);
   return trace;
+}
+
+GraphMoment play_graph(const GraphOfModel& model, const GraphScript& script) {
+  Tracer tracer(model);
+  GraphMoment moment;
+  if (play(tracer, script, [&](double time_s) { moment.time_s = time_s; }) != ErrorCode::ok) return moment;
+  moment.program = tracer.pose_program();
+  moment.states = tracer.states();
+  return moment;
 }
 
 std::string trace_text(const Json& trace) {
