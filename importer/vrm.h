@@ -25,13 +25,22 @@ struct VrmExpression {
   bool is_binary = false;  ///< fully on or off, without intermediate weights
   std::vector<VrmMorphBind> morphs;
   Override override_blink = Override::none, override_look_at = Override::none, override_mouth = Override::none;
+  std::uint32_t value_joint = kNone;  ///< of an animation: the joint whose x translation is the value
 };
 
 /// How the eyes look at a point: with eye bones, or with the expressions lookLeft, lookRight, lookUp and lookDown.
 struct VrmLookAt {
   enum class Kind : std::uint8_t { none, bones, expressions };
+  /// How far eyes move: in proportion to the angle of the target, up to `most_input_deg`.
+  struct Range {
+    float most_input_deg = 90.0f;
+    float output = 10.0f;  ///< degrees of bones, or the weight of an expression
+  };
   Kind kind = Kind::none;
-  glm::vec3 offset_from_head_m{0.0f};  ///< position of the eyes in the space of the bone "head"
+  /// Position between the eyes in the space of the bone "head"; where the file is silent that of UniVRM.
+  glm::vec3 offset_from_head_m{0.0f, 0.06f, 0.0f};
+  Range inner, outer, down, up;      ///< towards the nose, away from it, down and up
+  std::uint32_t gaze_joint = kNone;  ///< of an animation: the joint whose rotation is that of the gaze
 };
 
 /// A collider for hair and cloth: a sphere, a capsule from `offset` to `tail`, or the half-space below a plane.

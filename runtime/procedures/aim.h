@@ -39,8 +39,8 @@ struct AimGoal {
 
 /// Turns joints so that a line fixed to the last joint runs through a target.
 /// eq   One joint: take the point o + s f of the line that is as far from the joint as the target g, |o + s f| = |g|.
-///      The joint turns it to g by the shortest way, then rolls. This is solved in the space of the joint's parent, so
-///      parents may have any scale.
+///      The joint turns it to g by the shortest way, then rolls. If `up` points from the joint to that point, the roll
+///      is arbitrary. This is solved in the space of the joint's parent, so parents may have any scale.
 ///      Several joints: from the first to the last, joint i takes share_i of the whole turn, and the last joint takes
 ///      the rest. The part of a turn that a limit forbids is left to the joints after it. Near half a turn a share goes
 ///      to 0 or 1, so that a head does not snap when the target passes behind it.

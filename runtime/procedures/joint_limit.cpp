@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/animation/track.h"
 #include "runtime/base/all_finite.h"
 #include "runtime/math/axis_angle.h"
 
@@ -49,8 +50,6 @@ double nearest_twist(double twist, double least, double most) noexcept {
   const double share = std::clamp(2.0 * beyond / gap - 0.5, 0.0, 1.0);
   return most + (least - most) * share;
 }
-
-bool is_unit(const glm::quat& q) noexcept { return std::abs(square_of(q) - 1.0f) <= 1e-4f; }
 
 }  // namespace
 

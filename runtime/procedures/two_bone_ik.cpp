@@ -12,6 +12,7 @@
 #include "runtime/math/inverse.h"
 #include "runtime/procedures/hinge.h"
 #include "runtime/procedures/joint_frames.h"
+#include "runtime/procedures/limb_lanes.h"
 
 namespace sinew {
 namespace {
@@ -217,13 +218,46 @@ ErrorCode check(const TwoBoneIkJob& job) noexcept {
 
 void run_unchecked(const TwoBoneIkJob& job) noexcept {
   assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  ik::run_limbs({&job, 1});
+}
+
+ErrorCode check(const TwoBoneIkLimbsJob& job) noexcept {
+  if (!have_memory(job.limbs)) return ErrorCode::size_mismatch;
+  for (const TwoBoneIkJob& limb : job.limbs)
+    if (const ErrorCode code = check(limb); code != ErrorCode::ok) return code;
+  return ErrorCode::ok;
+}
+
+void run_unchecked(const TwoBoneIkLimbsJob& job) noexcept {
+  assert(check(job) == ErrorCode::ok && "run_unchecked takes only a job that check() accepts");
+  ik::run_limbs(job.limbs);
+}
+
+Q ik::tip_before(const TwoBoneIkJob& job) noexcept {
+  if (job.goal.end == EndRotation::follow) return quat_identity<double>();
+  return model_rotation(*job.skeleton, job.local, job.goal.tip);
+}
+
+void ik::finish_limb(const TwoBoneIkJob& job, const Q& tip) noexcept {
+  if (job.goal.end != EndRotation::follow) turn_tip(job, tip, static_cast<double>(job.goal.weight));
+}
+
+void ik::report(const TwoBoneIkJob& job, double metres, double length, bool can_reach) noexcept {
+  IkResult& result = *job.result;
+  result = {};
+  result.metres_left = static_cast<float>(metres);
+  if (job.goal.end == EndRotation::given)
+    result.radians_left = static_cast<float>(rotation_angle_between(
+        model_rotation(*job.skeleton, job.local, job.goal.tip), quat_cast<double>(job.goal.end_rotation)));
+  const double allowed = static_cast<double>(job.goal.tolerance) * length;
+  result.status = metres <= allowed ? IkStatus::reached : can_reach ? IkStatus::limited : IkStatus::unreachable;
+}
+
+void ik::solve_general(const TwoBoneIkJob& job) noexcept {
   const TwoBoneGoal& goal = job.goal;
-  if (job.result != nullptr) *job.result = {};
-  if (goal.weight == 0.0f) return;
   const double weight = static_cast<double>(goal.weight);
   const Limb limb = read_limb(job);
-  const bool pins_tip = goal.end != EndRotation::follow;
-  const Q tip_before = pins_tip ? model_rotation(*job.skeleton, job.local, goal.tip) : quat_identity<double>();
+  const Q tip = tip_before(job);
   V left = transform_point(limb.above, limb.place + limb.tip) - goal.target;
   bool can_reach = false;
   if (limb.back) {  // a singular parent matrix lets no joint reach anything, so the pose stays
@@ -239,15 +273,8 @@ void run_unchecked(const TwoBoneIkJob& job) noexcept {
     if (job.result != nullptr) left = transform_vector(limb.above, written_tip(limb, job) * stretch - target);
     can_reach = solved.can_reach || solved.stretch > 1.0;
   }
-  if (pins_tip) turn_tip(job, tip_before, weight);
-  if (job.result == nullptr) return;
-  const double metres = safe_length(left);
-  job.result->metres_left = static_cast<float>(metres);
-  if (pins_tip && goal.end == EndRotation::given)
-    job.result->radians_left = static_cast<float>(rotation_angle_between(
-        model_rotation(*job.skeleton, job.local, goal.tip), quat_cast<double>(goal.end_rotation)));
-  const double allowed = static_cast<double>(goal.tolerance) * length_of(limb);
-  job.result->status = metres <= allowed ? IkStatus::reached : can_reach ? IkStatus::limited : IkStatus::unreachable;
+  finish_limb(job, tip);
+  if (job.result != nullptr) report(job, safe_length(left), length_of(limb), can_reach);
 }
 
 }  // namespace sinew

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/api.h"
@@ -73,5 +74,16 @@ struct TwoBoneIkJob {
 
 SINEW_API ErrorCode check(const TwoBoneIkJob& job) noexcept;
 SINEW_API void run_unchecked(const TwoBoneIkJob& job) noexcept;
+
+/// Many limbs, of any skeletons and poses, several at a time in the lanes of vector instructions.
+/// in   limbs  none reads or writes a joint that another writes: two legs of one pose, but not an arm and a finger of it
+/// out  as each job alone, bit for bit
+/// err  as check of the first limb that is refused; then no limb is solved
+struct TwoBoneIkLimbsJob {
+  std::span<const TwoBoneIkJob> limbs;
+};
+
+SINEW_API ErrorCode check(const TwoBoneIkLimbsJob& job) noexcept;
+SINEW_API void run_unchecked(const TwoBoneIkLimbsJob& job) noexcept;
 
 }  // namespace sinew

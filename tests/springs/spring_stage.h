@@ -65,8 +65,8 @@ class SpringStage {
             .counts = &counts};
   }
   void frame(double dt_s) {
-    const SpringsJob todo = job(dt_s);
-    ASSERT_EQ(run(todo), ErrorCode::ok);
+    const SpringsJob step = job(dt_s);
+    ASSERT_EQ(run(step), ErrorCode::ok);
     event = SpringEvent::none;
   }
   void move_root(const Vec3<double>& to) {

@@ -110,6 +110,26 @@ TEST(springs_job, teleport_keeps_the_swing_relative_to_the_root) {
   }
 }
 
+/// One frame takes from a microsecond to the largest double. All frames after it tick as before.
+TEST(springs_job, go_on_at_their_rate_after_a_frame_of_any_length) {
+  const HangingChain chain;
+  for (const double long_s : {1e-6, 10.0, 1e6, 1e12, 1e15, 1e17, 1e300, (std::numeric_limits<double>::max)()}) {
+    SpringStage stage(chain.skeleton, chain.setup);
+    swing(stage, 0, 20);
+    stage.frame(long_s);
+    EXPECT_LE(stage.counts.ticks, 9u);
+    std::uint32_t ticks = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+      stage.move_root(figure_of_eight(frame / 60.0));
+      stage.frame(1.0 / 60.0);
+      EXPECT_EQ(stage.counts.dropped_ticks, 0u) << long_s;
+      ticks += stage.counts.ticks;
+    }
+    EXPECT_GE(ticks, 60u) << long_s;
+    EXPECT_LE(ticks, 121u) << long_s;
+  }
+}
+
 TEST(springs_job, reset_takes_the_goal_at_once) {
   const HangingChain chain;
   SpringStage stage(chain.skeleton, chain.setup);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,42 @@ TEST_F(ToolSimulate, a_path_moves_the_root_and_a_clip_the_head) {
   EXPECT_GT(std::abs(turned["frames"][29]["tail"][2][0].get<double>()), 0.2);
 }
 
+/// A head with two eyes that turn by up to 12 degrees, without springs.
+std::string face(const char* kind) {
+  TinyGltf file;
+  file.root["nodes"] = Json::parse(R"([{"name": "head", "children": [1, 2], "translation": [0, 1.5, 0]},
+    {"name": "l", "translation": [0.03, 0.05, 0.08]}, {"name": "r", "translation": [-0.03, 0.05, 0.08]}])");
+  file.root["scenes"] = Json::parse(R"([{"nodes": [0]}])");
+  file.root["extensionsUsed"] = {"VRMC_vrm"};
+  file.root["extensions"]["VRMC_vrm"] = Json::parse(R"({"specVersion": "1.0",
+    "humanoid": {"humanBones": {"head": {"node": 0}, "leftEye": {"node": 1}, "rightEye": {"node": 2}}},
+    "lookAt": {"offsetFromHeadBone": [0, 0.05, 0.08],
+               "rangeMapHorizontalInner": {"inputMaxValue": 90, "outputScale": 9},
+               "rangeMapHorizontalOuter": {"inputMaxValue": 90, "outputScale": 12}}})");
+  file.root["extensions"]["VRMC_vrm"]["lookAt"]["type"] = kind;
+  return file.text();
+}
+
+TEST_F(ToolSimulate, eyes_look_at_a_place_in_the_world) {
+  write_file(path("face.gltf"), face("bone"));
+  write_file(path("path.json"), R"({"times": [0], "translations": [[5, 0, 0]]})");
+  const std::vector<std::string> look{"simulate", path("face.gltf"), "-o",        path("out.json"), "--for", "0.1",
+                                      "--root",   path("path.json"), "--look-at", "7,1.55,2.08"};  // 45 degrees left
+  const CommandOutcome outcome = run_tool(look);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json bones = result();
+  EXPECT_EQ(bones["joints"], Json::parse(R"(["l", "r"])"));
+  const Json& frame = bones["frames"].back();
+  const double half = std::numbers::pi / 360.0;
+  EXPECT_NEAR(frame["gaze"]["yaw"].get<double>(), std::numbers::pi / 4.0, 1e-6);
+  EXPECT_NEAR(frame["q"][0][1].get<double>(), std::sin(6.0 * half), 1e-6) << "outer: half of 12 degrees";
+  EXPECT_NEAR(frame["q"][1][1].get<double>(), std::sin(4.5 * half), 1e-6) << "inner: half of 9 degrees";
+  write_file(path("face.gltf"), face("expression"));
+  ASSERT_EQ(run_tool(look).status, 0);
+  EXPECT_NEAR(result()["frames"].back()["gaze"]["left"].get<double>(), 6.0, 1e-5) << "the file says 12";
+  EXPECT_EQ(result()["frames"].back()["gaze"]["right"], 0.0);
+}
+
 TEST_F(ToolSimulate, one_frame_rate_is_like_another) {
   write_file(path("path.json"),
              R"({"times": [0, 0.25, 0.5, 1], "translations": [[0,0,0], [0.5,0,0], [0,0.2,0], [0,0,1]]})");
@@ -106,6 +143,9 @@ TEST_F(ToolSimulate, says_what_is_wrong) {
   write_file(path("path.json"), R"({"times": [0], "translations": []})");
   expect(1, {"--root", path("path.json")}, "path.json: /translations: has 0 entries for 1 times");
   expect(2, {"--clip", "walk"}, "--clip walk: no such clip");
+  for (const char* place : {"1,2", "1,2,x", "1,2,3,4", "1;2;3", "1,2,1e13", "nan,0,0"})
+    expect(2, {"--look-at", place}, "is no place of the form X,Y,Z in metres");
+  expect(1, {"--look-at", "1,2,3"}, "hair.gltf: its VRM data do not say how it looks at things (lookAt)");
   expect(2, {"--fps", "100000", "--for", "1000"}, "more than 1000000 frames");
   const CommandOutcome bare = run_tool({"simulate", path("model.gltf"), "-o", path("out.json")});
   EXPECT_EQ(bare.status, 1);

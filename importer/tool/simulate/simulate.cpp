@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -28,13 +29,33 @@ namespace {
 
 struct SimulateOptions {
   std::string file, output;
-  std::optional<std::string> clip, root;
+  std::optional<std::string> clip, root, look_at;
   double fps = 60.0, seconds = 1.0;
 };
 
 constexpr double kMostSimulatedFrames = 1e6;  // so that a typing error does not fill the disk
 
+constexpr double kFarthestPlace_m = 1e12;
+
 std::string text_of(double x, double y, double z) { return fmt::format("[{},{},{}]", x, y, z); }
+
+std::string text_of(const Gaze& gaze) {
+  return fmt::format(R"(,"gaze":{{"yaw":{},"pitch":{},"left":{},"right":{},"up":{},"down":{}}})", gaze.yaw_rad,
+                     gaze.pitch_rad, gaze.left, gaze.right, gaze.up, gaze.down);
+}
+
+/// Reads "0,1.6,3".
+std::optional<Vec3<double>> read_place(std::string_view text) {
+  Vec3<double> place(0.0);
+  const char *at = text.data(), *const end = at + text.size();
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
+    const auto [stop, error] = std::from_chars(at, end, place[i]);
+    if (error != std::errc{} || !(std::abs(place[i]) <= kFarthestPlace_m)) return std::nullopt;
+    at = stop;
+  }
+  return at == end ? std::optional(place) : std::nullopt;
+}
 
 /// Writes frames as they are stepped, in the form that Simulation's joints have.
 class FrameWriter {
@@ -47,7 +68,7 @@ class FrameWriter {
                            joints.dump()));
   }
 
-  void write(double time_s, const std::vector<SimulatedJoint>& joints) {
+  void write(double time_s, const std::vector<SimulatedJoint>& joints, const std::optional<Gaze>& gaze) {
     std::string q, tails;
     for (const SimulatedJoint& joint : joints) {
       const auto& r = joint.rotation;
@@ -55,7 +76,8 @@ class FrameWriter {
       q += fmt::format("{}[{},{},{},{}]", comma, r.x, r.y, r.z, r.w);
       tails += fmt::format("{}{}", comma, text_of(joint.tail.x, joint.tail.y, joint.tail.z));
     }
-    out_.write(fmt::format("{}{{\"t\":{},\"q\":[{}],\"tail\":[{}]}}", is_first_ ? "\n" : ",\n", time_s, q, tails));
+    out_.write(fmt::format("{}{{\"t\":{},\"q\":[{}],\"tail\":[{}]{}}}", is_first_ ? "\n" : ",\n", time_s, q, tails,
+                           gaze ? text_of(*gaze) : ""));
     is_first_ = false;
   }
 
@@ -76,7 +98,7 @@ ExitCode write_frames(const SimulateOptions& options, const RootPath& path, Simu
   const auto frames = static_cast<std::uint64_t>(std::llround(options.fps * options.seconds));
   for (std::uint64_t frame = 1; frame <= frames; ++frame) {
     const double time_s = static_cast<double>(frame) / options.fps;
-    writer.write(time_s, simulation.step(time_s, 1.0 / options.fps, path.at(time_s)));
+    writer.write(time_s, simulation.step(time_s, 1.0 / options.fps, path.at(time_s)), simulation.gaze());
   }
   writer.end();
   if (!out.finish())
@@ -91,6 +113,10 @@ ExitCode simulate(const SimulateOptions& options) {
   if (options.fps * options.seconds > kMostSimulatedFrames)
     return fail_with(ExitCode::wrong_usage, fmt::format("--fps {} --for {}: more than {} frames", options.fps,
                                                         options.seconds, kMostSimulatedFrames));
+  std::optional<Vec3<double>> look_at;
+  if (options.look_at && !(look_at = read_place(*options.look_at)))
+    return fail_with(ExitCode::wrong_usage, fmt::format("--look-at {}: is no place of the form X,Y,Z in metres",
+                                                        visible_text(*options.look_at)));
   RootPath path;
   std::vector<std::filesystem::path> inputs;
   if (options.root) {
@@ -111,7 +137,7 @@ ExitCode simulate(const SimulateOptions& options) {
     if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
     clip = chosen->front();
   }
-  auto simulation = Simulation::make(*file, clip);
+  auto simulation = Simulation::make(*file, clip, look_at);
   if (!simulation)
     return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", visible_text(options.file), simulation.error()));
   for (const std::string& what : simulation->left_out())
@@ -125,14 +151,17 @@ Command simulate_command() {
   auto options = std::make_shared<SimulateOptions>();
   Command command(
       "simulate",
-      "Step the springs and constraints of a VRM character, and write where its joints are\n"
+      "Step eyes, constraints and springs of a VRM character, and write its joints\n"
       "Springs step 60 times a second, whatever --fps is: frames between two steps are interpolated. They start at "
       "rest "
       "at time 0; the first frame is at 1/fps.\n"
       "\n"
       "OUT is JSON: {\"file\", \"fps\", \"joints\": [names], \"frames\": [{\"t\": seconds, \"q\": [[x, y, z, w], ...], "
       "\"tail\": [[x, y, z], ...]}, ...]}. For each joint, q is its local rotation, and tail is where its bone ends in "
-      "the world, in metres. A joint without a spring, such as one with a constraint, has its own place as tail.");
+      "the world, in metres. A joint without a spring, such as one with a constraint, has its own place as tail. With "
+      "--look-at, frames also have \"gaze\": {\"yaw\", \"pitch\"} of the target in radians, > 0 to the left and down, "
+      "and "
+      "the weights \"left\", \"right\", \"up\", \"down\" of expressions.");
   command.argument("FILE", &options->file, "A .vrm, .gltf or .glb file; - is the standard input").required();
   command
       .option("-o,--output", "OUT.json", &options->output,
@@ -144,6 +173,8 @@ Command simulate_command() {
       "--root", "PATH.json", &options->root,
       "Moves the whole character: {\"times\": [0, 0.5, ...], \"translations\": [[0, 0, 0], [1, 0, 0], ...]}, "
       "in seconds and metres, linear between times (default: it stays)");
+  command.option("--look-at", "X,Y,Z", &options->look_at,
+                 "A place in the world that the eyes look at, in metres (default: they look at nothing)");
   command.option("--clip", "INDEX|NAME|none", &options->clip,
                  "Plays this clip, in a loop (default: none, the rest pose)");
   command.run = [options] { return simulate(*options); };

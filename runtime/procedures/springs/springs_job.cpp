@@ -166,15 +166,16 @@ class SpringsFrame {
     clock_.left_s += job_.dt_s;
     const double due = std::floor(clock_.left_s / h + kRounding), most = settings_.max_ticks;
     if (due > most) {
-      clock_.left_s -= (due - most) * h;
+      // Rounding of a very long frame time could be longer than a tick.
+      clock_.left_s = std::clamp(clock_.left_s - (due - most) * h, (most - kRounding) * h, (most + 1.0) * h);
       counts_.dropped_ticks = static_cast<std::uint32_t>((std::min)(due - most, 4e9));
     }
-    for (double todo = (std::min)(due, most); todo > 0.0 && clock_.asleep == 0; todo -= 1.0) {
+    for (double left = (std::min)(due, most); left > 0.0 && clock_.asleep == 0; left -= 1.0) {
       clock_.left_s -= h;
       const double after = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
       const double fraction = job_.dt_s > 0.0 ? (std::max)(1.0 - after / job_.dt_s, 0.0) : 1.0;
       ticks.place_inputs(weights_at(fraction, job_.dt_s, clock_.before_s));
-      is_shown_ = after == 0.0 && todo == 1.0;  // this last tick ends with the frame and also writes the rotations
+      is_shown_ = after == 0.0 && left == 1.0;  // this last tick ends with the frame and also writes the rotations
       const bool moves = is_shown_ ? ticks.template tick<true>(job_.tails) : ticks.template tick<false>();
       ticks.commit();
       count_tick();

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Vectors, frames and rotations in double precision, one per lane of any vector type. Included once per SIMD target, so
+// without `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
+#if defined(SINEW_LIMB_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_LIMB_VECTORS_INL_H
+#undef SINEW_LIMB_VECTORS_INL_H
+#else
+#define SINEW_LIMB_VECTORS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+struct Vector {
+  hn::Vec<D> x, y, z;
+};
+template <class D>
+struct Rotation {
+  hn::Vec<D> x, y, z, w;
+};
+/// Unit and perpendicular vectors, as ik::Frame.
+template <class D>
+struct Frame {
+  Vector<D> along, side;
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+template <class D>
+HWY_INLINE Vector<D> cross(const Vector<D>& a, const Vector<D>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+template <class D>
+HWY_INLINE Vector<D> times(const Vector<D>& a, hn::Vec<D> s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+template <class D>
+HWY_INLINE Vector<D> plus(const Vector<D>& a, const Vector<D>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE Vector<D> minus(const Vector<D>& a, const Vector<D>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE Vector<D> either(hn::Mask<D> mask, const Vector<D>& yes, const Vector<D>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+/// eq   1 / sqrt(square)
+template <class D>
+HWY_INLINE hn::Vec<D> per_root(D d, hn::Vec<D> square) {
+  return hn::Div(hn::Set(d, 1.0), hn::Sqrt(square));
+}
+
+/// eq   sinew::rotate_vector, for a unit quaternion
+template <class D>
+HWY_INLINE Vector<D> rotated(const Rotation<D>& q, const Vector<D>& p) {
+  const Vector<D> v{q.x, q.y, q.z}, once = cross<D>(v, p), twice = plus<D>(once, once);
+  return plus<D>(plus<D>(p, times<D>(twice, q.w)), cross<D>(v, twice));
+}
+template <class D>
+HWY_INLINE Rotation<D> conjugate(const Rotation<D>& q) {
+  return {hn::Neg(q.x), hn::Neg(q.y), hn::Neg(q.z), q.w};
+}
+/// eq   a b: b is applied first
+template <class D>
+HWY_INLINE Rotation<D> product(const Rotation<D>& a, const Rotation<D>& b) {
+  const Vector<D> u{a.x, a.y, a.z}, v{b.x, b.y, b.z};
+  const Vector<D> sum = plus<D>(plus<D>(times<D>(v, a.w), times<D>(u, b.w)), cross<D>(u, v));
+  return {sum.x, sum.y, sum.z, hn::Sub(hn::Mul(a.w, b.w), dot<D>(u, v))};
+}
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const Rotation<D>& a, const Rotation<D>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Add(hn::Mul(a.z, b.z), hn::Mul(a.w, b.w)));
+}
+template <class D>
+HWY_INLINE Rotation<D> scaled(const Rotation<D>& q, hn::Vec<D> s) {
+  return {hn::Mul(q.x, s), hn::Mul(q.y, s), hn::Mul(q.z, s), hn::Mul(q.w, s)};
+}
+/// The unit quaternion along q; the identity where q has no direction.
+template <class D>
+HWY_INLINE Rotation<D> unit(D d, const Rotation<D>& q) {
+  const hn::Vec<D> square = dot<D>(q, q);
+  const hn::Mask<D> has_direction = hn::Gt(square, hn::Set(d, 1e-20));
+  const Rotation<D> u = scaled<D>(q, per_root(d, square));
+  return {hn::IfThenElseZero(has_direction, u.x), hn::IfThenElseZero(has_direction, u.y),
+          hn::IfThenElseZero(has_direction, u.z), hn::IfThenElse(has_direction, u.w, hn::Set(d, 1.0))};
+}
+/// On the hemisphere of `reference`.
+template <class D>
+HWY_INLINE Rotation<D> aligned(D d, const Rotation<D>& reference, const Rotation<D>& q) {
+  const hn::Mask<D> is_other = hn::Lt(dot<D>(reference, q), hn::Zero(d));
+  return scaled<D>(q, hn::IfThenElse(is_other, hn::Set(d, -1.0), hn::Set(d, 1.0)));
+}
+/// Rounded to float.
+template <class D>
+HWY_INLINE Rotation<D> stored(D d, const Rotation<D>& q) {
+  const hn::Rebind<float, D> f;
+  const auto round = [&](hn::Vec<D> v) HWY_ATTR { return hn::PromoteTo(d, hn::DemoteTo(f, v)); };
+  return {round(q.x), round(q.y), round(q.z), round(q.w)};
+}
+
+/// eq   ik::turn_about: half angles by square roots
+/// in   cosine, sine  of the angle
+template <class D>
+HWY_INLINE Rotation<D> turn_about(D d, const Vector<D>& axis, hn::Vec<D> cosine, hn::Vec<D> sine) {
+  const hn::Vec<D> half = hn::Set(d, 0.5);
+  const hn::Vec<D> large = hn::Sqrt(hn::Mul(half, hn::Add(hn::Set(d, 1.0), hn::Abs(cosine))));
+  const hn::Vec<D> small = hn::Div(hn::Mul(half, sine), large);
+  const hn::Mask<D> is_acute = hn::Ge(cosine, hn::Zero(d));
+  const Vector<D> v = times<D>(axis, hn::IfThenElse(is_acute, small, large));
+  return {v.x, v.y, v.z, hn::IfThenElse(is_acute, large, small)};
+}
+
+/// The rotation that turns one frame onto another.
+/// eq   the quaternion of the matrix to from^T, as quat_from_matrix: of its four forms the one with the largest divisor
+template <class D>
+HWY_INLINE Rotation<D> turn_between(D d, const Frame<D>& from, const Frame<D>& to) {
+  const Vector<D> from_third = cross<D>(from.along, from.side), to_third = cross<D>(to.along, to.side);
+  const auto column = [&](hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> z) HWY_ATTR {
+    return plus<D>(plus<D>(times<D>(to.along, x), times<D>(to.side, y)), times<D>(to_third, z));
+  };
+  const Vector<D> x = column(from.along.x, from.side.x, from_third.x),
+                  y = column(from.along.y, from.side.y, from_third.y),
+                  z = column(from.along.z, from.side.z, from_third.z);
+  const hn::Vec<D> one = hn::Set(d, 1.0);
+  const hn::Vec<D> ww = hn::Add(one, hn::Add(x.x, hn::Add(y.y, z.z))),
+                   xx = hn::Add(one, hn::Sub(x.x, hn::Add(y.y, z.z))),
+                   yy = hn::Add(one, hn::Sub(y.y, hn::Add(x.x, z.z))),
+                   zz = hn::Add(one, hn::Sub(z.z, hn::Add(x.x, y.y)));
+  const hn::Vec<D> wx = hn::Sub(y.z, z.y), wy = hn::Sub(z.x, x.z), wz = hn::Sub(x.y, y.x);
+  const hn::Vec<D> xy = hn::Add(x.y, y.x), xz = hn::Add(x.z, z.x), yz = hn::Add(y.z, z.y);
+  const hn::Vec<D> largest = hn::Max(hn::Max(ww, xx), hn::Max(yy, zz));
+  const auto pick = [&](hn::Vec<D> w, hn::Vec<D> by_x, hn::Vec<D> by_y, hn::Vec<D> by_z) HWY_ATTR {
+    const hn::Vec<D> last = hn::IfThenElse(hn::Eq(yy, largest), by_y, by_z);
+    return hn::IfThenElse(hn::Eq(ww, largest), w, hn::IfThenElse(hn::Eq(xx, largest), by_x, last));
+  };
+  return unit<D>(d, {pick(wx, xx, xy, xz), pick(wy, xy, yy, yz), pick(wz, xz, yz, zz), pick(ww, wx, wy, wz)});
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
