@@ -23,8 +23,9 @@ typedef enum sinew_layer_kind {
 typedef struct sinew_layer {
   double time_s;
   uint32_t clip;
-  uint32_t mask;  ///< index into the masks of sinew_needs, SINEW_NONE = all joints
-  float weight;
+  uint32_t mask;  ///< SINEW_NONE, or index of a mask of sinew_needs, continued by those of
+                  ///< sinew_frame_input.program_inputs
+  float weight;   ///< >= 0; additive layers subtract below 0
   uint32_t kind;  ///< sinew_layer_kind, and SINEW_LAYER_MIRRORED
 } sinew_layer;
 
@@ -63,7 +64,8 @@ typedef struct sinew_frame_input {
   const sinew_pose_op* program;          ///< [op_count] makes the pose in place of layers, which must then be empty;
                                          ///< needs sinew_needs.program
   size_t op_count;                       ///< 0 = the layers make the pose
-  const sinew_program_inputs* program_inputs;  ///< the lists that its operations index; null = all empty
+  const sinew_program_inputs* program_inputs;  ///< the lists that its operations index, and masks that layers name;
+                                               ///< null = all empty
 } sinew_frame_input;
 
 /// No layers and no program, root identity, interpolation factor 0; struct_size is set.

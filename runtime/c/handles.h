@@ -13,11 +13,13 @@
 #include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/retarget.h"
+#include "runtime/c/root_motion.h"
 #include "runtime/library/clip_library.h"
 #include "runtime/lod/compile_skeleton_lod.h"
 #include "runtime/model/mesh.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
+#include "runtime/playback/root_motion.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/retarget_pose.h"
@@ -86,6 +88,12 @@ struct sinew_skeleton_map {
   std::vector<sinew_joint_pair> pairs;  // the joint pairs of `map` as C reads them
   sinew::WeightMap weights;
   std::uint32_t source_reference, target_reference;  // values of sinew_reference
+};
+
+struct sinew_root_track {
+  sinew::BoneAnimation animation;
+  sinew::Transform rest;
+  sinew::RootMotionParts parts;
 };
 
 struct sinew_messages {

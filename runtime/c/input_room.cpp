@@ -19,7 +19,7 @@ InputRoom::InputRoom(const sinew_plan& plan, Block& block)
       externals(block.take<ExternalPose>(inputs_of(plan).program.externals)),
       overrides(block.take<JointOverrides>(inputs_of(plan).program.overrides)),
       procedures(block.take<PoseProcedure>(inputs_of(plan).program.procedures)),
-      masks(block.take<JointMask>(inputs_of(plan).program.masks)) {}
+      masks(block.take<PoseMask>(inputs_of(plan).program.masks)) {}
 
 InputRoomOfC::InputRoomOfC(const sinew_plan& plan, Block& block)
     : layers(block.take<sinew_layer>(inputs_of(plan).layer_room())),
@@ -29,7 +29,7 @@ InputRoomOfC::InputRoomOfC(const sinew_plan& plan, Block& block)
       geometry(block.take<sinew_geometry_input>(inputs_of(plan).cached_instances.size())),
       externals(block.take<sinew_external_pose>(inputs_of(plan).program.externals)),
       overrides(block.take<sinew_joint_overrides>(inputs_of(plan).program.overrides)),
-      masks(block.take<sinew_joint_mask>(inputs_of(plan).program.masks)),
+      masks(block.take<sinew_pose_mask>(inputs_of(plan).program.masks)),
       program_inputs(block.take<sinew_program_inputs>(1).data()) {}
 
 }  // namespace sinew::c

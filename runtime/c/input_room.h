@@ -42,7 +42,7 @@ struct InputRoom {
   std::span<ExternalPose> externals;
   std::span<JointOverrides> overrides;
   std::span<PoseProcedure> procedures;
-  std::span<JointMask> masks;
+  std::span<PoseMask> masks;
 };
 
 /// Room for the C lists of one frame input. It has none for procedures, since inputs refer to the caller's own list.
@@ -54,7 +54,7 @@ struct InputRoomOfC {
   std::span<sinew_geometry_input> geometry;
   std::span<sinew_external_pose> externals;
   std::span<sinew_joint_overrides> overrides;
-  std::span<sinew_joint_mask> masks;
+  std::span<sinew_pose_mask> masks;
   sinew_program_inputs* program_inputs;
 };
 

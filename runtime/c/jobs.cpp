@@ -11,9 +11,21 @@
 #include "runtime/c/frame_input.h"
 #include "runtime/c/glue/call.h"
 #include "runtime/c/glue/fields.h"
+#include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/input_room.h"
 #include "runtime/threads/job_thread.h"
+
+namespace sinew::c {
+
+template <>
+inline constexpr auto kEnum<FollowKind> =
+    enum_values<FollowKind, sinew_follow_kind>({{FollowKind::root, SINEW_FOLLOW_ROOT},
+                                                {FollowKind::joint_override, SINEW_FOLLOW_JOINT_OVERRIDE},
+                                                {FollowKind::procedure, SINEW_FOLLOW_PROCEDURE}});
+
+}  // namespace sinew::c
 
 namespace {
 
@@ -55,6 +67,17 @@ constexpr auto kJobOptions =
               c::field<&sinew_jobs_options::own_thread, &JobThreadOptions::own_thread>(),
               c::field<&sinew_jobs_options::frame_buffers, &JobThreadOptions::frame_buffers>());
 
+/// in   given  null = the root
+sinew_error read_place(const sinew_follow_place* given, FollowPlace& own) noexcept {
+  sinew_follow_place known = {sizeof(known), SINEW_FOLLOW_ROOT, 0, 0, nullptr};
+  if (const sinew_error error = c::read_struct(given, known)) return error;
+  if (const sinew_error error = c::from_c(known.kind, own.kind)) return error;
+  own.list = known.list;
+  own.entry = known.entry;
+  own.matrix = reinterpret_cast<Affine*>(known.matrix);
+  return SINEW_OK;
+}
+
 struct Character {
   const sinew_plan* plan;
   c::OwnRoom<c::InputRoom> room;
@@ -75,18 +98,19 @@ struct sinew_jobs {
   }
 
   /// Queues the inputs of `count` characters.
-  /// in   id, input  give the i-th character and its input; input(i, given) returns an error code
-  template <class Id, class Input>
-  sinew_error submit(std::size_t count, const Id& id, const Input& input, std::uint64_t* ticket) {
+  /// in   read  read(i, given) writes the i-th character and its input, and returns an error code
+  template <class Read>
+  sinew_error submit(std::size_t count, const Read& read, std::uint64_t* ticket) {
     inputs.clear();
     for (std::size_t i = 0; i < count; ++i) {
-      const auto found = characters.find(id(i));
+      sinew_character_input given = {};
+      if (const sinew_error error = read(i, given)) return error;
+      const auto found = characters.find(given.character);
       if (found == characters.end()) return SINEW_UNKNOWN_CHARACTER;
-      const sinew_frame_input* given = nullptr;
-      if (const sinew_error error = input(i, given)) return error;
       JobThread::CharacterInput& own = inputs.emplace_back();
       own.character = found->first;
-      const c::NotRead why = c::read_input(given, *found->second->plan, found->second->room.room(), own.input);
+      own.ops_before_cut = given.ops_before_cut;
+      const c::NotRead why = c::read_input(given.input, *found->second->plan, found->second->room.room(), own.input);
       if (why.error != SINEW_OK) return why.error;
     }
     const auto queued = thread.submit(inputs);
@@ -157,6 +181,24 @@ sinew_error sinew_jobs_follow(sinew_jobs* jobs, std::uint32_t follower, std::uin
   return c::call(c::given(jobs), [&] { return jobs->thread.follow(follower, leader, joint); });
 }
 
+sinew_error sinew_jobs_follow_at(sinew_jobs* jobs, std::uint32_t follower, std::uint32_t leader, std::uint32_t joint,
+                                 const sinew_follow_place* place) {
+  return c::call(c::given(jobs), [&] {
+    FollowPlace own;
+    if (const sinew_error error = read_place(place, own)) return error;
+    if (own.kind == FollowKind::procedure && own.matrix == nullptr) return SINEW_NULL_ARGUMENT;
+    return c::error_from(jobs->thread.follow(follower, leader, joint, own));
+  });
+}
+
+sinew_error sinew_jobs_stop_following_at(sinew_jobs* jobs, std::uint32_t follower, const sinew_follow_place* place) {
+  return c::call(c::given(jobs), [&] {
+    FollowPlace own;
+    if (const sinew_error error = read_place(place, own)) return error;
+    return c::error_from(jobs->thread.stop_following(follower, own));
+  });
+}
+
 sinew_error sinew_jobs_stop_following(sinew_jobs* jobs, std::uint32_t follower) {
   return c::call(c::given(jobs), [&] { return jobs->thread.stop_following(follower); });
 }
@@ -172,21 +214,22 @@ sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs,
   return c::call(c::given(jobs, c::Array{inputs, input_count}), [&] {
     const std::span<const JobThread::Character> ids = jobs->thread.characters();
     if (input_count != ids.size()) return SINEW_SIZE_MISMATCH;
-    return jobs->submit(
-        input_count, [&](std::size_t i) { return ids[i]; },
-        [&](std::size_t i, const sinew_frame_input*& input) { return c::element_of(inputs, i, input); }, ticket);
+    const auto read = [&](std::size_t i, sinew_character_input& given) {
+      given.character = ids[i];
+      return c::element_of(inputs, i, given.input);
+    };
+    return jobs->submit(input_count, read, ticket);
   });
 }
 
 sinew_error sinew_jobs_submit_changed(sinew_jobs* jobs, const sinew_character_input* changed, std::size_t count,
                                       std::uint64_t* ticket) {
   return c::call(c::given(jobs, c::Array{changed, count}), [&] {
-    const auto input_of = [&](std::size_t i, const sinew_frame_input*& input) {
-      input = changed[i].input;
-      return input != nullptr ? SINEW_OK : SINEW_NULL_ARGUMENT;
+    const auto read = [&](std::size_t i, sinew_character_input& given) {
+      given = changed[i];
+      return given.input != nullptr ? SINEW_OK : SINEW_NULL_ARGUMENT;
     };
-    return jobs->submit(
-        count, [&](std::size_t i) { return changed[i].character; }, input_of, ticket);
+    return jobs->submit(count, read, ticket);
   });
 }
 
@@ -197,9 +240,21 @@ int sinew_jobs_done(const sinew_jobs* jobs, std::uint64_t ticket) {
 sinew_error sinew_jobs_wait(const sinew_jobs* jobs, std::uint64_t ticket) {
   return c::call(c::given(jobs), [&] {
     if (ticket > jobs->thread.last_submitted()) return SINEW_INDEX_OUT_OF_RANGE;
-    jobs->thread.wait(ticket);
+    (void)jobs->thread.wait(ticket);
     return SINEW_OK;
   });
+}
+
+sinew_error sinew_jobs_cut_pose(const sinew_jobs* jobs, std::uint32_t character, sinew_cut_pose* pose) {
+  return c::call(c::given(jobs, pose), [&] {
+    const CutPose* cut = jobs->thread.cut_pose(character);
+    if (cut == nullptr) return SINEW_NO_CUT;
+    return c::write_struct({.struct_size = 0, .local = c::to_c(cut->local), .model = c::to_c(cut->model)}, pose);
+  });
+}
+
+sinew_error sinew_jobs_resume(sinew_jobs* jobs) {
+  return c::call(c::given(jobs), [&] { return jobs->thread.resume(); });
 }
 
 int sinew_jobs_poll(sinew_jobs* jobs) { return jobs != nullptr && jobs->thread.poll(); }

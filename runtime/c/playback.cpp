@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/playback.h"
 
+#include <array>
+
 #include "runtime/c/glue/call.h"
 #include "runtime/c/glue/convert.h"
 #include "runtime/c/glue/enums.h"
+#include "runtime/playback/blended_events.h"
 #include "runtime/playback/event_cursor.h"
 #include "runtime/playback/playback_clock.h"
+#include "runtime/pose_program/op_shares.h"
 
 namespace sinew::c {
 
@@ -26,6 +30,8 @@ PlaybackClock clock_in(const sinew_clock& given) noexcept {
   c::copy_bytes(given, clock);
   return clock;
 }
+
+constexpr std::size_t kMostPlaying = 255;  ///< no program has more clips
 
 /// Changes the clock in place. If it refuses the number, it stays as it was.
 template <class Change>
@@ -81,4 +87,46 @@ std::size_t sinew_crossed_events(const sinew_step* step, const double* event_tim
   for (EventCursor cursor(played, {event_times_s, event_count}); const auto event = cursor.next(); ++crossed)
     if (crossed < capacity) events[crossed] = static_cast<std::uint32_t>(*event);
   return crossed;
+}
+
+sinew_error sinew_op_shares(const sinew_pose_op* ops, std::size_t op_count, float* shares) {
+  return c::call(c::given(c::Array{ops, op_count}, c::Array{shares, op_count}), [&] {
+    const PoseProgramSpan program(reinterpret_cast<const PoseOp*>(ops), op_count);
+    constexpr std::size_t kAny = 0x10000;  // the indices do not matter here
+    const ErrorCode error = check(program, {.clips = kAny,
+                                            .externals = kAny,
+                                            .masks = kAny,
+                                            .overrides = kAny,
+                                            .procedures = kAny,
+                                            .mirror = true,
+                                            .slots = kMostPoseOps,
+                                            .kept = kMostPoseOps});
+    if (error == ErrorCode::ok) find_op_shares(program, {shares, op_count});
+    return error;
+  });
+}
+
+sinew_error sinew_blended_events(const sinew_playing_clip* playing, std::size_t count, sinew_blended_event* events,
+                                 std::size_t capacity, std::size_t* crossed) {
+  return c::call(c::given(crossed, c::Array{playing, count}, c::Array{events, capacity}), [&] {
+    std::array<PlayingClip, kMostPlaying> own;
+    std::array<BlendedEvents::Cursor, kMostPlaying> cursors;
+    if (count > kMostPlaying) return SINEW_UNSUPPORTED;
+    for (std::size_t i = 0; i < count; ++i) {
+      const sinew_playing_clip& clip = playing[i];
+      if (clip.event_times_s == nullptr && clip.event_count > 0) return SINEW_NULL_ARGUMENT;
+      c::copy_bytes(clip.step, own[i].step);
+      own[i].event_times_s = {clip.event_times_s, clip.event_count};
+      own[i].step_s = clip.step_s;
+      own[i].weight_before = clip.weight_before;
+      own[i].weight_after = clip.weight_after;
+    }
+    *crossed = 0;
+    const std::span<BlendedEvents::Cursor> room(cursors.data(), count);
+    for (BlendedEvents all({own.data(), count}, room); const auto event = all.next(); ++*crossed)
+      if (*crossed < capacity)
+        events[*crossed] = {static_cast<std::uint32_t>(event->clip), static_cast<std::uint32_t>(event->event),
+                            event->moment, event->weight};
+    return SINEW_OK;
+  });
 }

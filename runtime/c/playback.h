@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/api.h"
+#include "runtime/c/pose_program.h"
 #include "runtime/c/types.h"
 
 #ifdef __cplusplus
@@ -45,6 +46,40 @@ SINEW_API int sinew_clock_finished(const sinew_clock* clock);
 /// Returns the number of crossed events, which may be larger than `capacity`.
 SINEW_API size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, size_t event_count,
                                       uint32_t* events, size_t capacity);
+
+/// Share of each operation's pose in the final pose, for events and sounds of the clips that it samples. Masks count
+/// as 1.
+/// in   ops  a program that has no fault
+/// out  shares[op_count]
+/// err  SINEW_NULL_ARGUMENT, and the codes by which programs are refused
+SINEW_API sinew_error sinew_op_shares(const sinew_pose_op* ops, size_t op_count, float* shares);
+
+/// A clip that plays together with others in one step of a program. A clip that several operations sample by one clock
+/// plays once, with the sum of their shares (sinew_op_shares). This struct never grows.
+typedef struct sinew_playing_clip {
+  sinew_step step;              ///< of the clip's clock
+  const double* event_times_s;  ///< [event_count] rising, within the clip
+  size_t event_count;
+  double step_s;        ///< length of the step in clip time: speed * dt
+  float weight_before;  ///< in the pose of the frame before; 0 = the clip has just begun
+  float weight_after;   ///< in the pose of this frame; 0 = the clip has just been faded out
+} sinew_playing_clip;
+
+/// An event that a step of several clips crosses. This struct never grows.
+typedef struct sinew_blended_event {
+  uint32_t clip;   ///< index into the clips that play
+  uint32_t event;  ///< index of the clip's event
+  double moment;   ///< [0, 1] part of the step that has passed
+  float weight;    ///< of the clip at that moment
+} sinew_blended_event;
+
+/// The events of all clips that play in one step, in the order of time, each once per crossing. Give the clips of the
+/// program before and of this one, so that a clip's last step is not lost in a fade.
+/// in   playing[count]  at most 255
+/// out  events[capacity]  what does not fit is left out;   crossed  number of events, which may be larger than `capacity`
+/// err  SINEW_NULL_ARGUMENT, SINEW_UNSUPPORTED (more clips)
+SINEW_API sinew_error sinew_blended_events(const sinew_playing_clip* playing, size_t count, sinew_blended_event* events,
+                                           size_t capacity, size_t* crossed);
 
 #ifdef __cplusplus
 }

@@ -8,9 +8,8 @@
 extern "C" {
 #endif
 
-// Pose programs: the pose of a frame as operations that an engine's graph writes (sinew_frame_input.program). Each
-// takes its operands from a stack of poses, with morph weights and properties, and leaves one there. A program is plain
-// bytes.
+// Pose programs: the pose of a frame as operations (sinew_frame_input.program). Each takes its operands from a stack of
+// poses, with morph weights and properties, and leaves one there. A program is plain bytes.
 
 typedef enum sinew_op_kind {
   SINEW_OP_REST = 0,             ///< pushes the rest pose
@@ -39,7 +38,7 @@ typedef enum sinew_op_kind {
 typedef struct sinew_pose_op {
   double time_s;   ///< sample: seconds in the clip;  mean: threshold in (0, 1], below which the rest pose fills up;
                    ///< override, procedure: its share in [0, 1];  transitions: their progress in [0, 1]
-  float weight;    ///< finite, >= 0
+  float weight;    ///< finite, >= 0; below 0 only as the layer of an addition, which then subtracts
   uint16_t index;  ///< of a clip, an external pose, an override or a procedure;  mean: number of operands;  additions:
                    ///< 0 = turn joints in their parent's frame, 1 = in their own.  Transitions: steps in the duration,
                    ///< >= 1; steps of 0.1 to 1 ms measure velocities well
@@ -63,15 +62,15 @@ typedef struct sinew_program_room {
   uint32_t kept;                              ///< transitions and operations SINEW_OP_CACHED, at most `ops`
 } sinew_program_room;
 
-/// The room that a program needs: lists reach to the program's largest index, and `overridden_joints` is left at 0.
-/// out  room  with struct_size set.   err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE;   cost O(ops), no allocation
+/// The room that a program needs, by its largest indices. `overridden_joints` is left at 0.
+/// out  room  with struct_size set.   err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_program_room_of(const sinew_pose_op* ops, size_t op_count, sinew_program_room* room);
 /// Raises each number of `room` to at least that of `other`.     err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_raise_program_room(sinew_program_room* room, const sinew_program_room* other);
 
-// Operations refer to entries of the lists below by index. Equal versions of an entry promise the content of the frame
-// before; version 0 promises nothing. Joint indices are those of the scene. If sinew_needs.skeleton_lod leaves joints
-// out, they are those that sinew_pose_joint returns. The structs of entries never grow.
+// Operations refer to entries of the lists below by index. Equal versions of an entry promise equal content; version 0
+// promises nothing. Joint indices are those of the scene, or with a skeleton_lod those of sinew_pose_joint. The structs
+// of entries never grow.
 
 /// A pose of the caller.
 typedef struct sinew_external_pose {
@@ -81,10 +80,10 @@ typedef struct sinew_external_pose {
   uint64_t version;
 } sinew_external_pose;
 
-/// Space of an overriding transform.
 typedef enum sinew_override_space {
   SINEW_OVERRIDE_LOCAL = 0,  ///< relative to the parent joint
-  SINEW_OVERRIDE_MODEL = 1   ///< model space, relative to sinew_frame_input.root
+  SINEW_OVERRIDE_MODEL = 1,  ///< model space, relative to sinew_frame_input.root
+  SINEW_OVERRIDE_WORLD = 2
 } sinew_override_space;
 
 /// A joint that the caller places, and its transform.
@@ -101,11 +100,13 @@ typedef struct sinew_joint_overrides {
   uint64_t version;
 } sinew_joint_overrides;
 
-/// Joint weights of the caller, which multiply the weight of an operation.
-typedef struct sinew_joint_mask {
-  sinew_floats weights;  ///< [joints of poses] finite, >= 0
+/// Weights of the caller, >= 0, that multiply the weight of an operation. An empty list stands for ones.
+typedef struct sinew_pose_mask {
+  sinew_floats joints;      ///< [joints of poses]
+  sinew_floats weights;     ///< all morph weights of the scene
+  sinew_floats properties;  ///< all animated numbers of the scene
   uint64_t version;
-} sinew_joint_mask;
+} sinew_pose_mask;
 
 /// The pose that a procedure may change, in memory of the frame. Valid only during the call.
 typedef struct sinew_procedure_pose {
@@ -138,11 +139,10 @@ typedef struct sinew_program_inputs {
   size_t override_count;
   const sinew_pose_procedure* procedures;  ///< not copied: must not change until the frames that use it are done
   size_t procedure_count;
-  const sinew_joint_mask* masks;
+  const sinew_pose_mask* masks;
   size_t mask_count;
-  const sinew_page* const*
-      pages;  ///< [operations] the page with the keys of the operation's clip and time; null if the clip itself
-              ///< has the keys. The list itself may be null. Must not change while frames use it
+  const sinew_page* const* pages;  ///< [operations] or null: the page with the keys of the operation's clip and time,
+                                   ///< or null where the clip has them. Must not change while frames use it
 } sinew_program_inputs;
 
 #ifdef __cplusplus

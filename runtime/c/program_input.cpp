@@ -45,8 +45,10 @@ constexpr auto kOverrides = fields(
     span_field<&sinew_joint_overrides::joints, &sinew_joint_overrides::joint_count, &JointOverrides::joints>("joints"),
     SpacesField{}, field<&sinew_joint_overrides::version, &JointOverrides::version>());
 
-constexpr auto kMask = fields(field<&sinew_joint_mask::weights, &JointMask::weights>("weights"),
-                              field<&sinew_joint_mask::version, &JointMask::version>());
+constexpr auto kMask = fields(field<&sinew_pose_mask::joints, &PoseMask::joints>("joints"),
+                              field<&sinew_pose_mask::weights, &PoseMask::weights>("weights"),
+                              field<&sinew_pose_mask::properties, &PoseMask::properties>("properties"),
+                              field<&sinew_pose_mask::version, &PoseMask::version>());
 
 constexpr auto kProcedurePose = fields(
     field<&sinew_procedure_pose::local, &ProcedurePose::local>(),
@@ -91,14 +93,14 @@ NotRead read_program(const sinew_frame_input& given, const PoseProgramRoom& need
                      FrameInput& input) noexcept {
   input.program = {};
   input.program_inputs = {};
-  if (given.op_count == 0) return {};
-  if (given.program == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "program"});
+  if (given.op_count > 0 && given.program == nullptr) return refuse(SINEW_NULL_ARGUMENT, {.list = "program"});
   input.program = {reinterpret_cast<const PoseOp*>(given.program), given.op_count};
-  if (needs.ops == 0) return {};  // the runtime refuses the program, whatever its lists are
+  if (given.op_count > 0 && needs.ops == 0) return {};  // the runtime refuses the program, whatever its lists are
   sinew_program_inputs own{};
   if (const sinew_error error = read_struct(given.program_inputs, own))
     return refuse(error, {.field = "struct_size", .list = "program_inputs"});
   PoseProgramInputs& inputs = input.program_inputs;
+  if (given.op_count == 0) return kMasks.read(own, room, inputs);  // layers only name masks
   if (own.pages != nullptr) inputs.pages = {clips_of(own.pages), given.op_count};
   NotRead why = kExternals.read(own, room, inputs);
   if (why.error == SINEW_OK) why = kOverrideLists.read(own, room, inputs);
@@ -108,8 +110,8 @@ NotRead read_program(const sinew_frame_input& given, const PoseProgramRoom& need
 }
 
 void write_program(const FrameInput& input, const InputRoomOfC& room, sinew_frame_input& out) noexcept {
-  if (input.program.empty()) return;
   const PoseProgramInputs& inputs = input.program_inputs;
+  if (input.program.empty() && inputs.masks.empty()) return;
   sinew_program_inputs& own = *room.program_inputs;
   own = {};
   own.struct_size = sizeof(own);
@@ -120,9 +122,10 @@ void write_program(const FrameInput& input, const InputRoomOfC& room, sinew_fram
   own.procedures = static_cast<const sinew_pose_procedure*>(procedures);  // the list that the caller gave
   own.procedure_count = inputs.procedures.size();
   own.pages = inputs.pages.empty() ? nullptr : pages_of(inputs.pages.data());
+  out.program_inputs = &own;
+  if (input.program.empty()) return;
   out.program = reinterpret_cast<const sinew_pose_op*>(input.program.data());
   out.op_count = input.program.size();
-  out.program_inputs = &own;
 }
 
 }  // namespace sinew::c

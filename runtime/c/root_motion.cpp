@@ -34,7 +34,7 @@ DualQuatd motion_in(const sinew_dual_quat* given) noexcept {
 }
 
 /// A joint of a clip, and the parts of its motion that carry the character.
-struct RootTrack {
+struct RootOfClip {
   BoneAnimation joined;  // empty unless several entries of the clip animate the joint
   const BoneAnimation* animation = &joined;
   Transform rest;
@@ -42,7 +42,7 @@ struct RootTrack {
 };
 
 /// Refers to the animation of a joint if there is one entry for it. Joins the tracks of several entries.
-void take_tracks(const Animation& clip, std::uint32_t joint, RootTrack& root) {
+void take_tracks(const Animation& clip, std::uint32_t joint, RootOfClip& root) {
   const auto is_own = [&](const BoneAnimation& bone) { return bone.joint == joint; };
   const auto first = std::ranges::find_if(clip.bones, is_own);
   if (first == clip.bones.end()) return;
@@ -56,7 +56,7 @@ void take_tracks(const Animation& clip, std::uint32_t joint, RootTrack& root) {
 }
 
 sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
-                      RootTrack& root) {
+                      RootOfClip& root) {
   if (const sinew_error error = c::read_fields(parts, kParts, root.parts)) return error;
   const Scene& own = scene->scene;
   if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
@@ -78,12 +78,6 @@ sinew_error read_step(const sinew_step& given, PlaybackStep& step) noexcept {
 
 }  // namespace
 
-struct sinew_root_track {
-  BoneAnimation animation;
-  Transform rest;
-  RootMotionParts parts;
-};
-
 sinew_dual_quat sinew_dual_quat_identity(void) { return c::to_c(DualQuatd{}); }
 
 sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a, const sinew_dual_quat* b) {
@@ -104,7 +98,7 @@ sinew_error sinew_root_place(const sinew_scene* scene, std::uint32_t clip, std::
                              const sinew_root_parts* parts, double time_s, sinew_dual_quat* out) {
   return c::call(c::given(scene, out), [&] {
     if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
-    RootTrack root;
+    RootOfClip root;
     if (const sinew_error error = find_root(scene, clip, joint, parts, root)) return error;
     *out = c::to_c(root_place(*root.animation, root.rest, root.parts, time_s));
     return SINEW_OK;
@@ -115,7 +109,7 @@ sinew_error sinew_root_motion(const sinew_scene* scene, std::uint32_t clip, std:
                               const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out) {
   return c::call(c::given(scene, step, out), [&] {
     PlaybackStep own;
-    RootTrack root;
+    RootOfClip root;
     if (const sinew_error error = read_step(*step, own)) return error;
     if (const sinew_error error = find_root(scene, clip, joint, parts, root)) return error;
     *out = c::to_c(root_motion(*root.animation, root.rest, root.parts, own));

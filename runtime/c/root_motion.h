@@ -25,8 +25,9 @@ SINEW_API sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);
 /// How much of a root joint's turn carries the character.
 typedef enum sinew_root_turn {
   SINEW_ROOT_TURN_NONE = 0,
-  SINEW_ROOT_TURN_HEADING = 1,  ///< about +Y only
-  SINEW_ROOT_TURN_FULL = 2
+  SINEW_ROOT_TURN_HEADING = 1,  ///< about +Y only, by the twist of the rotation
+  SINEW_ROOT_TURN_FULL = 2,
+  SINEW_ROOT_TURN_HEADING_EULER = 3  ///< about +Y only, by Euler angles: the direction of +X seen from above
 } sinew_root_turn;
 
 /// The part of a root joint's movement that carries the character through the world; the rest stays in its pose.

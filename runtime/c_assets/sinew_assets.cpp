@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c_assets/sinew_assets.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -119,5 +120,20 @@ sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, std::s
     if (!file) return refuse(file.error(), messages);
     const auto added = add_clips(*file, scene->scene);
     return added ? SINEW_OK : refuse(added.error(), messages);
+  });
+}
+
+sinew_error sinew_assets_read_graph(const void* bytes, std::size_t byte_count, const char* name, sinew_graph** out,
+                                    sinew_messages** messages) {
+  return c::call(c::given(bytes, name, out), [&] {
+    const auto file = AssetFile::open(span_of(bytes, byte_count));
+    if (!file) return refuse(file.error(), messages);
+    const auto graphs = read_graphs(*file);
+    if (!graphs) return refuse(graphs.error(), messages);
+    const auto graph =
+        std::find_if(graphs->begin(), graphs->end(), [&](const StoredGraph& one) { return one.name == name; });
+    if (graph == graphs->end()) return SINEW_INDEX_OUT_OF_RANGE;
+    const void* const own = graph->bytes.empty() ? "" : static_cast<const void*>(graph->bytes.data());
+    return sinew_graph_create(own, graph->bytes.size(), out, messages);
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 // Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C and C++.
 #include "runtime/base/api.h"
+#include "runtime/c/graph/graph.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/pages.h"
 #include "runtime/c/scene.h"
@@ -53,6 +54,12 @@ SINEW_API sinew_error sinew_assets_read_skeleton_lod(const void* bytes, size_t b
 ///      SINEW_OUT_OF_MEMORY. After an error the scene is as before.
 SINEW_API sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, size_t byte_count,
                                              sinew_messages** messages);
+
+/// Reads a motion graph of a file by its name (graph/graph.h).
+/// err  SINEW_INDEX_OUT_OF_RANGE (the file has no graph of this name), SINEW_BAD_FILE (the file or the graph is damaged;
+///      `messages` says where), SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
+SINEW_API sinew_error sinew_assets_read_graph(const void* bytes, size_t byte_count, const char* name, sinew_graph** out,
+                                              sinew_messages** messages);
 
 #ifdef __cplusplus
 }

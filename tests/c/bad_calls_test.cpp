@@ -191,7 +191,7 @@ TEST(c_bad_calls, root_motion_refuses_what_does_not_exist) {
   EXPECT_EQ(sinew_root_place(&scene, 0, 9, nullptr, 0.0, &out), SINEW_INDEX_OUT_OF_RANGE);
   EXPECT_EQ(sinew_root_place(&scene, 0, 0, nullptr, 0.0, nullptr), SINEW_NULL_ARGUMENT);
   sinew_root_parts parts = sinew_default_root_parts();
-  parts.turn = 3;
+  parts.turn = 4;
   EXPECT_EQ(sinew_root_place(&scene, 0, 0, &parts, 0.0, &out), SINEW_UNSUPPORTED);
   EXPECT_EQ(sinew_root_motion(nullptr, 0, 0, nullptr, &step, &out), SINEW_NULL_ARGUMENT);
   EXPECT_EQ(sinew_root_motion(&scene, 0, 0, nullptr, nullptr, &out), SINEW_NULL_ARGUMENT);
@@ -211,7 +211,7 @@ TEST(c_bad_calls, root_tracks_refuse_what_does_not_exist) {
   ASSERT_EQ(sinew_library_add(library, &scene, SINEW_REFUSE, nullptr), SINEW_OK);
   EXPECT_EQ(create(0, 9, nullptr), SINEW_INDEX_OUT_OF_RANGE);
   sinew_root_parts parts = sinew_default_root_parts();
-  parts.turn = 3;
+  parts.turn = 4;
   EXPECT_EQ(create(0, 0, &parts), SINEW_UNSUPPORTED);
   EXPECT_EQ(sinew_root_track_create(nullptr, library, 0, 0, nullptr, &track), SINEW_NULL_ARGUMENT);
   EXPECT_EQ(sinew_root_track_create(&scene, nullptr, 0, 0, nullptr, &track), SINEW_NULL_ARGUMENT);

@@ -8,6 +8,8 @@
 #include "runtime/c/clips.h"
 #include "runtime/c/handles.h"
 #include "runtime/c_assets/sinew_assets.h"
+#include "runtime/graph/graph_builder.h"
+#include "runtime/graph/graph_bytes.h"
 #include "tests/asset_file/played_frames.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -91,6 +93,24 @@ TEST(c_assets, bad_bytes_and_missing_arguments_are_refused) {
   EXPECT_EQ(sinew_assets_add_clips(nullptr, file.data(), file.size(), nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_FALSE(sinew_looks_like_assets(nullptr, 40));
   EXPECT_FALSE(sinew_looks_like_assets(file.data() + 1, file.size() - 1));
+}
+
+TEST(c_assets, graphs_of_a_file_are_found_by_name) {
+  GraphBuilder b;
+  const GraphTables tables = b.tables(b.clip("wave"));
+  const std::vector<StoredGraph> graphs = {{"other", {}}, {"wave", write_graph_bytes(tables)}};
+  const Bytes file = write_asset_file(arm_scene(), {.graphs = graphs});
+  sinew_graph* graph = nullptr;
+  ASSERT_EQ(sinew_assets_read_graph(file.data(), file.size(), "wave", &graph, nullptr), SINEW_OK);
+  EXPECT_EQ(sinew_graph_write(graph, nullptr, 0), graphs[1].bytes.size());
+  sinew_graph_destroy(graph);
+  graph = nullptr;
+  EXPECT_EQ(sinew_assets_read_graph(file.data(), file.size(), "none", &graph, nullptr), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(sinew_assets_read_graph(file.data(), file.size(), "other", &graph, nullptr), SINEW_BAD_FILE);
+  EXPECT_EQ(sinew_assets_read_graph(nullptr, 0, "wave", &graph, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_read_graph(file.data(), file.size(), nullptr, &graph, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_read_graph(file.data(), file.size(), "wave", nullptr, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(graph, nullptr);
 }
 
 TEST(c_assets, skeleton_lods_of_a_file_serve_plans) {

@@ -36,9 +36,9 @@ TEST(c_world, root_motion_is_that_of_the_cpp_interface) {
   for (const BoneAnimation& bone : animation.bones)
     for (std::uint32_t mode = SINEW_PLAY_LOOP; mode <= SINEW_PLAY_ONCE; ++mode) {
       sinew_root_parts parts = sinew_default_root_parts();
-      parts.turn = mode % 3;
+      parts.turn = mode % 4;
       parts.y = mode % 2;
-      const RootMotionParts in_cpp{true, mode % 2 != 0, true, static_cast<RootTurn>(mode % 3)};
+      const RootMotionParts in_cpp{true, mode % 2 != 0, true, static_cast<RootTurn>(mode % 4)};
       sinew_dual_quat world;
       sinew_affine root;
       ASSERT_EQ(engine_walk(&scene, 1, bone.joint, &parts, mode, 0.37, 12, &world, &root), SINEW_OK);

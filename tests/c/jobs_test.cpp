@@ -46,7 +46,7 @@ TEST(c_jobs, characters_leave_follow_and_change_their_plans) {
   moved.layer_count = 1;
   moved.root.row[0][3] = 3.0f;
   const sinew_frame_input still = sinew_default_input();
-  const sinew_character_input both[] = {{&moved, id[0]}, {&still, id[2]}};
+  const sinew_character_input both[] = {{&moved, id[0], 0}, {&still, id[2], 0}};
   EXPECT_EQ(sinew_jobs_follow(jobs, id[2], id[0], 1), SINEW_OK);
   EXPECT_EQ(sinew_jobs_follow(jobs, id[0], id[2], 1), SINEW_FOLLOWS_ITSELF);
   run(both);
@@ -71,7 +71,7 @@ TEST(c_jobs, characters_leave_follow_and_change_their_plans) {
                                   sinew_jobs_follow(jobs, id[0], id[1], 0), sinew_jobs_stop_following(jobs, id[0]),
                                   sinew_jobs_submit_changed(jobs, both, 2, nullptr)})
     EXPECT_EQ(error, SINEW_UNKNOWN_CHARACTER);
-  const sinew_character_input no_input = {nullptr, id[1]};
+  const sinew_character_input no_input = {nullptr, id[1], 0};
   EXPECT_EQ(sinew_jobs_submit_changed(jobs, &no_input, 1, nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_EQ(sinew_jobs_submit_changed(jobs, nullptr, 1, nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_EQ(sinew_jobs_characters(nullptr).count, 0u);

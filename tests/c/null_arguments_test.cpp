@@ -119,6 +119,11 @@ TEST_F(CNullArguments, of_jobs_and_inputs_between_frames) {
   EXPECT_REFUSED(sinew_jobs_add_character, {}, jobs.get(), plan_, &character);
   EXPECT_REFUSED(sinew_jobs_submit, {3}, jobs.get(), &input, 1, &ticket);
   EXPECT_REFUSED(sinew_jobs_wait, {}, jobs.get(), 0);
+  sinew_cut_pose cut{.struct_size = sizeof(cut)};
+  EXPECT_REFUSED(sinew_jobs_cut_pose, {}, jobs.get(), 0, &cut);
+  EXPECT_EQ(sinew_jobs_resume(nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_jobs_follow_at(nullptr, 0, 1, 0, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_jobs_stop_following_at(nullptr, 0, nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_REFUSED(sinew_jobs_last_error, {}, jobs.get());
   EXPECT_REFUSED(sinew_choose_update_level, {3}, 0.1, 0, 0.0, nullptr, &level);
   EXPECT_REFUSED(sinew_held_input_create, {}, plan_, &held);

@@ -19,7 +19,8 @@ using c_pose_programs = ProgramActor;
 TEST_F(c_pose_programs, overlays_poses_joints_and_procedures_have_the_bits_of_cpp) {
   ASSERT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
   const std::vector<float> rest = all_numbers_of(sinew_frame_result(frame_));
-  for (const std::uint8_t space : {std::uint8_t{SINEW_OVERRIDE_LOCAL}, std::uint8_t{SINEW_OVERRIDE_MODEL}}) {
+  for (const std::uint8_t space :
+       {std::uint8_t{SINEW_OVERRIDE_LOCAL}, std::uint8_t{SINEW_OVERRIDE_MODEL}, std::uint8_t{SINEW_OVERRIDE_WORLD}}) {
     joint_.space = space;
     ++overrides_.version;
     ASSERT_EQ(sinew_run(frame_, &input_), SINEW_OK) << why();
@@ -77,6 +78,74 @@ TEST_F(c_pose_programs, jobs_run_what_was_submitted_whatever_the_caller_writes_l
   ASSERT_EQ(sinew_jobs_last_error(jobs), SINEW_OK);
   EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_jobs_latest(jobs, 0)), expected));
   sinew_jobs_destroy(jobs);
+}
+
+TEST_F(c_pose_programs, layers_name_masks_of_the_input) {
+  const sinew_layer layers[] = {{0.3, 0, SINEW_NONE, 0.5f, SINEW_LAYER_BLEND}, {0.4, 1, 1, 0.5f, SINEW_LAYER_BLEND}};
+  input_ = sinew_default_input();
+  input_.layers = layers;
+  input_.layer_count = 2;
+  EXPECT_EQ(sinew_run(frame_, &input_), SINEW_INDEX_OUT_OF_RANGE);
+  input_.program_inputs = &inputs_;
+  ASSERT_EQ(sinew_run(frame_, &input_), SINEW_OK);
+  const OfCpp cpp(*this);
+  const ClipLayer own[] = {{0, 0.3, 0.5f}, {1, 0.4, 0.5f, 1}};
+  FrameInput input{.layers = own, .weights = {}, .root = {}};
+  input.program_inputs.masks = {&cpp.mask, 1};
+  FrameBuffer frame(cpp.plan);
+  ASSERT_EQ(run_plan(cpp.plan, input, frame), ErrorCode::ok);
+  EXPECT_TRUE(same_bits<float>(all_numbers_of(sinew_frame_result(frame_)),
+                               all_numbers_of(reinterpret_cast<const sinew_result*>(&frame.result()))));
+  sinew_held_input* held = nullptr;
+  ASSERT_EQ(sinew_held_input_create(plan_, &held), SINEW_OK);
+  sinew_frame_input next = sinew_default_input();
+  ASSERT_EQ(sinew_held_input_next(held, &input_, SINEW_UPDATE_EVERY, 0, 0, &next), SINEW_OK);
+  ASSERT_EQ(next.program_inputs->mask_count, 1u);
+  EXPECT_EQ(sinew_run(frame_, &next), SINEW_OK) << "a held input keeps its masks";
+  sinew_held_input_destroy(held);
+}
+
+// A walk fades into a run while both step over an event: each is told once, with its weight at that moment.
+TEST_F(c_pose_programs, events_of_all_clips_of_a_program_come_in_the_order_of_time) {
+  sinew_pose_op ops[] = {sinew_default_op(SINEW_OP_SAMPLE), sinew_default_op(SINEW_OP_SAMPLE),
+                         sinew_default_op(SINEW_OP_MEAN)};
+  ops[0].weight = 0.25f;
+  ops[1].weight = 0.75f;
+  ops[2].index = 2;
+  float shares[3] = {};
+  ASSERT_EQ(sinew_op_shares(ops, 3, shares), SINEW_OK);
+  EXPECT_EQ(std::vector<float>(shares, shares + 3), (std::vector<float>{0.25f, 0.75f, 1.0f}));
+  ops[2].index = 3;
+  EXPECT_EQ(sinew_op_shares(ops, 3, shares), SINEW_SIZE_MISMATCH);
+  EXPECT_EQ(sinew_op_shares(ops, 3, nullptr), SINEW_NULL_ARGUMENT);
+
+  const double walk[] = {0.2, 0.8}, run[] = {0.5};
+  std::vector<sinew_playing_clip> playing = {{{}, walk, 2, 1.0, 1.0f, shares[0]}, {{}, run, 1, 1.0, 0.0f, shares[1]}};
+  for (sinew_playing_clip& clip : playing) {
+    sinew_clock clock;
+    ASSERT_EQ(sinew_clock_init(&clock, 1.0, SINEW_PLAY_LOOP, 1.0), SINEW_OK);
+    ASSERT_EQ(sinew_clock_advance(&clock, 1.0, &clip.step), SINEW_OK);
+  }
+  sinew_blended_event events[3];
+  std::size_t crossed = 0;
+  ASSERT_EQ(sinew_blended_events(playing.data(), 2, events, 3, &crossed), SINEW_OK);
+  ASSERT_EQ(crossed, 3u);
+  const sinew_blended_event expected[] = {{0, 0, 0.2, 0.85f}, {1, 0, 0.5, 0.375f}, {0, 1, 0.8, 0.4f}};
+  for (std::size_t e = 0; e < 3; ++e) {
+    EXPECT_EQ(events[e].clip, expected[e].clip);
+    EXPECT_EQ(events[e].event, expected[e].event);
+    EXPECT_NEAR(events[e].moment, expected[e].moment, 1e-12);
+    EXPECT_NEAR(events[e].weight, expected[e].weight, 1e-6f);
+  }
+  ASSERT_EQ(sinew_blended_events(playing.data(), 2, events, 1, &crossed), SINEW_OK);
+  EXPECT_EQ(crossed, 3u) << "more than there is room for";
+  EXPECT_EQ(sinew_blended_events(nullptr, 2, events, 3, &crossed), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_blended_events(playing.data(), 2, nullptr, 3, &crossed), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_blended_events(playing.data(), 2, events, 3, nullptr), SINEW_NULL_ARGUMENT);
+  playing[1].event_times_s = nullptr;
+  EXPECT_EQ(sinew_blended_events(playing.data(), 2, events, 3, &crossed), SINEW_NULL_ARGUMENT);
+  playing.assign(256, playing[0]);
+  EXPECT_EQ(sinew_blended_events(playing.data(), 256, events, 3, &crossed), SINEW_UNSUPPORTED);
 }
 
 TEST_F(c_pose_programs, held_inputs_hold_programs) {

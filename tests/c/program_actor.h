@@ -67,7 +67,7 @@ class ProgramActor : public testing::Test {
               SINEW_OVERRIDE_LOCAL};
     overrides_ = {&joint_, 1, 1};
     procedure_ = {engine_lift, &height_, 1};
-    mask_ = {{mask_weights_.data(), mask_weights_.size()}, 1};
+    mask_ = {{mask_weights_.data(), mask_weights_.size()}, {weights_.data(), weights_.size()}, {}, 1};
     inputs_ = {sizeof(inputs_), &external_, 1, &overrides_, 1, &procedure_, 1, &mask_, 1, nullptr};
     input_.program = ops_;
     input_.op_count = engine_program_ops;
@@ -101,7 +101,7 @@ class ProgramActor : public testing::Test {
                 static_cast<OverrideSpace>(of.joint_.space)},
           overrides{{&joint, 1}, 1},
           procedure{&lift, &of.height_, 1},
-          mask{of.mask_weights_, 1} {
+          mask{.joints = of.mask_weights_, .weights = of.weights_, .version = 1} {
       program.sample(0, 0.3).external(0, 0.5f, 1).overlay().override_joints(0).procedure(0, 0.75);
       Needs needs{.out = {.palettes = true, .bounds = true}};
       needs.in.masks = {of.mask_of_needs_};
@@ -117,7 +117,7 @@ class ProgramActor : public testing::Test {
     JointOverride joint;
     JointOverrides overrides;
     PoseProcedure procedure;
-    JointMask mask;
+    PoseMask mask;
     PoseProgram program;
     Plan plan;
     FrameInput input;
@@ -149,7 +149,7 @@ class ProgramActor : public testing::Test {
   sinew_joint_override joint_;
   sinew_joint_overrides overrides_;
   sinew_pose_procedure procedure_;
-  sinew_joint_mask mask_;
+  sinew_pose_mask mask_;
   sinew_program_inputs inputs_;
   sinew_program_room room_{};
   sinew_frame_input input_;

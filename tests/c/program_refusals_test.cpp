@@ -36,7 +36,7 @@ TEST_F(CProgramRefusals, lists_that_are_null) {
   refused(SINEW_NULL_ARGUMENT, "externals[0].weights: " + kNull, [&] { external_.weights.data = nullptr; });
   refused(SINEW_NULL_ARGUMENT, "externals[0].properties: " + kNull, [&] { external_.properties.count = 1; });
   refused(SINEW_NULL_ARGUMENT, "overrides[0].joints: " + kNull, [&] { overrides_.joints = nullptr; });
-  refused(SINEW_NULL_ARGUMENT, "masks[0].weights: " + kNull, [&] { mask_.weights.data = nullptr; });
+  refused(SINEW_NULL_ARGUMENT, "masks[0].joints: " + kNull, [&] { mask_.joints.data = nullptr; });
   refused(SINEW_UNSUPPORTED, "procedures[0]: it has no code to run", [&] { procedure_.run = nullptr; });
 }
 
@@ -56,7 +56,7 @@ TEST_F(CProgramRefusals, kinds_that_do_not_exist) {
   refused(SINEW_UNSUPPORTED, "program[0]: the kind of operation is not known",
           [&] { ops_[0] = sinew_default_op(256); });
   refused(SINEW_UNSUPPORTED, "overrides[0].space: there is no such space of a joint",
-          [&] { joint_.space = SINEW_OVERRIDE_MODEL + 1; });
+          [&] { joint_.space = SINEW_OVERRIDE_WORLD + 1; });
   refused(SINEW_WRONG_STRUCT_SIZE,
           std::string("program_inputs.struct_size: ") + sinew_describe(SINEW_WRONG_STRUCT_SIZE),
           [&] { inputs_.struct_size = 3; });
@@ -72,7 +72,10 @@ TEST_F(CProgramRefusals, faults_of_the_runtime_are_those_of_cpp) {
   refused(SINEW_SIZE_MISMATCH, "externals[0]: the pose has not one transform for each joint of poses",
           [&] { --external_.pose.joint_count; });
   refused(SINEW_SIZE_MISMATCH, "masks[0]: there is not one weight for each joint of poses",
-          [&] { --mask_.weights.count; });
+          [&] { --mask_.joints.count; });
+  refused(SINEW_SIZE_MISMATCH, "masks[0]: there is not one weight for each morph weight of the scene", [&] {
+    mask_.weights = {mask_.joints.data, 1};
+  });
   refused(SINEW_NOT_FINITE, "overrides[0]: a transform is not finite",
           [&] { joint_.transform.rotation.w = std::numeric_limits<float>::infinity(); });
   const sinew_layer layer{0.5, 0, SINEW_NONE, 1.0f, 0};
@@ -97,7 +100,9 @@ TEST_F(CProgramRefusals, programs_that_the_needs_do_not_declare) {
   ASSERT_EQ(sinew_why_refused(frame, &input_, &messages), SINEW_OK);
   EXPECT_STREQ(sinew_message(messages, 0), "program: the needs declare no programs");
   input_.op_count = 0;
-  EXPECT_EQ(sinew_run(frame, &input_), SINEW_OK) << "lists are not looked at without a program";
+  EXPECT_EQ(sinew_run(frame, &input_), SINEW_NOT_IN_NEEDS) << "layers may name masks";
+  inputs_.mask_count = 0;
+  EXPECT_EQ(sinew_run(frame, &input_), SINEW_OK) << "no other list is looked at without a program";
   sinew_messages_destroy(messages);
   sinew_frame_destroy(frame);
   sinew_plan_destroy(plan);

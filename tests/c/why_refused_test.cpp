@@ -54,7 +54,7 @@ TEST_F(CWhyRefused, an_input_that_runs_has_no_reason) {
 
 TEST_F(CWhyRefused, reasons_of_the_runtime_are_those_of_cpp) {
   layers_[1].weight = -1.0f;
-  EXPECT_EQ(why(), "layers[1].weight: a weight is below 0");
+  EXPECT_EQ(why(), "layers[1].weight: a weight is below 0, and only additive layers subtract");
   layers_[1].weight = 0.5f;
   layers_[1].clip = 99;
   EXPECT_EQ(why(), "layers[1].clip: the plan was compiled for fewer clips");

@@ -91,8 +91,10 @@ inline constexpr auto kEnum<PoseOpKind> =
                                             {PoseOpKind::cached, SINEW_OP_CACHED}});
 
 template <>
-inline constexpr auto kEnum<OverrideSpace> = enum_values<OverrideSpace, sinew_override_space>(
-    {{OverrideSpace::local, SINEW_OVERRIDE_LOCAL}, {OverrideSpace::model, SINEW_OVERRIDE_MODEL}});
+inline constexpr auto kEnum<OverrideSpace> =
+    enum_values<OverrideSpace, sinew_override_space>({{OverrideSpace::local, SINEW_OVERRIDE_LOCAL},
+                                                      {OverrideSpace::model, SINEW_OVERRIDE_MODEL},
+                                                      {OverrideSpace::world, SINEW_OVERRIDE_WORLD}});
 
 template <>
 inline constexpr auto kEnum<PlayMode> = enum_values<PlayMode, sinew_play_mode>({{PlayMode::loop, SINEW_PLAY_LOOP},
@@ -105,7 +107,8 @@ template <>
 inline constexpr auto kEnum<RootTurn> =
     enum_values<RootTurn, sinew_root_turn>({{RootTurn::none, SINEW_ROOT_TURN_NONE},
                                             {RootTurn::heading, SINEW_ROOT_TURN_HEADING},
-                                            {RootTurn::full, SINEW_ROOT_TURN_FULL}});
+                                            {RootTurn::full, SINEW_ROOT_TURN_FULL},
+                                            {RootTurn::heading_euler, SINEW_ROOT_TURN_HEADING_EULER}});
 
 template <>
 inline constexpr auto kEnum<UpdateLevel> =

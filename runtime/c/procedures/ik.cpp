@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/c/ik.h"
+#include "runtime/c/procedures/ik.h"
 
 #include <cstddef>
 #include <memory>
@@ -10,6 +10,7 @@
 #include "runtime/c/glue/enums.h"
 #include "runtime/c/glue/fields.h"
 #include "runtime/c/glue/pose_span.h"
+#include "runtime/c/glue/procedures.h"
 #include "runtime/c/handles.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/procedures/procedure.h"
@@ -18,10 +19,6 @@ using namespace sinew;
 
 namespace sinew::c {
 
-template <>
-inline constexpr bool kSameBytes<sinew_point, Vec3<double>> = true;
-template <>
-inline constexpr bool kSameBytes<sinew_vec4, glm::quat> = true;
 template <>
 inline constexpr auto kEnum<PoleKind> =
     enum_values<PoleKind, sinew_pole_kind>({{PoleKind::none, SINEW_POLE_NONE},
@@ -41,12 +38,6 @@ inline constexpr auto kEnum<ChainSolver> =
     enum_values<ChainSolver, sinew_chain_solver>({{ChainSolver::ccd, SINEW_SOLVER_CCD},
                                                   {ChainSolver::fabrik, SINEW_SOLVER_FABRIK},
                                                   {ChainSolver::damped, SINEW_SOLVER_DAMPED}});
-template <>
-inline constexpr auto kEnum<IkStatus> = enum_values<IkStatus, sinew_ik_status>({{IkStatus::idle, SINEW_IK_IDLE},
-                                                                                {IkStatus::reached, SINEW_IK_REACHED},
-                                                                                {IkStatus::limited, SINEW_IK_LIMITED},
-                                                                                {IkStatus::unreachable,
-                                                                                 SINEW_IK_UNREACHABLE}});
 
 }  // namespace sinew::c
 
@@ -172,11 +163,6 @@ void run_on(sinew_ik& ik, const PoseSpan& local, float share) noexcept {
   if (procedure.run != nullptr) procedure.run(procedure.context, {ik.scene->scene.skeleton, local, {}, {}, share});
 }
 
-void run_procedure(void* context, const sinew_procedure_pose* pose) {
-  PoseSpan local;
-  if (c::from_c(pose->local, local) == SINEW_OK) run_on(*static_cast<sinew_ik*>(context), local, pose->share);
-}
-
 /// Checks a goal before the handle takes it.
 template <class Job, class Goal>
 ErrorCode check_goal(const sinew_ik& ik, const Goal& goal, std::span<std::byte> memory = {}) {
@@ -255,17 +241,11 @@ sinew_error sinew_ik_set_chain(sinew_ik* ik, const sinew_chain_goal* goal) {
 }
 
 sinew_error sinew_ik_procedure(sinew_ik* ik, sinew_pose_procedure* out) {
-  return c::call(c::given(ik, out), [&] { *out = {&run_procedure, ik, procedure_of(*ik).version}; });
+  return c::call(c::given(ik, out), [&] { *out = {&c::run_procedure<run_on>, ik, procedure_of(*ik).version}; });
 }
 
 sinew_error sinew_ik_solve(sinew_ik* ik, const sinew_pose* local) {
-  return c::call(c::given(ik), [&] {
-    PoseSpan pose;
-    if (const sinew_error error = c::read_poses({{local, pose}})) return error;
-    if (!is_pose_of(pose, ik->scene->scene.skeleton.joint_count())) return SINEW_SIZE_MISMATCH;
-    run_on(*ik, pose, 1.0f);
-    return SINEW_OK;
-  });
+  return c::call(c::given(ik), [&] { return c::run_at_once<run_on>(*ik, ik->scene->scene.skeleton, local); });
 }
 
 sinew_error sinew_get_ik_result(const sinew_ik* ik, sinew_ik_result* out) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/api.h"
+#include "runtime/c/procedures/places.h"
 #include "runtime/c/types.h"
 
 #ifdef __cplusplus
@@ -9,11 +10,6 @@ extern "C" {
 
 // Goals of inverse kinematics (ik.h). Places and directions are in model space, below sinew_frame_input.root. Angles
 // are in radians.
-
-/// A place or direction. This struct never grows.
-typedef struct sinew_point {
-  double x, y, z;
-} sinew_point;
 
 typedef enum sinew_pole_kind {
   SINEW_POLE_NONE = 0,       ///< the limb stays in the plane in which the pose bends it

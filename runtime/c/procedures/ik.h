@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/base/api.h"
-#include "runtime/c/ik_goals.h"
 #include "runtime/c/pose.h"
 #include "runtime/c/pose_program.h"
+#include "runtime/c/procedures/ik_goals.h"
 #include "runtime/c/scene.h"
 
 #ifdef __cplusplus
@@ -16,7 +16,7 @@ extern "C" {
 typedef struct sinew_ik sinew_ik;
 
 typedef enum sinew_ik_status {
-  SINEW_IK_IDLE = 0,     ///< it has not run, or its weight is 0
+  SINEW_IK_IDLE = 0,     ///< the solver has not run, or its weight is 0
   SINEW_IK_REACHED = 1,  ///< the remaining error is within the tolerance
   SINEW_IK_LIMITED = 2,  ///< the goal is in reach, but a limit, the weight or the iterations ended it
   SINEW_IK_UNREACHABLE = 3
@@ -40,7 +40,7 @@ SINEW_API void sinew_ik_destroy(sinew_ik* ik);
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_OUT_OF_MEMORY, SINEW_INDEX_OUT_OF_RANGE,
 ///      SINEW_PARENTS_NOT_FIRST, SINEW_UNSUPPORTED (joints not in one line, a joint with a matrix, no joint, an
 ///      enumeration), SINEW_NOT_FINITE, SINEW_NOT_NORMALISED, SINEW_NOT_A_FRACTION, SINEW_NEGATIVE_WEIGHT,
-///      SINEW_TOO_LARGE; the handle keeps its goal then
+///      SINEW_TOO_LARGE. After an error the goal set before stays
 /// cost O(goal); allocates where lists grow
 SINEW_API sinew_error sinew_ik_set_two_bone(sinew_ik* ik, const sinew_two_bone_goal* goal);
 SINEW_API sinew_error sinew_ik_set_aim(sinew_ik* ik, const sinew_aim_goal* goal);
