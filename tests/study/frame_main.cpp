@@ -13,6 +13,7 @@
 #include "runtime/plan/run_plan.h"
 #include "tests/study/frame_study.h"
 #include "viewer/app/loaded_scene.h"
+#include "viewer/app/open/open_files.h"
 #include "viewer/device/device_error.h"
 
 namespace sinew::viewer {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tests/study/study_scenes.h"
+#include "viewer/app/camera/orbit_camera.h"
 #include "viewer/app/headless.h"
-#include "viewer/app/orbit_camera.h"
 
 namespace sinew::viewer {
 namespace {

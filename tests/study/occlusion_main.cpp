@@ -13,9 +13,10 @@
 #include "runtime/plan/run_plan.h"
 #include "tests/study/occlusion_json.h"
 #include "tests/study/occlusion_study.h"
+#include "viewer/app/camera/orbit_camera.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/app/loaded_scene.h"
-#include "viewer/app/orbit_camera.h"
+#include "viewer/app/open/open_files.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {

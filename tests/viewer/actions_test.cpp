@@ -36,7 +36,9 @@ TEST(actions, of_settings_change_one_thing_each) {
                       {Action::next_skinning, [](Settings& s) { s.skinning = Skinning::dual_quaternion; }},
                       {Action::next_updates, [](Settings& s) { s.updates = Updates::held; }},
                       {Action::toggle_panel, [](Settings& s) { s.panel = false; }},
-                      {Action::toggle_plan, [](Settings& s) { s.plan = true; }}};
+                      {Action::toggle_plan, [](Settings& s) { s.plan = true; }},
+                      {Action::toggle_keys, [](Settings& s) { s.timeline_keys = true; }},
+                      {Action::toggle_inside, [](Settings& s) { s.inside = true; }}};
   for (const Row& row : rows) {
     Settings settings, expected;
     row.change(expected);
@@ -48,7 +50,7 @@ TEST(actions, of_settings_change_one_thing_each) {
 
 TEST(actions, that_switch_something_switch_it_back) {
   for (const Action action : {Action::toggle_ao, Action::toggle_skeleton, Action::toggle_panel, Action::toggle_plan,
-                              Action::toggle_ao_only}) {
+                              Action::toggle_ao_only, Action::toggle_keys, Action::toggle_inside}) {
     Settings settings;
     apply(action, settings);
     EXPECT_FALSE(settings == Settings{}) << static_cast<int>(action);
@@ -115,8 +117,8 @@ TEST(actions, of_playback_do_one_thing_each) {
 
 TEST(actions, of_the_window_are_left_to_it) {
   for (const KeyBinding& key : key_bindings()) {
-    const bool of_window =
-        key.action == Action::frame_all || key.action == Action::next_scene || key.action == Action::quit;
+    const bool of_window = key.action == Action::frame_all || key.action == Action::screenshot ||
+                           key.action == Action::next_scene || key.action == Action::quit;
     EXPECT_EQ(changes_settings(key.action) || changes_playback(key.action), !of_window) << key.name;
   }
 }

@@ -6,8 +6,8 @@
 
 #include "samples/showcase/showcase.h"
 #include "tests/viewer/cache_files.h"
+#include "viewer/app/camera/frustum_culling.h"
 #include "viewer/app/clip_extent.h"
-#include "viewer/app/frustum_culling.h"
 
 namespace sinew::viewer {
 namespace {

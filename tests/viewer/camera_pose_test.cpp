@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/camera_pose.h"
+#include "viewer/app/camera/camera_pose.h"
 
 #include <gtest/gtest.h>
 
 #include "runtime/base/same_bits.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
-#include "viewer/app/file_camera.h"
-#include "viewer/app/frustum_culling.h"
+#include "viewer/app/camera/file_camera.h"
+#include "viewer/app/camera/frustum_culling.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The user's camera while its subject moves, the clip changes, or the file changes.
-#include "viewer/app/framed_camera.h"
+#include "viewer/app/camera/framed_camera.h"
 
 #include <glm/geometric.hpp>
 
@@ -92,7 +92,7 @@ TEST_F(framed_camera, frames_another_clip_anew) {
 }
 
 TEST_F(framed_camera, frames_another_clip_in_what_is_free_of_the_picture) {
-  const FreeWidth free{-0.2, 1.0};
+  const FreePart free{-0.2, 1.0};
   camera_.frame(Framing::follow, *shown_, kAspect, free);
   const double aside = camera_.orbit.aside, distance_m = camera_.orbit.distance_m;
   EXPECT_GT(aside, 0.1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "viewer/app/framing.h"
+#include "viewer/app/camera/framing.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

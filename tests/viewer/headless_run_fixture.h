@@ -13,7 +13,7 @@
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/headless_run.h"
-#include "viewer/app/png_writer.h"
+#include "viewer/app/pictures/png_writer.h"
 #include "viewer/app/settings.h"
 #include "viewer/app/skeleton_lines.h"
 

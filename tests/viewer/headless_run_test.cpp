@@ -3,6 +3,8 @@
 // the view, time and look of the options.
 #include <sys/stat.h>
 
+#include <gmock/gmock.h>
+
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -10,8 +12,8 @@
 
 #include "tests/viewer/flyer.h"
 #include "tests/viewer/headless_run_fixture.h"
-#include "viewer/app/file_camera.h"
-#include "viewer/app/orbit_camera.h"
+#include "viewer/app/camera/file_camera.h"
+#include "viewer/app/camera/orbit_camera.h"
 
 namespace sinew::viewer {
 namespace {
@@ -261,6 +263,78 @@ TEST_F(headless_run, says_what_cannot_be_written) {
   EXPECT_NE(complaint((folder_ / "none" / "a.png").string()).find("none/a.png: cannot be written"), std::string::npos);
   options.frames = FrameRange{0, 1};
   EXPECT_NE(complaint((folder_ / "file" / "frames").string()).find("file/frames: "), std::string::npos);
+}
+
+TEST_F(headless_run, a_turntable_goes_around_from_the_view_of_the_single_picture) {
+  const LoadedScene loaded = gliding_box();
+  Options options = small_picture();
+  const std::string single = written(options, loaded);
+  options.turntable = 4;
+  options.headless = (folder_ / "turn").string();
+  ASSERT_EQ(write_pictures(*test_device(), options, loaded, 0), 0);
+  EXPECT_EQ(test::text_of_file(folder_ / "turn" / "00000.png"), single);
+  OrbitCamera camera;
+  camera.frame(clip_extent(loaded.scene, 0).outline.points(), kAspect);
+  camera.yaw_rad += std::acos(-1.0) / 2.0;
+  options.turntable = 0;
+  EXPECT_EQ(test::text_of_file(folder_ / "turn" / "00001.png"),
+            drawn(options, loaded, camera.view(clip_extent(loaded.scene, 0).reached), 0.0));
+}
+
+TEST_F(headless_run, a_comparison_of_equal_views_is_blue_and_of_a_budget_stays_within_it) {
+  std::vector<LoadedScene> loaded(1);
+  loaded[0] = gliding_box();
+  Options options = small_picture();
+  options.headless = (folder_ / "compared.png").string();
+  options.time_s = 0.7;
+  const auto views = parse_views("linear,dual-quaternion,compiled=2", 1);
+  ASSERT_TRUE(views);
+  const auto comparison = Comparison::make(*test_device(), options, loaded, *views, 0);
+  ASSERT_TRUE(comparison) << comparison.error();
+  const Picture picture = (*comparison)->at(0.7, 0.0);
+  EXPECT_EQ(picture.width, 3 * options.width + 4);
+  EXPECT_EQ(picture.height, 2 * options.height + 2);
+  const auto& rows = (*comparison)->rows();
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1].worst_m, 0.0) << "nothing is skinned";
+  EXPECT_LE(rows[2].worst_m, 2e-3);
+  EXPECT_GT(rows[0].evaluation_us, 0.0);
+  EXPECT_EQ(picture.rgba, (*comparison)->at(0.7, 0.0).rgba) << "the same bytes again";
+  EXPECT_EQ(write_comparison(*test_device(), options, loaded, *views, 0), 0);
+  loaded.push_back(gliding_box());
+  loaded[1].scene.meshes[0].primitives.pop_back();
+  const auto other = Comparison::make(*test_device(), options, loaded, *parse_views("files", 2), 0);
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error(), testing::HasSubstr("has other meshes than gliding box"));
+}
+
+TEST_F(headless_run, a_sheet_has_a_row_of_five_poses_for_each_clip) {
+  const LoadedScene loaded = gliding_box();
+  Options options = small_picture();
+  options.headless = options.sheet = (folder_ / "sheet.png").string();
+  ASSERT_EQ(write_sheet(*test_device(), options, loaded), 0);
+  const std::string png = test::text_of_file(options.sheet);
+  const auto number = [&](std::size_t at) {
+    return (static_cast<unsigned char>(png[at + 2]) << 8) + static_cast<unsigned char>(png[at + 3]);
+  };
+  ASSERT_GT(png.size(), 24u);
+  EXPECT_EQ(number(16), 5 * 48 + 4 * 2) << "width, in the head of a PNG";
+  EXPECT_EQ(number(20), 32);
+}
+
+TEST_F(headless_run, layers_are_drawn_as_the_runtime_evaluates_them) {
+  const LoadedScene loaded = gliding_box();
+  Options options = small_picture();
+  options.camera = PlacedCamera{{1, 2, 5}, {0.5f, 0, 0}};
+  const std::string still = written(options, loaded, kNone);
+  options.layers = {{.clip = "glide", .weight = 0.0f}};
+  EXPECT_EQ(written(options, loaded, kNone), still) << "a layer without weight";
+  options.layers[0].weight = 1.0f;
+  options.time_s = 0.8;
+  const std::string covered = written(options, loaded, kNone);
+  EXPECT_NE(covered, still);
+  options.layers.clear();
+  EXPECT_EQ(covered, written(options, loaded, 0)) << "a layer of weight 1 is the clip itself";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/clip_extent.h"
-#include "viewer/app/png_writer.h"
+#include "viewer/app/pictures/png_writer.h"
 
 namespace sinew::viewer {
 namespace {

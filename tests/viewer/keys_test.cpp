@@ -35,8 +35,11 @@ constexpr Bound kBound[] = {{GLFW_KEY_SPACE, Action::toggle_play, "space", "play
                             {GLFW_KEY_G, Action::next_ground, "g", "ground"},
                             {GLFW_KEY_S, Action::toggle_skeleton, "s", "skeleton"},
                             {GLFW_KEY_F, Action::frame_all, "f", "frame everything"},
+                            {GLFW_KEY_C, Action::screenshot, "c", "sinew-0001.png"},
                             {GLFW_KEY_TAB, Action::next_scene, "tab", "next showcase scene"},
                             {GLFW_KEY_E, Action::toggle_plan, "e", "live plan"},
+                            {GLFW_KEY_T, Action::toggle_keys, "t", "timeline"},
+                            {GLFW_KEY_I, Action::toggle_inside, "i", "look inside"},
                             {GLFW_KEY_H, Action::toggle_panel, "h", "panel"},
                             {GLFW_KEY_ESCAPE, Action::quit, "esc", "close"},
                             {GLFW_KEY_Q, Action::quit, "q", "close"}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files as the viewer loads them: the chosen scene, messages, and the needs for the runtime.
-#include "viewer/app/loaded_scene.h"
+#include "viewer/app/open/open_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

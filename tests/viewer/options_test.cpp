@@ -160,6 +160,41 @@ TEST(options, read_a_geometry_cache_and_its_weight) {
   EXPECT_EQ(accepted({"--scene", "3", "--cache-weight", "0"}).cache_weight, 0.0f) << "for the built-in flag";
 }
 
+TEST(options, read_what_is_written_in_place_of_one_picture) {
+  const Options film = accepted({"a.glb", "--film", "A.MP4", "--turntable", "24", "--fps", "12"});
+  EXPECT_EQ(film.film, "A.MP4");
+  EXPECT_EQ(film.headless, film.film) << "so no window opens";
+  EXPECT_EQ(film.turntable, 24u);
+  const Options sheet = accepted({"a.glb", "--sheet", "all.png"});
+  EXPECT_EQ(sheet.width, 240u);
+  EXPECT_EQ(accepted({"a.glb", "--sheet", "all.png", "--size", "64x48"}).width, 64u);
+  EXPECT_EQ(accepted({"a.glb", "--headless", "d/", "--turntable", "3"}).turntable, 3u);
+  const std::vector<std::vector<const char*>> refused = {{"--film", "a.mp4"},
+                                                         {"--film", "a.avi", "--turntable", "3"},
+                                                         {"--film", "a.gif", "--frames", "0:3", "--headless", "d/"},
+                                                         {"--turntable", "3"},
+                                                         {"--turntable", "1", "--headless", "d/"},
+                                                         {"--turntable", "3", "--headless", "a.png"},
+                                                         {"--turntable", "3", "--frames", "0:3", "--headless", "d/"},
+                                                         {"--compare", "linear,dual-quaternion"},
+                                                         {"--sheet", "all.jpg"},
+                                                         {"--sheet", "all.png", "--time", "1"}};
+  for (const auto& arguments : refused)
+    EXPECT_TRUE(std::holds_alternative<EarlyExit>(parse(arguments))) << arguments[0] << " " << arguments[1];
+}
+
+TEST(options, sort_several_files_by_their_use) {
+  const Options options = accepted({"a.glb", "Sky.HDR", "walk.glb", "--clips", "b.glb", "c.sinew", "--clips", "d.glb"});
+  EXPECT_EQ(options.file, "a.glb");
+  EXPECT_EQ(options.more_files, (std::vector<std::string>{"walk.glb", "c.sinew"}));
+  EXPECT_EQ(options.clip_files, (std::vector<std::string>{"b.glb", "d.glb"}));
+  EXPECT_EQ(options.environment, "Sky.HDR");
+  EXPECT_EQ(accepted({"sky.exr"}).file, "") << "light alone falls on the built-in scenes";
+  EXPECT_TRUE(std::holds_alternative<EarlyExit>(parse({"a.glb", "a.hdr", "b.exr"}))) << "two lights";
+  EXPECT_TRUE(std::holds_alternative<EarlyExit>(parse({"a.glb", "a.hdr", "--environment", "none"})));
+  EXPECT_TRUE(std::holds_alternative<EarlyExit>(parse({"--clips", "b.glb"}))) << "nobody plays them";
+}
+
 TEST(options, read_a_range_of_pictures) {
   const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
   EXPECT_EQ(options.first_scene(), 2u);
@@ -220,7 +255,6 @@ TEST(options, read_how_what_is_small_is_updated) {
 TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
   const WrongUsage cases[] = {
       {{"--bogus"}, "--bogus"},
-      {{"a.glb", "b.glb"}, "b.glb"},
       {{"--scene", "-1"}, "--scene"},
       {{"--cache", "b.sgeo"}, "--cache"},
       {{"--cache-weight", "1.5"}, "1.5"},
@@ -364,15 +398,18 @@ TEST(options, help_has_a_line_for_each_with_what_it_takes) {
     found.push_back(line.substr(2, end - 2));
     EXPECT_GT(line.size(), line.find_first_not_of(' ', end) + 10) << "what it is: " << line;
   }
-  EXPECT_THAT(found, testing::ElementsAre(
-                         "-h,--help", "--version", "--scene N", "--cache OUT.sgeo", "--cache-weight W", "--size WxH",
-                         "--skinning KIND", "--show WHAT", "--filter HOW", "--shading HOW", "--normals HOW",
-                         "--transparency HOW", "--ao METHOD", "--key-poses N", "--no-ao", "--smoothing HOW",
-                         "--skeleton", "--eye X,Y,Z", "--target X,Y,Z", "--frame WHAT", "--camera CAMERA",
-                         "--variant VARIANT", "--fov DEGREES", "--no-shadows", "--ground LOOK", "--environment LIGHT",
-                         "--environment-turn DEGREES", "--environment-intensity X", "--backdrop WHAT", "--tone CURVE",
-                         "--exposure EV", "--clip CLIP", "--time T", "--headless OUT", "--frames A:B", "--fps N",
-                         "--updates HOW", "--plan", "--transparent", "--exit-after SECONDS", "--validate", "--watch"));
+  EXPECT_THAT(found,
+              testing::ElementsAre(
+                  "-h,--help", "--version", "--clips FILE", "--scene N", "--cache OUT.sgeo", "--cache-weight W",
+                  "--size WxH", "--skinning KIND", "--show WHAT", "--filter HOW", "--shading HOW", "--normals HOW",
+                  "--transparency HOW", "--ao METHOD", "--key-poses N", "--no-ao", "--smoothing HOW", "--skeleton",
+                  "--eye X,Y,Z", "--target X,Y,Z", "--frame WHAT", "--camera CAMERA", "--variant VARIANT",
+                  "--fov DEGREES", "--no-shadows", "--ground LOOK", "--environment LIGHT", "--environment-turn DEGREES",
+                  "--environment-intensity X", "--backdrop WHAT", "--tone CURVE", "--exposure EV", "--clip CLIP",
+                  "--time T", "--headless OUT", "--frames A:B", "--fps N", "--updates HOW", "--plan", "--transparent",
+                  "--exit-after SECONDS", "--validate", "--watch", "--film OUT", "--turntable N", "--sheet OUT",
+                  "--compare VIEWS", "--layer CLIP,...", "--mirror", "--root HOW", "--fade SECONDS", "--no-springs",
+                  "--graph GRAPH", "--set NAME=V@T", "--joint JOINT", "--overlay WHAT,...", "--paint WHAT"));
 }
 
 TEST(options, help_and_version_leave_with_code_0) {

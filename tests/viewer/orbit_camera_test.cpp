@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/orbit_camera.h"
+#include "viewer/app/camera/orbit_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ TEST(orbit_camera, framing_puts_points_in_the_middle) {
 
 TEST(orbit_camera, framing_fills_80_percent_of_what_a_panel_leaves_free) {
   const glm::vec3 wide[] = {{-3, 0, 0}, {3, 1, 0}, {0, 0.5f, 2}}, high[] = {{0, 0, 0}, {0.2f, 2, 0}, {0.1f, 1, 1}};
-  for (const FreeWidth free : {FreeWidth{-0.4, 1.0}, FreeWidth{-1.0, 0.3}}) {
+  for (const FreePart free : {FreePart{-0.4, 1.0}, FreePart{-1.0, 0.3}}) {
     OrbitCamera camera;
     camera.frame(wide, 1.6, free);
     const double half = 0.5 * std::sqrt(0.8) * (free.right - free.left), middle = 0.5 * (free.right + free.left);
@@ -125,6 +125,12 @@ TEST(orbit_camera, framing_fills_80_percent_of_what_a_panel_leaves_free) {
     camera.orbit(200.0, 40.0, 600.0);
     camera.zoom(2.0);
     EXPECT_NEAR(picture_of(camera.view({}), 1.6, camera.target).x, middle, 1e-9) << "turns around what is framed";
+    camera.frame(high, 1.6, {-1.0, 1.0, -0.4});
+    seen = extent_of(camera.view({}), 1.6, high);
+    EXPECT_NEAR(seen.top, 0.3 + 0.7 * std::sqrt(0.8), 1e-9) << "above a timeline";
+    EXPECT_NEAR(seen.bottom, 0.3 - 0.7 * std::sqrt(0.8), 1e-9);
+    camera.orbit(-90.0, 30.0, 600.0);
+    EXPECT_NEAR(picture_of(camera.view({}), 1.6, camera.target).y, 0.3, 1e-9);
     camera.place({0, 0, 5}, {0, 0, 0});
     EXPECT_NEAR(picture_of(camera.view({}), 1.6, {0, 0, 0}).x, 0.0, 1e-9) << "placed cameras look at their target";
   }

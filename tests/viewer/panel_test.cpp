@@ -102,20 +102,23 @@ TEST_F(PanelTest, leaves_free_what_is_beside_the_panel) {
   Playback playback(scene_);
   frame(playback);
   const float room = ImGui::GetIO().DisplaySize.x, unit = ImGui::GetFontSize();
-  const FreeWidth free = frame(playback).free;
+  const FreePart free = frame(playback).free;
   EXPECT_NEAR(free.left, 2.0 * static_cast<double>(27.0f * unit / room) - 1.0, 1e-6) << "26 units, one from the left";
   EXPECT_EQ(free.right, 1.0);
   ImGui::SetWindowPos("sinew (h hides this)", {room - 20.0f * unit, unit});
   EXPECT_NEAR(frame(playback).free.right, 1.0 - 2.0 * static_cast<double>(20.0f * unit / room), 1e-6) << "on the right";
   ImGui::SetWindowCollapsed("sinew (h hides this)", true);
-  EXPECT_EQ(frame(playback).free, FreeWidth{});
+  const FreePart above{-1.0, 1.0, frame(playback).free.bottom};
+  EXPECT_EQ(frame(playback).free, above) << "the timeline stays";
+  EXPECT_GT(above.bottom, -1.0);
   ImGui::GetIO().DisplaySize.x = 30.0f * unit;
   ImGui::SetWindowPos("sinew (h hides this)", {unit, unit});
   ImGui::SetWindowCollapsed("sinew (h hides this)", false);
   frame(playback);
-  EXPECT_EQ(frame(playback).free, FreeWidth{}) << "too little is left";
+  EXPECT_EQ(frame(playback).free.left, -1.0) << "too little is left";
+  EXPECT_EQ(frame(playback).free.right, 1.0);
   settings_.panel = false;
-  EXPECT_EQ(frame(playback).free, FreeWidth{});
+  EXPECT_EQ(frame(playback).free, FreePart{});
 }
 
 TEST_F(PanelTest, draws_something_only_while_it_is_shown) {
@@ -126,30 +129,6 @@ TEST_F(PanelTest, draws_something_only_while_it_is_shown) {
   settings_.panel = false;
   frame(playback);
   EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 0);
-}
-
-TEST_F(PanelTest, the_play_button_pauses_and_plays) {
-  Playback playback(scene_);
-  click("pause##play", playback);
-  EXPECT_FALSE(playback.playing());
-  click("play##play", playback);
-  EXPECT_TRUE(playback.playing());
-}
-
-TEST_F(PanelTest, step_buttons_move_by_one_frame) {
-  Playback playback(scene_);
-  click(">##step", playback);
-  EXPECT_NEAR(playback.time_s(), 1.0 / 30.0, 1e-12);
-  click("<##step", playback);
-  EXPECT_EQ(playback.time_s(), 0.0);
-}
-
-TEST_F(PanelTest, the_time_slider_seeks_and_pauses) {
-  Playback playback(scene_);
-  click("time", playback);
-  EXPECT_FALSE(playback.playing());
-  EXPECT_GE(playback.time_s(), 0.0);
-  EXPECT_LE(playback.time_s(), 2.0);
 }
 
 TEST_F(PanelTest, the_choice_of_updates_is_in_the_panel_where_something_moves) {
@@ -185,17 +164,6 @@ TEST_F(PanelTest, a_geometry_cache_has_a_weight_and_says_how_it_plays) {
   EXPECT_GT(vertices(), with + 100);
   click("cache", playback);
   EXPECT_LT(settings_.cache_weight, 0.1f) << "the slider was clicked at its left end";
-  click("time", playback);
-  EXPECT_FALSE(playback.playing()) << "it has time without a clip";
-}
-
-TEST_F(PanelTest, the_way_of_playing_is_chosen_from_a_list) {
-  Playback playback(scene_);
-  for (const auto& [name, mode] :
-       {std::pair{"once", PlayMode::once}, {"there and back", PlayMode::ping_pong}, {"repeat", PlayMode::loop}}) {
-    choose("loop", name, playback);
-    EXPECT_EQ(playback.mode(), mode) << name;
-  }
 }
 
 TEST_F(PanelTest, switches_change_the_settings) {
@@ -241,20 +209,6 @@ TEST_F(PanelTest, sliders_go_from_end_to_end) {
   Playback playback(scene_);
   facts_.cache.emplace();
   const float left = 0.0f, right = 1279.0f;
-  slide("time", right, playback);
-  EXPECT_EQ(playback.time_s(), 2.0);
-  slide("time", left, playback);
-  EXPECT_EQ(playback.time_s(), 0.0);
-  slide("speed", right, playback);
-  EXPECT_EQ(playback.speed(), 4.0);
-  slide("speed", left, playback);
-  EXPECT_EQ(playback.speed(), -2.0);
-  ASSERT_TRUE(hover(id_of("speed", "sinew (h hides this)"), "speed", playback));
-  for (const bool down : {true, false}) {
-    ImGui::GetIO().MouseDown[1] = down;
-    frame(playback);
-  }
-  EXPECT_EQ(playback.speed(), 1.0) << "by a right click";
   const std::tuple<const char*, float*, float, float> sliders[] = {
       {"exposure", &settings_.exposure_ev, -6.0f, 6.0f},
       {"turn", &settings_.environment_turn_deg, -180.0f, 180.0f},

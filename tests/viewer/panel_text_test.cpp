@@ -11,8 +11,10 @@
 
 #include "tests/viewer/imgui_fixture.h"
 #include "viewer/app/keys.h"
+#include "viewer/app/panel/inspect_panel.h"
 #include "viewer/app/panel/panel.h"
 #include "viewer/app/panel/plan_panel.h"
+#include "viewer/app/panel/timeline_panel.h"
 
 namespace sinew::viewer {
 namespace {
@@ -78,16 +80,46 @@ class PanelText : public ImguiTest {
 TEST_F(PanelText, time_is_that_of_the_playback_and_its_length) {
   Playback playback(scene_);
   playback.seek(0.5);
-  EXPECT_THAT(written(playback), HasSubstr("0.500 / 2.000 s"));
-  EXPECT_THAT(written(playback), HasSubstr("pause"));
+  const auto timeline = [&] { return logged([&] { lay_out_timeline(facts_, settings_, playback, {}); }); };
+  EXPECT_THAT(timeline(), HasSubstr("0.500 / 2.000 s"));
+  EXPECT_THAT(timeline(), HasSubstr("pause"));
   playback.pause();
-  EXPECT_THAT(written(playback), Not(HasSubstr("pause")));
-  EXPECT_THAT(written(playback), HasSubstr("play"));
-  EXPECT_THAT(written(playback), HasSubstr("repeat"));
+  EXPECT_THAT(timeline(), Not(HasSubstr("pause")));
+  EXPECT_THAT(timeline(), HasSubstr("play"));
+  EXPECT_THAT(timeline(), HasSubstr("repeat"));
   playback.set_mode(PlayMode::ping_pong);
-  EXPECT_THAT(written(playback), HasSubstr("there and back"));
+  EXPECT_THAT(timeline(), HasSubstr("there and back"));
   playback.set_mode(PlayMode::clamp);
-  EXPECT_THAT(written(playback), HasSubstr("hold the end"));
+  EXPECT_THAT(timeline(), HasSubstr("hold the end"));
+  playback.play_in_turn();
+  EXPECT_THAT(timeline(), HasSubstr("all clips in turn"));
+  settings_.counts_frames = true;
+  EXPECT_THAT(timeline(), HasSubstr("15.0 / 60.0 frames"));
+}
+
+TEST_F(PanelText, what_is_inspected_has_numbers) {
+  scene_.skeleton.parents = {kNone, 0};
+  scene_.skeleton.rest.resize(2);
+  scene_.skeleton.names = {"hip", "knee"};
+  scene_.lights.emplace_back().joint = 1;
+  Affine world[2];
+  world[0].row[0].w = 1.0f;
+  world[1].row[0].w = 1.5f;
+  FrameResult pose;
+  pose.model = world;
+  facts_.pose = &pose;
+  const auto inside = [&] { return logged([&] { lay_out_inspect(facts_, settings_, {}); }); };
+  EXPECT_THAT(inside(), Not(HasSubstr("hip"))) << "it is closed";
+  settings_.inside = true;
+  EXPECT_THAT(inside(), testing::AllOf(HasSubstr("hip"), HasSubstr("knee"), Not(HasSubstr("position"))));
+  settings_.inspected.joint = 1;
+  EXPECT_THAT(inside(), HasSubstr("knee: joint 1"));
+  EXPECT_THAT(inside(), HasSubstr("light"));
+  EXPECT_THAT(inside(), testing::ContainsRegex("position +0.5 +0 +0 m"));
+  EXPECT_THAT(inside(), testing::ContainsRegex("in world +1.5 +0 +0 m"));
+  FreePart free;
+  logged([&] { free = lay_out_inspect(facts_, settings_, {}); });
+  EXPECT_LT(free.right, 0.6) << "the picture is beside it";
 }
 
 TEST_F(PanelText, the_clip_that_plays_is_named) {
@@ -122,6 +154,24 @@ TEST_F(PanelText, the_file_is_named_or_the_scenes_are_offered) {
   facts_.scene_names = std::span(names).first(1);
   facts_.scene_index = 0;
   EXPECT_THAT(written(), HasSubstr("knight.glb")) << "one is no choice";
+}
+
+TEST_F(PanelText, warnings_are_counted_on_a_badge) {
+  EXPECT_THAT(written(), Not(HasSubstr("warning")));
+  const std::vector<std::string> messages{"walk.glb has no tail", "no light"};
+  facts_.messages = std::span(messages).first(1);
+  EXPECT_THAT(written(), HasSubstr("### 1 warning ###"));
+  facts_.messages = messages;
+  EXPECT_THAT(written(), HasSubstr("### 2 warnings ###"));
+  EXPECT_THAT(written(), Not(HasSubstr("no tail"))) << "the list is folded";
+}
+
+TEST_F(PanelText, morph_targets_can_be_set_by_hand_where_there_are_some) {
+  EXPECT_THAT(written(), Not(HasSubstr("morph targets")));
+  scene_.meshes.emplace_back().default_weights = {0.0f, 0.0f};
+  scene_.instances.emplace_back().rest_weights = {0.25f, 0.5f};
+  scene_.first_weight = {0, 2};
+  EXPECT_THAT(written(), HasSubstr("### morph targets ###"));
 }
 
 TEST_F(PanelText, why_a_changed_file_is_not_shown_stands_below_its_name) {

@@ -111,6 +111,63 @@ TEST(playback, repeats_or_turns_back_or_stops_at_the_end) {
   EXPECT_EQ(playback.mode(), PlayMode::loop);
 }
 
+TEST(playback, plays_all_clips_in_turn_forwards_and_backwards) {
+  const Scene scene = scene_with_clips({2.0, 0.0, 3.0});
+  Playback playback(scene);
+  playback.play_in_turn();
+  playback.set_fade(1.0);
+  playback.advance(2.25);
+  EXPECT_EQ(playback.clip(), 2u) << "a clip without duration is skipped";
+  EXPECT_EQ(playback.time_s(), 0.25);
+  EXPECT_EQ(playback.moment().faded_clip, 0u);
+  EXPECT_EQ(playback.moment().faded_time_s, 2.0) << "it fades out from its end";
+  EXPECT_EQ(playback.layers_ahead(9)[0].time_s, 3.0) << "the clip ends, and does not begin again";
+  playback.advance(3.0);
+  EXPECT_EQ(playback.clip(), 0u);
+  EXPECT_EQ(playback.time_s(), 0.25);
+  playback.set_speed(-1.0);
+  playback.advance(0.75);
+  EXPECT_EQ(playback.clip(), 2u);
+  EXPECT_EQ(playback.time_s(), 2.5);
+  playback.next_mode();
+  EXPECT_FALSE(playback.in_turn());
+  playback.set_mode(PlayMode::once);
+  playback.next_mode();
+  EXPECT_TRUE(playback.in_turn());
+}
+
+TEST(playback, plays_a_part_of_the_clip) {
+  const Scene scene = scene_with_clips({2.0, 3.0});
+  Playback playback(scene);
+  playback.seek(0.25);
+  playback.set_range(1.5, 0.5);
+  EXPECT_TRUE(playback.has_range());
+  EXPECT_EQ(playback.duration_s(), 2.0);
+  EXPECT_EQ(playback.range_start_s(), 0.5);
+  EXPECT_EQ(playback.range_end_s(), 1.5);
+  EXPECT_EQ(playback.time_s(), 0.5) << "what was outside begins at the start";
+  playback.advance(1.25);
+  EXPECT_EQ(playback.time_s(), 0.75);
+  EXPECT_EQ(playback.layers()[0].time_s, 0.75);
+  EXPECT_EQ(playback.layers_ahead(0)[0].time_s, 0.75);
+  EXPECT_EQ(playback.moment().turns, 0.0) << "a part does not travel";
+  playback.seek(1.75);
+  EXPECT_EQ(playback.time_s(), 1.5);
+  playback.step(+1);
+  EXPECT_NEAR(playback.time_s(), 0.5, 1e-12);
+  playback.step(-1);
+  EXPECT_NEAR(playback.time_s(), 1.5, 1e-12);
+  Playback after(scene);
+  after.continue_from(playback, 0);
+  EXPECT_EQ(after.range_start_s(), 0.5);
+  EXPECT_NEAR(after.time_s(), 1.5, 1e-12);
+  playback.set_range(1.0, 1.01);
+  EXPECT_FALSE(playback.has_range()) << "shorter than a frame: the whole clip";
+  playback.set_range(0.5, 1.5);
+  playback.next(+1);
+  EXPECT_FALSE(playback.has_range());
+}
+
 TEST(playback, starts_again_from_the_end_that_is_behind_it) {
   const Scene scene = scene_with_clips({2.0});
   for (const double speed : {1.0, -1.0}) {

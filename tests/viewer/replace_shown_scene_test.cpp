@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Replacing the shown scene by its changed file: kept state, pictures, and device memory.
 #include "viewer/app/reload/replace_shown_scene.h"
+#include "viewer/app/open/open_files.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

@@ -14,6 +14,8 @@ bool apply(Action action, Settings& settings) noexcept {
     case Action::next_updates: next_updates(settings); return true;
     case Action::toggle_panel: settings.panel = !settings.panel; return true;
     case Action::toggle_plan: toggle_plan(settings); return true;
+    case Action::toggle_inside: toggle_inside(settings); return true;
+    case Action::toggle_keys: toggle_keys(settings); return true;
     default: return false;
   }
 }

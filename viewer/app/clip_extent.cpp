@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 
 #include "runtime/model/scene.h"
-#include "viewer/app/clip_poses.h"
 #include "viewer/app/skeleton_lines.h"
 
 namespace sinew::viewer {
@@ -41,20 +40,23 @@ Aabb bounds_of(const Scene& scene, const FrameResult& frame) {
   return box;
 }
 
-ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
+ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache, const MovedBy* moved) {
   ClipExtent bounds;
-  for_each_pose(scene, clip, cache, pose_times(scene, clip, cache), [&](const FrameResult& pose) {
-    Aabb box = bounds_of(scene, pose);
-    bounds.outline.add(scene, pose, box);
-    if (box.empty()) {
-      box = bounds_of_joints(pose.model);
-      for (const auto& m : pose.model) bounds.outline.add(translation_of(m));
-    }
-    if (box.empty()) return;
-    if (diagonal(box) > diagonal(bounds.largest)) bounds.largest = box;
-    bounds.reached.add(box.lower);
-    bounds.reached.add(box.upper);
-  });
+  for_each_pose(
+      scene, clip, cache, pose_times(scene, clip, cache, moved),
+      [&](const FrameResult& pose) {
+        Aabb box = bounds_of(scene, pose);
+        bounds.outline.add(scene, pose, box);
+        if (box.empty()) {
+          box = bounds_of_joints(pose.model);
+          for (const auto& m : pose.model) bounds.outline.add(translation_of(m));
+        }
+        if (box.empty()) return;
+        if (diagonal(box) > diagonal(bounds.largest)) bounds.largest = box;
+        bounds.reached.add(box.lower);
+        bounds.reached.add(box.upper);
+      },
+      moved);
   if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // every pose is a single point, but it moves
   give_extent(bounds.reached);
   give_extent(bounds.largest);

@@ -59,7 +59,7 @@ bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& optio
   inputs.scenes = {&drawn, 1};
   inputs.view = view;
   inputs.options = options;
-  if (settings.skeleton) inputs.lines = shown.skeleton_lines();
+  inputs.lines = shown.lines(settings.inspected, settings.skeleton);
   ColorTarget target;
   target.image = swapchain_.image(*image);
   target.view = swapchain_.view(*image);

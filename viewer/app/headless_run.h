@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "viewer/app/compare/comparison.h"
 #include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/device/device.h"
@@ -24,5 +26,14 @@ std::string adapt_exposure(Device& device, const Options& options, const LoadedS
 ///      validation layer reported something
 /// err  DeviceError when the device fails
 int write_pictures(Device& device, const Options& options, const LoadedScene& loaded, std::uint32_t clip);
+
+/// Same, for several evaluations of each moment side by side (comparison.h). Prints how far they are apart.
+/// out  exit code of the program, also 2 = the files cannot be compared
+int write_comparison(Device& device, const Options& options, const std::vector<LoadedScene>& loaded_scenes,
+                     const std::vector<CompareView>& views, std::uint32_t clip);
+
+/// Writes one picture of all clips: a row for each, with five poses from its start to its end. Prints which row is
+/// which clip.
+int write_sheet(Device& device, const Options& options, const LoadedScene& loaded);
 
 }  // namespace sinew::viewer

@@ -26,8 +26,11 @@ enum class Action {
   next_updates,
   toggle_loop,
   frame_all,
+  screenshot,
   toggle_panel,
   toggle_plan,
+  toggle_keys,
+  toggle_inside,
   quit
 };
 

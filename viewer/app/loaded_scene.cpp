@@ -9,11 +9,9 @@
 
 #include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
-#include "runtime/base/contract.h"
 #include "runtime/model/scene.h"
-#include "samples/showcase/showcase.h"
 #include "viewer/app/bake_visibility.h"
-#include "viewer/app/load_environment.h"
+#include "viewer/app/open/asset_file_scene.h"
 #include "viewer/passes/frame_uniforms.h"
 #include "viewer/upload/upload_materials.h"
 
@@ -21,24 +19,6 @@ namespace sinew::viewer {
 namespace {
 
 using LogLine = std::function<void(const std::string&)>;
-
-std::vector<LoadedScene> built_in(const LogLine& log_line) {
-  std::vector<LoadedScene> loaded_scenes;
-  for (auto& shown : showcase::showcase(showcase::flag_cache())) {
-    auto& loaded = loaded_scenes.emplace_back();
-    loaded.name = std::move(shown.name);
-    loaded.note = std::move(shown.what_to_look_at);
-    loaded.scene = std::move(shown.scene);
-    loaded.instance_skinning = std::move(shown.needs.skin.per_instance);
-    loaded.camera = PlacedCamera{shown.eye, shown.target};
-    loaded.fov_y_rad = static_cast<double>(shown.fov_y_rad);
-    if (shown.geometry_cache.empty()) continue;
-    auto file = open_cache_bytes("geometry cache, within the program", shown.geometry_cache);
-    CONTRACT(file.has_value());
-    loaded.cache = *bind_cache(std::move(*file), loaded.scene, log_line);
-  }
-  return loaded_scenes;
-}
 
 /// Warns about material and texture extensions that would change the picture but are not supported.
 void warn_about_unshown_extensions(const std::string& file, const std::vector<std::string>& extensions,
@@ -84,6 +64,17 @@ tl::expected<void, LoadError> choose_scene(const std::string& file, std::optiona
   return {};
 }
 
+tl::expected<LoadedScene, LoadError> from_asset_file(const std::string& path, const LogLine& log_line) {
+  auto scene = read_asset_file(path);
+  if (!scene) return fails(std::move(scene.error()));
+  warn_about_unshown_content(path, *scene, log_line);
+  LoadedScene loaded;
+  loaded.name = std::filesystem::path(path).filename().string();
+  loaded.scene = *std::move(scene);
+  loaded.files = {path};
+  return loaded;
+}
+
 tl::expected<LoadedScene, LoadError> from_cache(const std::string& path) {
   auto file = open_cache_file(path);
   if (!file) return fails(std::move(file.error()));
@@ -97,9 +88,8 @@ tl::expected<LoadedScene, LoadError> from_cache(const std::string& path) {
   return loaded;
 }
 
-tl::expected<LoadedScene, LoadError> from_file(const Options& options, const LogLine& log_line,
+tl::expected<LoadedScene, LoadError> from_gltf(const std::string& file, const Options& options, const LogLine& log_line,
                                                const std::function<void(double)>& progress) {
-  const std::string &file = options.file, &cache = options.cache;
   ImportOptions import_options;
   const bool reads_visibility = options.occlusion_method == OcclusionMethod::rays && options.key_poses == 1;
   import_options.carry_document = reads_visibility;
@@ -121,27 +111,37 @@ tl::expected<LoadedScene, LoadError> from_file(const Options& options, const Log
   loaded.name = std::filesystem::path(file).filename().string();
   loaded.scene = std::move(imported->scene);
   loaded.files = std::move(imported->facts.files);
-  if (cache.empty()) return loaded;
+  loaded.vrm = std::move(imported->vrm);
+  return loaded;
+}
+
+}  // namespace
+
+tl::expected<LoadedScene, LoadError> load_file(const std::string& file, const Options& options,
+                                               const std::function<void(const std::string&)>& log_line,
+                                               const std::function<void(double)>& progress) {
+  std::vector<std::string> messages;
+  const LogLine note = [&](const std::string& line) {
+    messages.push_back(line);
+    log_line(line);
+  };
+  auto loaded = is_cache_file(file)   ? from_cache(file)
+                : is_asset_file(file) ? from_asset_file(file, note)
+                                      : from_gltf(file, options, note, progress);
+  if (loaded) loaded->messages = std::move(messages);
+  return loaded;
+}
+
+tl::expected<void, LoadError> play_cache(const std::string& cache, LoadedScene& loaded,
+                                         const std::function<void(const std::string&)>& log_line) {
   auto opened = open_cache_file(cache);
   if (!opened) return fails(std::move(opened.error()));
   auto bound = bind_cache(std::move(*opened), loaded.scene, log_line);
   if (!bound) return fails(std::move(bound.error()));
   loaded.cache = std::move(*bound);
   loaded.files.emplace_back(cache);
-  return loaded;
+  return {};
 }
-
-tl::expected<LoadedScene, LoadError> named_file(const Options& options, const LogLine& log_line,
-                                                const std::function<void(double)>& progress) {
-  const bool alone = is_cache_file(options.file);
-  if (alone && !options.cache.empty())
-    return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
-  if (alone && options.scene)
-    return tl::unexpected(LoadError{2, "--scene: " + options.file + " is a geometry cache, which has no scenes"});
-  return alone ? from_cache(options.file) : from_file(options, log_line, progress);
-}
-
-}  // namespace
 
 Needs needs_of(const LoadedScene& loaded, const Evaluation& evaluation) {
   Needs needs;
@@ -153,38 +153,17 @@ Needs needs_of(const LoadedScene& loaded, const Evaluation& evaluation) {
   needs.out.stage_times = evaluation.stage_times || loaded.cache;
   if (loaded.cache) needs.in.cached_instances = loaded.cache->instances();
   needs.in.between_updates = evaluation.updates == Updates::interpolated;
+  add_motion_needs(evaluation.motion, loaded.scene, loaded.rig.get(), needs);
   return needs;
 }
 
+std::vector<std::string> names_of(const std::vector<LoadedScene>& scenes) {
+  std::vector<std::string> names;
+  for (const LoadedScene& loaded : scenes) names.push_back(loaded.name);
+  return names;
+}
+
 double cache_duration_s(const LoadedScene& loaded) noexcept { return loaded.cache ? loaded.cache->duration_s() : 0.0; }
-
-tl::expected<std::vector<LoadedScene>, LoadError> load_scenes(const Options& options, const LogLine& log_line,
-                                                              const std::function<void(double)>& progress) {
-  std::vector<LoadedScene> loaded_scenes;
-  if (options.file.empty()) {
-    loaded_scenes = built_in(log_line);
-    if (options.first_scene() >= loaded_scenes.size())
-      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.first_scene()) +
-                                             ": the built-in scenes are 0 to " +
-                                             std::to_string(loaded_scenes.size() - 1)});
-  } else {
-    auto loaded = named_file(options, log_line, progress);
-    if (!loaded) return tl::unexpected(std::move(loaded.error()));
-    loaded_scenes.push_back(std::move(*loaded));
-  }
-  const auto environment = load_environment(options.environment, options.disk_cache);
-  if (!environment) return fails(environment.error());
-  for (LoadedScene& loaded : loaded_scenes) loaded.environment = *environment;
-  return loaded_scenes;
-}
-
-tl::expected<LoadedScene, LoadError> reload_scene(const Options& options,
-                                                  std::shared_ptr<const Environment> environment,
-                                                  const LogLine& log_line) {
-  auto loaded = named_file(options, log_line, nullptr);
-  if (loaded) loaded->environment = std::move(environment);
-  return loaded;
-}
 
 void add_missing_centers(LoadedScene& loaded, Skinning skinning, const std::function<void(double)>& progress) {
   const auto& own = loaded.instance_skinning;

@@ -12,8 +12,10 @@
 #include "importer/file/cache_folder.h"
 #include "viewer/app/bake_visibility.h"
 #include "viewer/app/headless_run.h"
+#include "viewer/app/inspect/paint.h"
 #include "viewer/app/loaded_scene.h"
 #include "viewer/app/log_line.h"
+#include "viewer/app/open/open_files.h"
 #include "viewer/app/options.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/window_loop.h"
@@ -41,6 +43,17 @@ std::future<std::unique_ptr<Device>> make_device_async(const Options& options) {
   return std::async(std::launch::async, [wanted] { return std::make_unique<Device>(wanted); });
 }
 
+/// Writes pictures of several evaluations side by side.
+int compare(Device& device, const Options& options, std::vector<LoadedScene>& loaded_scenes, std::uint32_t clip) {
+  const auto views = parse_views(options.compare, loaded_scenes.size());
+  if (!views) {
+    log_line("--compare: " + views.error());
+    return 2;
+  }
+  for (const CompareView& view : *views) add_missing_centers(loaded_scenes.front(), view.skinning);
+  return write_comparison(device, options, loaded_scenes, *views, clip);
+}
+
 int show(const Options& options) {
   std::future<std::unique_ptr<Device>> device;
   if (!options.headless.empty()) device = make_device_async(options);
@@ -63,8 +76,17 @@ int show(const Options& options) {
     }
     clip = *chosen;
   }
+  if (loaded_scenes->front().rig && loaded_scenes->front().rig->graph) clip = kNone;
+  if (const auto layers = find_layers(options.layers, scene); !layers) {
+    log_line(layers.error());
+    return 2;
+  }
   if (options.file_camera && !choose_camera(scene, *options.file_camera)) {
     log_line(describe_missing_camera(scene, *options.file_camera));
+    return 2;
+  }
+  if (options.joint && !choose_joint(scene, *options.joint)) {
+    log_line(describe_missing_joint(scene, *options.joint));
     return 2;
   }
   if (options.variant && !choose_variant(scene, *options.variant)) {
@@ -83,6 +105,10 @@ int show(const Options& options) {
       return 3;
     }
   }
+  const auto joint = options.joint ? choose_joint(loaded.scene, *options.joint) : std::nullopt;
+  loaded.scene = painted(loaded.scene, options.inspected.paint, joint.value_or(kNone));
+  if (!options.sheet.empty()) return write_sheet(*device.get(), options, loaded);
+  if (!options.compare.empty()) return compare(*device.get(), options, *loaded_scenes, clip);
   return write_pictures(*device.get(), options, loaded, clip);
 }
 

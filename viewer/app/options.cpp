@@ -2,9 +2,6 @@
 #include "viewer/app/options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <initializer_list>
 #include <memory>
 #include <string_view>
 #include <tuple>
@@ -14,33 +11,17 @@
 #include <CLI/CLI.hpp>
 
 #include "runtime/model/vertex_visibility.h"
+#include "viewer/app/inspect/inspect_options.h"
 #include "viewer/app/keys.h"
+#include "viewer/app/motion_options.h"
+#include "viewer/app/open/file_names.h"
+#include "viewer/app/option_text.h"
+#include "viewer/app/output_options.h"
 
 namespace sinew::viewer {
 namespace {
 
 constexpr std::uint32_t kLargestSide = 16384;  // every desktop device with Vulkan 1.3 supports it
-
-// Parses all of `text` as a finite number; empty if that fails.
-template <class T>
-std::optional<T> number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>)
-    if (!std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-// Parses two numbers with `separator` between them.
-template <class T>
-std::optional<std::pair<T, T>> two_numbers(std::string_view text, char separator) {
-  const auto at = text.find(separator);
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto a = number<T>(text.substr(0, at)), b = number<T>(text.substr(at + 1));
-  if (!a || !b) return std::nullopt;
-  return std::pair(*a, *b);
-}
 
 glm::vec3 point(const std::string& text, const char* option) {
   glm::vec3 p(0.0f);
@@ -63,18 +44,20 @@ void read_size(const std::string& text, Options& options) {
   std::tie(options.width, options.height) = *size;
 }
 
-void read_frames(const std::string& text, Options& options) {
-  const auto range = two_numbers<std::uint32_t>(text, ':');
-  if (!range || range->first > range->second)
-    throw CLI::ValidationError("--frames", "'" + text + "' is not FIRST:LAST with FIRST <= LAST, such as 0:59");
-  options.frames = FrameRange{range->first, range->second};
-}
-
-bool names_png(const std::string& path) {
-  if (path.size() < 4) return false;
-  std::string end = path.substr(path.size() - 4);
-  for (char& c : end) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
-  return end == ".png";
+// Takes a panorama among the files as the light; the first of the others is FILE.
+void sort_files(const std::vector<std::string>& files, bool environment_is_given, Options& options) {
+  for (const std::string& file : files) {
+    if (names_panorama(file)) {
+      if (environment_is_given)
+        throw CLI::ValidationError("FILE", "'" + file + "' is light, and --environment or another file is, too");
+      environment_is_given = true;
+      options.environment = file;
+    } else if (options.file.empty()) {
+      options.file = file;
+    } else {
+      options.more_files.push_back(file);
+    }
+  }
 }
 
 // Checks rules between options that CLI11's needs() and excludes() cannot express.
@@ -83,25 +66,6 @@ void check_together(const Options& options) {
     throw CLI::ValidationError("--eye", "the camera cannot look at the same point that it is at");
   if (options.key_poses > 1 && options.occlusion_method != OcclusionMethod::rays)
     throw CLI::ValidationError("--key-poses", "rays are cast with --ao rays only");
-  if (options.headless.empty()) return;
-  if (options.frames && names_png(options.headless))
-    throw CLI::ValidationError("--headless",
-                               "'" + options.headless + "' is one picture, --frames needs a folder: DIR/");
-  if (!options.frames && !names_png(options.headless))
-    throw CLI::ValidationError(
-        "--headless",
-        "'" + options.headless + "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
-}
-
-// Looks `text` up in a table of names and values; an unknown name is a validation error that lists all names.
-template <class T>
-T named(const char* option, const std::string& text, std::initializer_list<std::pair<const char*, T>> names) {
-  std::string all;
-  for (const auto& [name, value] : names) {
-    if (text == name) return value;
-    all += (all.empty() ? "" : ", ") + std::string(name);
-  }
-  throw CLI::ValidationError(option, "'" + text + "' is not one of: " + all);
 }
 
 TextureFilter filter_named(const std::string& text) {
@@ -118,12 +82,6 @@ TextureFilter filter_named(const std::string& text) {
                              {"bilinear", FilterKind::bilinear},
                              {"trilinear", FilterKind::trilinear},
                              {"ripmap", FilterKind::rip_map}})};
-}
-
-// Adds an option whose argument is passed to `read`.
-template <class Read>
-CLI::Option* text_option(CLI::App& app, const char* name, const char* type, const char* what, Read read) {
-  return app.add_option_function<std::string>(name, read, what)->type_name(type);
 }
 
 void add_picture_options(CLI::App& app, Options& options) {
@@ -286,52 +244,6 @@ void add_cache_options(CLI::App& app, Options& options, CLI::Option* file) {
   });
 }
 
-void add_time_options(CLI::App& app, Options& options, CLI::Option* file) {
-  const auto seconds = [](const char* option, const std::string& text, double least) {
-    const auto value = number<double>(text);
-    if (!value || *value < least) throw CLI::ValidationError(option, "'" + text + "' is not a time in seconds");
-    return *value;
-  };
-  text_option(app, "--clip", "CLIP", "index, name, name#2 (the second of that name) or none (the first clip)",
-              [&](const std::string& text) { options.clip = text; });
-  auto* time = text_option(app, "--time", "T", "seconds into the clip (0)",
-                           [&, seconds](const std::string& text) { options.time_s = seconds("--time", text, -1e9); });
-  auto* headless =
-      app.add_option("--headless", options.headless, "write OUT.png, or numbered pictures into DIR/, without a window")
-          ->type_name("OUT");
-  auto* frames = text_option(app, "--frames", "A:B", "pictures A to B, both included; picture n shows second n / fps",
-                             [&](const std::string& text) { read_frames(text, options); });
-  auto* fps = text_option(app, "--fps", "N", "pictures a second for --frames (30)", [&](const std::string& text) {
-    const auto value = number<double>(text);
-    if (!value || *value <= 0.0 || *value > 1e6)
-      throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
-    options.fps = *value;
-  });
-  text_option(
-      app, "--updates", "HOW",
-      "what is small in the picture: every, interpolated or held between updates (interpolated; with --headless every)",
-      [&](const std::string& text) {
-        options.updates = named<Updates>(
-            "--updates", text,
-            {{"every", Updates::every}, {"interpolated", Updates::interpolated}, {"held", Updates::held}});
-      });
-  auto* plan = app.add_flag("--plan", options.plan,
-                            "print what a picture takes: each stage and pass, why it runs or not, and its time");
-  auto* transparent = app.add_flag("--transparent", options.transparent, "alpha 0 where nothing was drawn");
-  auto* exit_after =
-      text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
-                  [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
-  app.add_flag("--validate", options.validate, "use Vulkan's validation layer; exit code 3 when it complains");
-  auto* watch = app.add_flag("--watch", options.watch,
-                             "read FILE again when it or a file that it names changes; clip, time and camera stay");
-  watch->needs(file)->excludes(headless);
-  frames->needs(headless)->excludes(time);
-  fps->needs(frames);
-  transparent->needs(headless);
-  plan->needs(headless);
-  exit_after->excludes(headless);
-}
-
 // Omits CLI11's "Needs:" and "Excludes:" from the option column; the error message for a wrong combination names them.
 class ShortFormatter : public CLI::Formatter {
  public:
@@ -345,18 +257,31 @@ class ShortFormatter : public CLI::Formatter {
 std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv) {
   Options options;
   CLI::App app{
-      "Plays the animations of a glTF file in a window, or writes pictures of them.\n"
+      "Plays the animations of glTF files in a window, or writes pictures of them.\n"
       "Without FILE it shows the built-in scenes.",
       "sinew-viewer"};
   app.formatter(std::make_shared<ShortFormatter>());
   app.set_version_flag("--version", "sinew-viewer " SINEW_VERSION);
-  auto* file = app.add_option("FILE", options.file, "a .gltf or .glb file, or a geometry cache (.sgeo)")->type_name("");
+  std::vector<std::string> files;
+  auto* file = app.add_option("FILE", files,
+                              "characters and clip files (.gltf .glb .vrm .vrma .sinew), a geometry cache (.sgeo), "
+                              "light (.hdr .exr), or folders of them; clips play on every character, retargeted where "
+                              "skeletons differ")
+                   ->type_name("...");
+  app.add_option("--clips", options.clip_files, "take the clips alone of a file that has meshes, too; several times")
+      ->type_name("FILE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->needs(file);
   app.add_option("--scene", options.scene, "which scene of FILE (its default), or which built-in one (0)")
       ->type_name("N");
   add_cache_options(app, options, file);
   add_picture_options(app, options);
   add_light_options(app, options);
   add_time_options(app, options, file);
+  add_motion_options(app, options, file);
+  add_inspect_options(app, options);
   app.footer(
       "Keys in the window:\n" + describe_keys() +
       "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n"
@@ -364,6 +289,8 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
       "SINEW_CACHE names (none = nowhere), else in sinew in the user's cache folder.\n");
   try {
     app.parse(argc, argv);
+    check_outputs(app, options);
+    sort_files(files, app.count("--environment") > 0, options);
     check_together(options);
   } catch (const CLI::CallForHelp&) {
     return EarlyExit{0, app.help()};

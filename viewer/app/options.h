@@ -4,11 +4,15 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "importer/graph/graph_setting.h"
 #include "runtime/plan/needs.h"
-#include "viewer/app/framing.h"
+#include "viewer/app/camera/framing.h"
+#include "viewer/app/inspect/inspected.h"
+#include "viewer/app/motion/layer_choice.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/device/disk_cache.h"
 #include "viewer/passes/render_options.h"
@@ -28,8 +32,10 @@ struct PlacedCamera {
 
 /// The command line of sinew-viewer, checked.
 struct Options {
-  std::string file;                    ///< a glTF file or a geometry cache; empty = the built-in showcase
-  std::optional<std::uint32_t> scene;  ///< index of a built-in scene, or of a scene of FILE
+  std::string file;                     ///< a model, clips or a geometry cache; empty = the built-in showcase
+  std::vector<std::string> more_files;  ///< further characters and clip files (open_files.h)
+  std::vector<std::string> clip_files;  ///< files of which the clips alone are taken
+  std::optional<std::uint32_t> scene;   ///< index of a built-in scene, or of a scene of FILE
 
   /// Index of the loaded scene to show first. A file counts as one loaded scene, so it is 0 for files.
   std::uint32_t first_scene() const noexcept { return file.empty() ? scene.value_or(0) : 0; }
@@ -39,7 +45,20 @@ struct Options {
   std::string headless;          ///< OUT.png, or a folder together with `frames`; empty = window
   std::optional<double> time_s;  ///< unset = 0
   std::optional<FrameRange> frames;
+  std::uint32_t turntable = 0;  ///< pictures of a turn around the scene; 0 = none
+  std::string film, sheet;      ///< files to write in place of `headless`, which then names them, too
+  std::string compare;          ///< views of one moment side by side (parse_views); empty = one view
+
+  /// True if several pictures are written.
+  bool is_sequence() const noexcept { return frames || turntable > 0; }
   double fps = 30.0;
+  std::vector<LayerText> layers;  ///< on top of the clip
+  bool mirrored = false;          ///< the clip plays with left and right exchanged
+  RootPlay root = RootPlay::as_in_clip;
+  float fade_s = 0.0f;  ///< cross-fade after another clip is chosen in the window
+  bool springs = true;  ///< springs and constraints of a VRM file move
+  std::string graph;    ///< a motion graph (JSON) that drives the character; empty = clips play
+  std::vector<GraphSetting> graph_script;
   std::optional<std::string> clip;  ///< index, name or "none"; unset = the first clip
   std::uint32_t width = 1280, height = 720;
   Skinning skinning = Skinning::linear;
@@ -61,8 +80,10 @@ struct Options {
   ToneCurve tone_curve = ToneCurve::aces;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
   bool auto_exposure = false;
-  bool exposure_is_given = false;  ///< the command line names an exposure, so it is never adapted
-  bool skeleton = false;           ///< draw skeleton lines over the picture
+  bool exposure_is_given = false;    ///< the command line names an exposure, so it is never adapted
+  bool skeleton = false;             ///< draw skeleton lines over the picture
+  std::optional<std::string> joint;  ///< index or name of the joint that is looked at
+  Inspected inspected;               ///< without joint and vertex, which settings_from sets
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   Framing framing = Framing::clip;

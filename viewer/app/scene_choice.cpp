@@ -34,6 +34,12 @@ std::vector<Choice> variants(const Scene& scene) {
   return choices;
 }
 
+std::vector<Choice> joints(const Scene& scene) {
+  std::vector<Choice> choices;
+  for (std::uint32_t i = 0; i < scene.skeleton.names.size(); ++i) choices.push_back({i, scene.skeleton.names[i]});
+  return choices;
+}
+
 std::optional<std::uint32_t> choose(const std::vector<Choice>& choices, std::string_view text) {
   std::uint32_t index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -85,6 +91,9 @@ std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view te
 std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view text) {
   return choose(cameras_on_nodes(scene), text);
 }
+std::optional<std::uint32_t> choose_joint(const Scene& scene, std::string_view text) {
+  return choose(joints(scene), text);
+}
 std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text) {
   return choose(variants(scene), text);
 }
@@ -104,6 +113,9 @@ std::optional<std::uint32_t> same_clip(const std::vector<std::string>& clips_bef
 std::optional<std::uint32_t> same_camera(const Scene& before, std::uint32_t index, const Scene& now) {
   return same(cameras_on_nodes(before), index, cameras_on_nodes(now));
 }
+std::optional<std::uint32_t> same_joint(const Scene& before, std::uint32_t index, const Scene& now) {
+  return same(joints(before), index, joints(now));
+}
 std::optional<std::uint32_t> same_variant(const Scene& before, std::uint32_t index, const Scene& now) {
   return same(variants(before), index, variants(now));
 }
@@ -113,6 +125,9 @@ std::string describe_missing_clip(const Scene& scene, std::string_view text) {
 }
 std::string describe_missing_camera(const Scene& scene, std::string_view text) {
   return describe_missing("camera", cameras_on_nodes(scene), text);
+}
+std::string describe_missing_joint(const Scene& scene, std::string_view text) {
+  return describe_missing("joint", joints(scene), text);
 }
 std::string describe_missing_variant(const Scene& scene, std::string_view text) {
   return describe_missing("variant", variants(scene), text);

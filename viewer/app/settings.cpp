@@ -6,6 +6,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "viewer/app/motion/layer_choice.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
@@ -34,8 +35,24 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
   settings.skeleton = options.skeleton || scene.instances.empty();
   if (options.file_camera) settings.camera = choose_camera(scene, *options.file_camera).value_or(kNone);
+  settings.motion.mirrored = options.mirrored;
+  settings.motion.root = options.root;
+  settings.motion.springs = options.springs;
+  settings.motion.fade_s = options.fade_s;
+  settings.motion.layers = find_layers(options.layers, scene).value_or(std::vector<LayerSetting>());
+  settings.inspected = options.inspected;
+  if (options.joint) settings.inspected.joint = choose_joint(scene, *options.joint).value_or(kNone);
   if (options.variant) settings.variant = choose_variant(scene, *options.variant).value_or(kNone);
   return settings;
+}
+
+void Settings::leave_scene() {
+  camera = variant = inspected.joint = kNone;
+  inspected.vertex = {};
+  if (inspected.paint == Paint::weights) inspected.paint = Paint::materials;
+  motion.layers.clear();
+  motion.expressions.clear();
+  motion.morph_weights.clear();
 }
 
 void toggle_ao_only(Settings& settings) noexcept {
@@ -47,6 +64,16 @@ void toggle_ao_only(Settings& settings) noexcept {
 void toggle_plan(Settings& settings) noexcept {
   settings.plan = !settings.shows_plan();
   if (settings.plan) settings.panel = true;
+}
+
+void toggle_inside(Settings& settings) noexcept {
+  settings.inside = !(settings.panel && settings.inside);
+  if (settings.inside) settings.panel = true;
+}
+
+void toggle_keys(Settings& settings) noexcept {
+  settings.timeline_keys = !(settings.panel && settings.timeline_keys);
+  if (settings.timeline_keys) settings.panel = true;
 }
 
 void next_updates(Settings& settings) noexcept {

@@ -2,8 +2,10 @@
 #pragma once
 #include "runtime/plan/needs.h"
 #include "viewer/app/clip_extent.h"
+#include "viewer/app/inspect/inspected.h"
 #include "viewer/app/loaded_scene.h"
 #include "viewer/app/options.h"
+#include "viewer/app/timeline/channels.h"
 #include "viewer/passes/render_options.h"
 
 namespace sinew::viewer {
@@ -27,6 +29,12 @@ struct Settings {
   bool panel = true;
   bool plan = false;  ///< show the live plan next to the panel
 
+  bool timeline_keys = false;                 ///< the timeline lists all channels with their keys
+  bool counts_frames = false;                 ///< the timeline counts frames of Playback::kFrame_s instead of seconds
+  Inspected inspected;                        ///< joint and vertex that are looked at
+  bool inside = false;                        ///< show the nodes of the scene and what is inspected
+  ChannelKind curve = ChannelKind::rotation;  ///< the curve of that joint in the timeline
+
   /// True if the live plan is visible: it hides together with the panel.
   bool shows_plan() const noexcept { return panel && plan; }
 
@@ -37,10 +45,19 @@ struct Settings {
   std::uint32_t variant = kNone;  ///< index in Scene::variants; kNone = the default materials
   float cache_weight = 1.0f;      ///< [0, 1] 0 = the pose, 1 = the geometry cache
 
-  Evaluation evaluation() const noexcept { return {skinning, updates, shows_plan()}; }
+  MotionSettings motion;  ///< layers, root motion, springs and expressions
+
+  /// in   rig  of the scene; null = it has none
+  Evaluation evaluation(const CharacterRig* rig = nullptr) const {
+    return {skinning, updates, shows_plan(), shape_of(motion, rig)};
+  }
+
+  /// Forgets choices that are indices into the scene: joint, vertex, camera, variant, layers, expressions, morph
+  /// weights.
+  void leave_scene();
 
   /// True if the picture needs joints even while no mesh is in view.
-  bool needs_joints() const noexcept { return skeleton || camera != kNone; }
+  bool needs_joints() const noexcept { return skeleton || inspected.draws_lines() || inside || camera != kNone; }
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -54,6 +71,12 @@ void toggle_ao_only(Settings& settings) noexcept;
 
 /// Shows the live plan together with the panel, or hides the live plan.
 void toggle_plan(Settings& settings) noexcept;
+
+/// Shows the nodes of the scene together with the panel, or hides them.
+void toggle_inside(Settings& settings) noexcept;
+
+/// Shows the keys of all channels in the timeline together with the panel, or hides them.
+void toggle_keys(Settings& settings) noexcept;
 
 /// Cycles through every, interpolated, held.
 void next_updates(Settings& settings) noexcept;

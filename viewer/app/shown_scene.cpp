@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/shown_scene.h"
 
+#include <utility>
+
 #include "runtime/base/contract.h"
-#include "viewer/app/file_camera.h"
+#include "viewer/app/camera/file_camera.h"
 #include "viewer/upload/visibility_blend.h"
 
 namespace sinew::viewer {
@@ -12,18 +14,30 @@ FrustumCulling culling_for(const LoadedScene& loaded, const Needs& needs) {
   return {loaded.scene, needs, loaded.cache ? loaded.cache->reach(loaded.scene) : std::vector<Aabb>()};
 }
 
+constexpr double kLongestGraph_s = 3600.0;
+
+/// A graph plays for as long as the window is open, on a clock without a clip.
+Playback playback_of(const LoadedScene& loaded) {
+  if (!loaded.rig || !loaded.rig->graph) return Playback(loaded.scene, cache_duration_s(loaded));
+  Playback playback(loaded.scene, kLongestGraph_s);
+  playback.choose(kNone);
+  playback.set_mode(PlayMode::clamp);
+  return playback;
+}
+
 }  // namespace
 
 ShownScene::ShownScene(Device& device, const LoadedScene& loaded, const Evaluation& evaluation,
                        std::uint32_t slot_count, const TextureFilter& filter)
     : loaded_(loaded),
-      playback_(loaded.scene, cache_duration_s(loaded)),
+      playback_(playback_of(loaded)),
+      motion_(loaded.scene, loaded.rig, {}),
       culling_(culling_for(loaded, needs_of(loaded, evaluation))),
       culled_(culling_.all_in_view()),
       scene_upload_(device, loaded.scene, slot_count, loaded.visibility.get(), filter),
       frame_upload_(device, loaded.scene, slot_count),
       look_(loaded.scene),
-      skeleton_(loaded.scene),
+      lines_(loaded),
       bounds_(loaded.scene.animations.size() + 1) {
   if (loaded.cache) cache_.emplace(*loaded.cache, loaded.scene, CacheReader::Reads::on_thread);
   plan_for(evaluation);
@@ -50,7 +64,23 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   catch_up();
 }
 
+void ShownScene::set_motion(const MotionSettings& settings) {
+  playback_.set_fade(static_cast<double>(settings.fade_s));
+  if (motion_.settings() == settings) return;
+  if (newest_ != nullptr) jobs_->wait(ticket_);  // the job may run springs
+  if (shape_of(settings, loaded_.rig.get()) != motion_.shape() || settings.root != motion_.settings().root)
+    bounds_.assign(bounds_.size(), std::nullopt);
+  motion_.set(settings);
+  ++motion_version_;
+}
+
+ShownScene::Request ShownScene::current() const noexcept {
+  return {playback_.clip(), playback_.time_s(), cache_ ? cache_weight_ : 0.0f, motion_version_,
+          playback_.moment().fade};
+}
+
 void ShownScene::catch_up() {
+  motion_.reset_springs();
   if (newest_ != nullptr) {
     jobs_->wait(ticket_);
     levels_->begin_exact_frame("the time was set");
@@ -64,10 +94,11 @@ void ShownScene::catch_up() {
 
 Result<Ticket> ShownScene::request() {
   FrameInput now;
-  now.layers = playback_.layers();
+  write_pose(now);
   if (cache_) now.geometry = cache_->at(playback_.time_s(), cache_weight_);
   apply_culling(culled_, joints_needed_, now);
-  const FrameInput input = levels_->input(now, playback_.layers_ahead(levels_->frames_to_update()));
+  const FrameInput input =
+      writes_program() ? now : levels_->input(now, playback_.layers_ahead(levels_->frames_to_update()));
   const auto ticket = jobs_->submit({&input, 1});
   if (!ticket) return ticket;
   ticket_ = *ticket;
@@ -79,11 +110,26 @@ Result<Ticket> ShownScene::request() {
   return ticket;
 }
 
+void ShownScene::write_pose(FrameInput& input) {
+  if (motion_.settings().morph_weights.size() == loaded_.scene.weight_count())
+    input.weights = motion_.settings().morph_weights;
+  if (!writes_program()) {
+    input.layers = playback_.layers();
+    return;
+  }
+  if (newest_ != nullptr) jobs_->wait(ticket_);  // it may run the springs of the frame before
+  MotionMoment moment = playback_.moment();
+  moment.dt_s = std::exchange(since_request_s_, 0.0);
+  motion_.write(moment, input);
+}
+
 void ShownScene::begin_frame(const View& view, bool view_is_moved) {
   if (!playback_.playing())
     levels_->begin_exact_frame("the time stands still");
   else if (cache_ && cache_weight_ > 0.0f)
     levels_->begin_exact_frame("a geometry cache plays");
+  else if (writes_program())
+    levels_->begin_exact_frame("layers, a graph or springs play");
   else if (view_is_moved)
     levels_->begin_exact_frame("the camera moves with the clip");
   else
@@ -92,8 +138,11 @@ void ShownScene::begin_frame(const View& view, bool view_is_moved) {
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_needed) {
   begin_frame(view, view_is_moved);
-  culled_ = culling_.of(playback_.clip(), view, aspect,
-                        shadow_sweep(loaded_.scene, shadows_, bounds().reached, loaded_.environment.get()));
+  since_request_s_ += playback_.last_step_s();
+  culled_ = writes_program()
+                ? culling_.all_in_view()  // bounds of clips do not hold for mixed ones
+                : culling_.of(playback_.clip(), view, aspect,
+                              shadow_sweep(loaded_.scene, shadows_, bounds().reached, loaded_.environment.get()));
   joints_needed_ = joints_needed || !loaded_.scene.cameras.empty();  // the user may switch to one of them at any time
   const bool lacks = requested_culled_.culls_more_than(culled_) ||
                      (requested_culled_.every_instance && !requested_joints_ && joints_needed_);
@@ -110,6 +159,7 @@ const FrameResult& ShownScene::newest() {
   const bool ready = jobs_->done(ticket_);
   newest_ = jobs_->latest(character_);
   if (ready && !ready_seen_ && cache_) record_cache();
+  if (ready && !ready_seen_) swings_ = writes_program() && playback_.playing() && motion_.is_swinging();
   ready_seen_ = ready_seen_ || ready;
   return *newest_;
 }
@@ -156,14 +206,23 @@ View ShownScene::coming_view_of(std::uint32_t camera, double aspect) {
   return camera_pose(camera).at(playback_.clip(), playback_.time_s(), aspect, bounds().reached);
 }
 
-std::span<const LineVertex> ShownScene::skeleton_lines() {
-  return skeleton_.make(newest_->model, skeleton_.axis_length_m(bounds().largest));
+std::span<const LineVertex> ShownScene::lines(const Inspected& inspected, bool skeleton) {
+  const MovedBy moved = moved_by();
+  return lines_.make(newest(), inspected, skeleton,
+                     {playback_.clip(), playback_.time_s(), writes_program() ? &moved : nullptr}, bounds().largest);
+}
+
+MovedBy ShownScene::moved_by() {
+  constexpr double kGraphFramed_s = 4.0;  // how long a graph is played to frame it
+  return {loaded_.rig, motion_.settings(), motion_.graph() ? kGraphFramed_s : 0.0};
 }
 
 const ClipExtent& ShownScene::bounds() {
   const std::uint32_t clip = playback_.clip();
   auto& known = clip < loaded_.scene.animations.size() ? bounds_[clip] : bounds_.back();
-  if (!known) known = clip_extent(loaded_.scene, clip, loaded_.cache.get());
+  if (known) return *known;
+  const MovedBy moved = moved_by();
+  known = clip_extent(loaded_.scene, clip, loaded_.cache.get(), writes_program() ? &moved : nullptr);
   return *known;
 }
 

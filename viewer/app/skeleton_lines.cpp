@@ -67,17 +67,24 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
   for (const auto [parent, joint] : bones_)
     add_bone(lines_, translation_of(model[parent]), translation_of(model[joint]));
   for (const auto joint : joints_) {
-    const glm::vec3 at = translation_of(model[joint]);
-    const auto& m = model[joint];
-    for (int axis = 0; axis < 3; ++axis) {
-      const glm::vec3 direction(m.row[0][axis], m.row[1][axis], m.row[2][axis]);
-      const float length = glm::length(direction);
-      if (length <= 0.0f) continue;  // the joint scales this axis to zero
-      lines_.push_back({at, kAxisColors[axis]});
-      lines_.push_back({at + direction * (axis_m / length), kAxisColors[axis]});
-    }
+    const auto axes = axes_of(model[joint], axis_m);
+    for (std::size_t end = 1; end < axes.size(); end += 2)
+      if (axes[end].position != axes[end - 1].position) lines_.insert(lines_.end(), {axes[end - 1], axes[end]});
   }
   return lines_;
+}
+
+std::array<LineVertex, 6> SkeletonLines::axes_of(const Affine& joint, float axis_m) noexcept {
+  std::array<LineVertex, 6> axes;
+  const glm::vec3 at = translation_of(joint);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto column = static_cast<int>(axis);
+    const glm::vec3 direction(joint.row[0][column], joint.row[1][column], joint.row[2][column]);
+    const float length = glm::length(direction);
+    axes[2 * axis] = {at, kAxisColors[axis]};
+    axes[2 * axis + 1] = {length > 0.0f ? at + direction * (axis_m / length) : at, kAxisColors[axis]};
+  }
+  return axes;
 }
 
 float SkeletonLines::axis_length_m(const Aabb& shown) const noexcept {

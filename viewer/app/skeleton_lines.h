@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ class SkeletonLines {
   /// in   model[J]  world matrices;   axis_m  length of an axis, from axis_length_m()
   /// out  valid until the next call
   std::span<const LineVertex> make(std::span<const Affine> model, float axis_m);
+
+  /// x, y and z axes of a joint in red, green and blue. An axis that the joint scales to zero is a point.
+  static std::array<LineVertex, 6> axes_of(const Affine& joint, float axis_m) noexcept;
 
   /// Axis length relative to the size of the shown scene: short, so that axes do not hide bones; longer if the scene
   /// has only joints.

@@ -6,6 +6,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <glm/common.hpp>
+
 #include "viewer/device/device_error.h"
 
 namespace sinew::viewer {
@@ -47,8 +49,15 @@ void Window::listen() {
     of(w).input_.any = true;
     of(w).input_.wheel += y;
   });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { of(w).input_.any = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+    of(w).input_.any = true;
+    if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).press_left(action == GLFW_PRESS, (mods & GLFW_MOD_SHIFT) != 0);
+  });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).move_mouse({x, y}); });
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    of(w).input_.any = true;
+    of(w).input_.dropped.insert(of(w).input_.dropped.end(), paths, paths + count);
+  });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).input_.any = true; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).input_.any = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { of(w).input_.any = true; });
@@ -73,6 +82,21 @@ void Window::move_mouse(const glm::dvec2& to) {
     input_.turned += way;
   input_.any = true;
   mouse_ = to;
+}
+
+// A click is a press and a release without a drag in between.
+void Window::press_left(bool down, bool shift) {
+  constexpr double kStill_px = 4.0;
+  if (down) {
+    pressed_at_ = mouse_;
+    return;
+  }
+  const glm::dvec2 way = glm::abs(mouse_ - pressed_at_);
+  if (shift || way.x > kStill_px || way.y > kStill_px) return;
+  glm::ivec2 size(0);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  if (size.x > 0 && size.y > 0)
+    input_.clicked = glm::dvec2(2.0 * mouse_.x / size.x - 1.0, 1.0 - 2.0 * mouse_.y / size.y);
 }
 
 Window::~Window() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct Input {
   /// Drag distances in framebuffer pixels, y down. `turned`: with the left button. `moved`: with the right or middle
   /// button, or with shift and the left button.
   glm::dvec2 turned{0.0}, moved{0.0};
+  std::optional<glm::dvec2> clicked;  ///< place of a left click without a drag: -1 to 1, y up
   double wheel = 0.0;
-  bool any = false;  ///< true if any event arrived, even one that is not listed above
+  std::vector<std::string> dropped;  ///< paths of files and folders that were dropped on the window
+  bool any = false;                  ///< true if any event arrived, even one that is not listed above
 };
 
 /// A desktop window. It cannot be moved in memory, because GLFW callbacks hold its address. Only window.cpp and
@@ -47,10 +50,11 @@ class Window {
  private:
   void listen();
   void move_mouse(const glm::dvec2& to);
+  void press_left(bool down, bool shift);
 
   GLFWwindow* window_ = nullptr;
   Input input_;  ///< collected since the last poll
-  glm::dvec2 mouse_{0.0};
+  glm::dvec2 mouse_{0.0}, pressed_at_{0.0};
 };
 
 }  // namespace sinew::viewer

@@ -3,38 +3,25 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <memory>
 #include <numbers>
-#include <optional>
-#include <string>
-#include <thread>
+#include <utility>
 
-#include "viewer/app/actions.h"
-#include "viewer/app/bake_visibility.h"
-#include "viewer/app/frame.h"
-#include "viewer/app/framed_camera.h"
 #include "viewer/app/headless_run.h"
-#include "viewer/app/live_plan.h"
+#include "viewer/app/inspect/pick.h"
 #include "viewer/app/log_line.h"
-#include "viewer/app/panel/panel.h"
-#include "viewer/app/reload/replace_shown_scene.h"
-#include "viewer/app/scene_choice.h"
+#include "viewer/app/panel/scene_facts.h"
+#include "viewer/app/pictures/screenshot.h"
 #include "viewer/app/validation_outcome.h"
-#include "viewer/app/window.h"
 
 namespace sinew::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr double kIdleWait_s = 0.1;      // longest wait for an event while nothing is animated
+constexpr double kLongestStep_s = 0.25;  // of the animation, so that it does not jump after the machine was suspended
 
-constexpr double kFramePeriod_s = 1.0 / 60.0;  // frame rate limit, because some drivers do not wait for the display
-constexpr double kIdleWait_s = 0.1;            // longest wait for an event while nothing is animated
-// Limit of a time step, so that the animation does not jump after the machine was suspended.
-constexpr double kLongestStep_s = 0.25;
-constexpr int kFramesAfterChange = 4;  // frames drawn after input, because ImGui reacts over several frames
-
-double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+double seconds_since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
 
 DeviceOptions device_options(const Options& options, const Window& window) {
   DeviceOptions wanted;
@@ -45,108 +32,38 @@ DeviceOptions device_options(const Options& options, const Window& window) {
   return wanted;
 }
 
-class WindowLoop {
- public:
-  WindowLoop(const Options& options, std::vector<LoadedScene>& loaded_scenes, std::optional<std::uint32_t> clip,
-             SceneReloader* watch)
-      : options_(options),
-        loaded_scenes_(loaded_scenes),
-        watch_(watch),
-        window_(options.width, options.height, "sinew"),
-        device_(device_options(options, window_)),
-        swapchain_(device_, window_.framebuffer_size()),
-        panel_(device_, swapchain_, window_.handle()),
-        frame_(device_, swapchain_, panel_),
-        scene_index_(options.first_scene()),
-        settings_(settings_from(options, loaded_scenes[options.first_scene()].scene)) {
-    if (!options.smooth_edges && device_.is_software())
-      settings_.smooth_edges = false;  // multisampling would take most of the frame time
-    for (const auto& loaded : loaded_scenes) names_.push_back(loaded.name);
-    switch_scene(options.first_scene(), clip, options.time_s);
-  }
+}  // namespace
 
-  int run();
-
- private:
-  std::unique_ptr<ShownScene> make_shown(const LoadedScene& loaded, const Evaluation& evaluation) {
-    return std::make_unique<ShownScene>(device_, loaded, evaluation, Frame::kSlots, options_.filter);
-  }
-  void switch_scene(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s);
-  void add_visibility(std::uint32_t clip);
-  void adapt_to_light(std::uint32_t clip);
-  void place_camera();
-  void frame_all();
-  void leave_file_camera();
-  double aspect() const;
-  void request_next_pose();
-  void react(const Input& input);
-  void act(Action action);
-  bool fit_swapchain();
-  void apply_requested_changes();
-  PanelFacts facts();
-  void draw();
-  void limit_frame_rate();
-  void report_error_once();
-  void follow_file(double now_s);
-  std::string show_changed(LoadedScene changed);
-
-  const Options& options_;
-  std::vector<LoadedScene>& loaded_scenes_;
-  SceneReloader* watch_;  ///< null = files are not reloaded
-  std::vector<std::string> names_;
-  Window window_;
-  Device device_;
-  Swapchain swapchain_;
-  PanelBackend panel_;
-  Frame frame_;
-  std::unique_ptr<ShownScene> shown_;
-  std::uint32_t scene_index_ = 0;
-  FramedCamera camera_;
-  FreeWidth free_;                 ///< part of the window beside the panel
-  bool camera_is_framed_ = false;  ///< the user has not moved the camera since it framed the scene
-  Settings settings_;
-  bool exposure_is_adapted_ = false;  ///< adapt_to_light() has switched automatic exposure on
-  LivePlan live_plan_;
-  std::optional<std::uint32_t> requested_scene_;
-  int frames_to_draw_ = kFramesAfterChange;  // left before the loop pauses because nothing moves
-  double frame_ms_ = 0.0;
-  std::string reported_error_;
-  std::string reload_fault_;  ///< why the changed file is not shown; empty = it is
-  Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
-};
-
-void WindowLoop::switch_scene(std::uint32_t index, std::optional<std::uint32_t> clip, std::optional<double> time_s) {
-  device_.wait_idle();
-  if (index != scene_index_) settings_.camera = settings_.variant = kNone;  // these indices belong to the last scene
-  scene_index_ = index;
-  shown_.reset();  // frees GPU memory before the next scene is uploaded
-  add_missing_centers(loaded_scenes_[index], settings_.skinning);
-  add_visibility(clip.value_or(loaded_scenes_[index].scene.animations.empty() ? kNone : 0));
-  adapt_to_light(clip.value_or(loaded_scenes_[index].scene.animations.empty() ? kNone : 0));
-  shown_ = make_shown(loaded_scenes_[index], settings_.evaluation());
-  live_plan_.forget();
-  if (clip) shown_->playback().choose(*clip);
-  if (time_s) shown_->playback().seek(*time_s);
-  window_.set_title(loaded_scenes_[index].name + " - sinew");
-  place_camera();
+WindowLoop::WindowLoop(const Options& options, std::vector<LoadedScene>& loaded_scenes,
+                       std::optional<std::uint32_t> clip, SceneReloader* watch)
+    : options_(options),
+      loaded_scenes_(loaded_scenes),
+      watch_(watch),
+      window_(options.width, options.height, "sinew"),
+      device_(device_options(options, window_)),
+      swapchain_(device_, window_.framebuffer_size()),
+      panel_(device_, swapchain_, window_.handle()),
+      frame_(device_, swapchain_, panel_),
+      scene_index_(options.first_scene()),
+      settings_(settings_from(options, loaded_scenes[options.first_scene()].scene)) {
+  if (!options.smooth_edges && device_.is_software())
+    settings_.smooth_edges = false;  // multisampling would take most of the frame time
+  switch_scene(options.first_scene(), clip, options.time_s);
 }
 
-/// Lets exposure follow the picture if light would clip the scene, and no longer for the next scene.
-void WindowLoop::adapt_to_light(std::uint32_t clip) {
-  const LoadedScene& loaded = loaded_scenes_[scene_index_];
-  if (exposure_is_adapted_) settings_.auto_exposure = options_.auto_exposure;
-  const std::string why = adapt_exposure(device_, options_, loaded, clip);
-  exposure_is_adapted_ = !why.empty();
-  if (!exposure_is_adapted_) return;
-  log_line(loaded.name + ": " + why);
-  settings_.auto_exposure = true;
+// Looks at the vertex under the mouse, and at the joint that moves it most; at nothing beside the model.
+void WindowLoop::pick(const glm::dvec2& at) {
+  const Scene& scene = shown_->loaded().scene;
+  const auto vertex = pick_vertex(scene, shown_->newest(), ray_through(view(), aspect(), at.x, at.y));
+  settings_.inspected.vertex = vertex.value_or(VertexPlace{});
+  if (!vertex) return;
+  if (const auto influences = influences_of(scene, *vertex); !influences.empty())
+    settings_.inspected.joint = influences.front().joint;
 }
 
-/// Bakes ambient visibility at the scene's first display. If that fails, reports it and continues without.
-void WindowLoop::add_visibility(std::uint32_t clip) {
-  if (options_.occlusion_method != OcclusionMethod::rays) return;
-  if (auto done = bake_missing_visibility(loaded_scenes_[scene_index_], {options_.key_poses, clip}, log_line); !done)
-    log_line(done.error());
+View WindowLoop::view() {
+  return settings_.camera == kNone ? camera_.orbit.view(shown_->bounds().reached)
+                                   : shown_->view_of(settings_.camera, aspect());
 }
 
 void WindowLoop::place_camera() {
@@ -184,6 +101,7 @@ void WindowLoop::request_next_pose() {
   const bool of_file = settings_.camera != kNone;
   const View view =
       of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.orbit.view(shown_->bounds().reached);
+  shown_->set_motion(settings_.motion);
   shown_->set_cache_weight(settings_.cache_weight);
   shown_->set_shadows(settings_.shadows);
   shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.needs_joints());
@@ -191,10 +109,12 @@ void WindowLoop::request_next_pose() {
 
 void WindowLoop::react(const Input& input) {
   if (input.any) frames_to_draw_ = kFramesAfterChange;
+  if (!input.dropped.empty()) drop_.add(input.dropped);
   if (!panel_.wants_keys())
     for (const int key : input.keys)
       if (const auto action = action_of_key(key)) act(*action);
   if (panel_.wants_mouse()) return;
+  if (input.clicked && settings_.panel && settings_.inside) pick(*input.clicked);
   const double height = swapchain_.extent().height;
   const bool turns = input.turned != glm::dvec2(0.0), moves = input.moved != glm::dvec2(0.0);
   if (turns || moves || input.wheel != 0.0) {
@@ -216,6 +136,7 @@ void WindowLoop::act(Action action) {
     case Action::next_scene:
       requested_scene_ = (scene_index_ + 1) % static_cast<std::uint32_t>(loaded_scenes_.size());
       break;
+    case Action::screenshot: wants_screenshot_ = true; break;
     case Action::quit: window_.close(); break;
     default: break;
   }
@@ -234,20 +155,14 @@ bool WindowLoop::fit_swapchain() {
 }
 
 PanelFacts WindowLoop::facts() {
-  const LoadedScene& loaded = loaded_scenes_[scene_index_];
-  PanelFacts facts;
-  facts.name = loaded.name;
-  facts.note = loaded.note;
+  PanelFacts facts = scene_facts(*shown_);
+  messages_ = shown_->loaded().messages;
+  messages_.insert(messages_.end(), drop_messages_.begin(), drop_messages_.end());
+  facts.messages = messages_;
   facts.reload_fault = reload_fault_;
   facts.device = device_.name();
-  facts.scene = &loaded.scene;
-  facts.needs = &shown_->needs();
-  facts.cache = shown_->cache_facts();
-  facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
-  facts.has_visibility = loaded.visibility != nullptr;
-  facts.resting = shown_->resting();
-  facts.frame_ms = frame_ms_;
+  facts.frame_ms = pace_.picture_ms();
   facts.scene_names = names_;
   facts.scene_index = scene_index_;
   return facts;
@@ -255,18 +170,20 @@ PanelFacts WindowLoop::facts() {
 
 void WindowLoop::draw() {
   const ClipExtent& bounds = shown_->bounds();
-  const View view =
-      settings_.camera == kNone ? camera_.orbit.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
+  const View view = this->view();
   const RenderOptions look = render_options(settings_, shown_->loaded().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelRequests requests = lay_out_panel(facts(), settings_, shown_->playback());
     const bool room_changed = requests.free != free_;
     free_ = requests.free;
+    if (room_changed) frames_to_draw_ = kFramesAfterChange;  // until the layout stands still
     if (room_changed && camera_is_framed_) frame_all();
     if (requests.frame_all) act(Action::frame_all);
     if (requests.scene) requested_scene_ = requests.scene;
   });
   if (!drawn) return;
+  if (std::exchange(wants_screenshot_, false))
+    log_line(write_screenshot(device_, *shown_, view, look, settings_, swapchain_.extent(), options_.filter));
   if (settings_.shows_plan()) {
     live_plan_.updates(shown_->update_levels());
     live_plan_.evaluated(shown_->stages(), shown_->newest(), shown_->resting());
@@ -275,10 +192,7 @@ void WindowLoop::draw() {
     live_plan_.presented(frame_.window_times());
   }
   --frames_to_draw_;
-  const double passed_ms = 1000.0 * seconds_since(last_picture_);
-  last_picture_ = Clock::now();
-  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) *
-               (passed_ms - frame_ms_);  // a second without a picture counts as a pause, not as a slow frame
+  pace_.count_picture();
 }
 
 // Applies requests that cannot be applied during a frame: another scene, or a new plan after changed settings.
@@ -286,20 +200,13 @@ void WindowLoop::apply_requested_changes() {
   if (requested_scene_ && *requested_scene_ != scene_index_)
     switch_scene(*requested_scene_, std::nullopt, std::nullopt);
   requested_scene_.reset();
-  if (settings_.evaluation() == shown_->evaluation()) return;
+  repaint();
+  if (settings_.evaluation(shown_->loaded().rig.get()) == shown_->evaluation()) return;
   shown_->stop();  // the job thread must not read the scene while centers of rotation are added
-  add_missing_centers(loaded_scenes_[scene_index_], settings_.skinning);
-  shown_->plan_for(settings_.evaluation());
+  add_missing_centers(painted_ ? *painted_ : loaded_scenes_[scene_index_], settings_.skinning);
+  shown_->set_motion(settings_.motion);
+  shown_->plan_for(settings_.evaluation(shown_->loaded().rig.get()));
   live_plan_.forget();
-}
-
-void WindowLoop::limit_frame_rate() {
-  next_frame_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kFramePeriod_s));
-  const auto now = Clock::now();
-  if (next_frame_ > now)
-    std::this_thread::sleep_until(next_frame_);
-  else
-    next_frame_ = now;
 }
 
 int WindowLoop::run() {
@@ -313,6 +220,7 @@ int WindowLoop::run() {
     last_look_ = Clock::now();
     apply_requested_changes();
     if (watch_ != nullptr) follow_file(seconds_since(start));
+    if (auto dropped = drop_.follow(options_)) show_dropped(*std::move(dropped));
     if (!fit_swapchain()) {
       frames_to_draw_ = 0;  // minimised: only wait for events
       continue;
@@ -322,7 +230,7 @@ int WindowLoop::run() {
     if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
     if (frames_to_draw_ <= 0) continue;
     draw();
-    limit_frame_rate();
+    pace_.wait();
   }
   device_.wait_idle();
   const int code = exit_code_after_validation(options_, device_);
@@ -335,38 +243,6 @@ void WindowLoop::report_error_once() {
   reported_error_ = shown_->cache_fault();
   log_line(reported_error_);
 }
-
-// Starts reloads of changed files and shows their result. If a reload fails, the old scene stays.
-void WindowLoop::follow_file(double now_s) {
-  watch_->look(now_s, [this] { return make_reload_job(options_, loaded_scenes_[scene_index_], *shown_); });
-  auto read = watch_->take();
-  if (!read) return;
-  for (const std::string& line : read->messages) log_line(line);
-  reload_fault_ = read->loaded ? show_changed(*std::move(read->loaded)) : read->loaded.error().message;
-  log_line(reload_fault_.empty() ? loaded_scenes_[scene_index_].name + ": read again"
-                                 : reload_fault_ + "; shown as before");
-  frames_to_draw_ = kFramesAfterChange;
-}
-
-// Returns an error message if the changed scene cannot be shown; else an empty string.
-std::string WindowLoop::show_changed(LoadedScene changed) {
-  LoadedScene& loaded = loaded_scenes_[scene_index_];
-  const auto camera = same_camera(loaded.scene, settings_.camera, changed.scene),
-             variant = same_variant(loaded.scene, settings_.variant, changed.scene);
-  if (!camera) leave_file_camera();
-  const auto make = [this](const LoadedScene& made, const Evaluation& evaluation) {
-    return make_shown(made, evaluation);
-  };
-  if (auto done = replace_shown_scene(device_, std::move(changed), loaded, shown_, make); !done) return done.error();
-  settings_.camera = camera.value_or(kNone);
-  settings_.variant = variant.value_or(kNone);
-  live_plan_.forget();
-  reported_error_.clear();
-  camera_.keep_following(*shown_);
-  return {};
-}
-
-}  // namespace
 
 int run_window(const Options& options, std::vector<LoadedScene>& loaded_scenes, std::optional<std::uint32_t> clip,
                SceneReloader* watch) {

@@ -25,8 +25,8 @@ struct MemoryPiece {
   std::uint32_t block = 0;
 };
 
-/// The device's memory types for a use, best first. The others are fallbacks: host-visible memory of a graphics card
-/// may be only 256 MB; system memory works, but is slower.
+/// The device's memory types for a use, best first. The later ones are fallbacks: host-visible memory of a graphics
+/// card may be only 256 MB; system memory works, but is slower.
 /// in   allowed  one bit per type, as in VkMemoryRequirements
 std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
                                             MemoryUse use);

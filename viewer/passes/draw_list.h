@@ -101,9 +101,8 @@ class DrawList {
   /// True if a visible draw needs the split-sum table for direct lights: sheen does.
   bool reads_table() const noexcept { return reads_table_; }
   std::uint32_t hidden() const noexcept { return hidden_; }  ///< number of instances on hidden nodes
-  std::uint32_t out_of_view() const noexcept {
-    return out_of_view_;
-  }  ///< number of culled primitives, counted for each copy
+  /// Number of primitives outside of the view. If an instance has several copies, each culled copy counts.
+  std::uint32_t out_of_view() const noexcept { return out_of_view_; }
 
  private:
   /// Arguments of collect() for the helpers below.

@@ -9,8 +9,12 @@
 #include <imgui.h>
 
 #include "viewer/app/keys.h"
+#include "viewer/app/panel/inspect_panel.h"
+#include "viewer/app/panel/messages_panel.h"
+#include "viewer/app/panel/motion_panel.h"
 #include "viewer/app/panel/plan_panel.h"
 #include "viewer/app/panel/show_text.h"
+#include "viewer/app/panel/timeline_panel.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
@@ -36,6 +40,7 @@ void scene_combo(const PanelFacts& facts, PanelRequests& requests) {
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
   }
+  lay_out_messages(facts.messages);
   if (facts.note.empty()) return;
   ImGui::PushTextWrapPos(0.0f);
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
@@ -45,9 +50,14 @@ void scene_combo(const PanelFacts& facts, PanelRequests& requests) {
 }
 
 void clip_choice(const Scene& scene, Playback& playback) {
+  constexpr std::size_t kSearchedFrom = 12;
   const std::string current = clip_label(scene, playback.clip());
-  if (!ImGui::BeginCombo("clip", current.c_str())) return;
+  if (!ImGui::BeginCombo("clip", current.c_str(), ImGuiComboFlags_HeightLarge)) return;
+  static ImGuiTextFilter search;  // of the list that is open; there is only one
+  if (ImGui::IsWindowAppearing()) search.Clear();
+  if (scene.animations.size() >= kSearchedFrom) search.Draw("search", -ImGui::CalcTextSize("search ").x);
   const auto offer = [&](std::uint32_t clip) {
+    if (!search.PassFilter(clip_label(scene, clip).c_str())) return;
     ImGui::PushID(static_cast<int>(clip));  // names may repeat
     if (ImGui::Selectable(clip_label(scene, clip).c_str(), clip == playback.clip())) playback.choose(clip);
     ImGui::PopID();
@@ -55,50 +65,6 @@ void clip_choice(const Scene& scene, Playback& playback) {
   for (std::uint32_t clip = 0; clip < scene.animations.size(); ++clip) offer(clip);
   offer(kNone);
   ImGui::EndCombo();
-}
-
-void mode_choice(Playback& playback) {
-  static constexpr std::pair<PlayMode, const char*> kModes[] = {
-      {PlayMode::loop, "repeat"}, {PlayMode::ping_pong, "there and back"}, {PlayMode::once, "once"}};
-  const char* current = "hold the end";
-  for (const auto& [mode, name] : kModes)
-    if (mode == playback.mode()) current = name;
-  if (!ImGui::BeginCombo("loop", current)) return;
-  for (const auto& [mode, name] : kModes)
-    if (ImGui::Selectable(name, mode == playback.mode())) playback.set_mode(mode);
-  ImGui::EndCombo();
-}
-
-void time_controls(const Scene& scene, Playback& playback) {
-  if (scene.animations.empty() && playback.duration_s() == 0.0) {
-    ImGui::TextDisabled("no clips: the rest pose is shown");
-    return;
-  }
-  if (ImGui::Button("<##step")) playback.step(-1);
-  ImGui::SameLine();
-  if (ImGui::Button(playback.playing() ? "pause##play" : "play##play", {ImGui::GetFontSize() * 4.0f, 0.0f}))
-    playback.toggle();
-  ImGui::SameLine();
-  if (ImGui::Button(">##step")) playback.step(+1);
-  ImGui::SameLine();
-  ImGui::Text("%.3f / %.3f s", playback.time_s(), playback.duration_s());
-
-  double time = playback.time_s();
-  const double start = 0.0, end = playback.duration_s();
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
-  const bool moved =
-      ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
-  if (ImGui::IsItemActive()) playback.pause();  // pauses while the slider is held
-  if (moved) playback.seek(time);
-  double speed = playback.speed();
-  const double slowest = -2.0, fastest = 4.0;
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
-  if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "x %.2f"))
-    playback.set_speed(speed);
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) playback.set_speed(1.0);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("right click: x 1");
-  if (!scene.animations.empty()) clip_choice(scene, playback);
-  mode_choice(playback);
 }
 
 void skinning_choice(const PanelFacts& facts, Settings& settings) {
@@ -231,7 +197,9 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelRequests& r
 }
 
 void key_help() {
-  if (!ImGui::CollapsingHeader("keys")) return;
+  const bool open = ImGui::CollapsingHeader("keys");
+  if (ImGui::IsItemToggledOpen()) ImGui::SetScrollHereY(0.0f);  // the table may be below the window
+  if (!open) return;
   if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
   for (const auto& binding : key_bindings()) {
     ImGui::TableNextRow();
@@ -244,13 +212,13 @@ void key_help() {
 }
 
 /// The wider part of the main window to the left or right of the current ImGui window.
-FreeWidth free_beside_panel(float room) {
+FreePart free_beside_panel(float room) {
   const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
   const auto place = [room](float x) { return glm::clamp(2.0 * static_cast<double>(x / room) - 1.0, -1.0, 1.0); };
-  const FreeWidth free = left > room - right ? FreeWidth{-1.0, place(left)} : FreeWidth{place(right), 1.0};
+  const FreePart free = left > room - right ? FreePart{-1.0, place(left)} : FreePart{place(right), 1.0};
   // A quarter of the window: if less is free, the scene uses the whole width, behind the panel.
   constexpr double kTooNarrow = 0.5;
-  return free.right - free.left < kTooNarrow ? FreeWidth{} : free;
+  return free.right - free.left < kTooNarrow ? FreePart{} : free;
 }
 
 }  // namespace
@@ -270,7 +238,11 @@ PanelRequests lay_out_panel(const PanelFacts& facts, Settings& settings, Playbac
     ImGui::PushItemWidth(-ImGui::CalcTextSize("backdrop  ").x);
     scene_combo(facts, requests);
     ImGui::Separator();
-    time_controls(*facts.scene, playback);
+    if (facts.scene->animations.empty() && playback.duration_s() == 0.0)
+      ImGui::TextDisabled("no clips: the rest pose is shown");
+    if (!facts.scene->animations.empty() && !facts.graph) clip_choice(*facts.scene, playback);
+    lay_out_graph(facts);
+    lay_out_motion(facts, settings.motion);
     ImGui::Separator();
     if (facts.cache) {
       cache_controls(*facts.cache, settings);
@@ -279,6 +251,7 @@ PanelRequests lay_out_panel(const PanelFacts& facts, Settings& settings, Playbac
     look_controls(facts, settings, requests);
     ImGui::Checkbox("live plan", &settings.plan);
     ImGui::SameLine();
+    ImGui::Checkbox("look inside", &settings.inside);
     bool quaternions = settings.normals == NormalInterpolation::quaternion;
     ImGui::Checkbox("normals as quaternions", &quaternions);
     settings.normals = quaternions ? NormalInterpolation::quaternion : NormalInterpolation::interpolated;
@@ -286,6 +259,8 @@ PanelRequests lay_out_panel(const PanelFacts& facts, Settings& settings, Playbac
     ImGui::PopItemWidth();
   }
   ImGui::End();
+  requests.free = lay_out_inspect(facts, settings, requests.free);
+  requests.free = lay_out_timeline(facts, settings, playback, requests.free);
   if (settings.plan) lay_out_plan(facts, settings.plan);
   return requests;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/app/bake_visibility.h"
+#include "viewer/app/open/open_files.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/device/device_error.h"
 
@@ -17,6 +18,7 @@ struct State {
   Evaluation evaluation;
   Playback playback;
   std::vector<std::string> clips;
+  std::optional<GraphPlayer> graph;
 
   /// The current clip's counterpart in another scene. Empty (the first clip) if the old scene had no clips.
   std::optional<std::uint32_t> clip_in(const Scene& scene) const {
@@ -25,12 +27,15 @@ struct State {
 };
 
 State state_of(const LoadedScene& loaded, ShownScene& shown) {
-  return {shown.evaluation(), shown.playback(), clip_names(loaded.scene)};
+  const GraphPlayer* const graph = shown.graph();
+  return {shown.evaluation(), shown.playback(), clip_names(loaded.scene),
+          graph == nullptr ? std::nullopt : std::optional(*graph)};
 }
 
 std::unique_ptr<ShownScene> show(const LoadedScene& loaded, const State& state, const MakeShown& make) {
   auto shown = make(loaded, state.evaluation);
   shown->playback().continue_from(state.playback, state.clip_in(loaded.scene));
+  if (state.graph && shown->graph() != nullptr) shown->graph()->continue_from(*state.graph);
   shown->catch_up();
   return shown;
 }
@@ -38,7 +43,7 @@ std::unique_ptr<ShownScene> show(const LoadedScene& loaded, const State& state, 
 }  // namespace
 
 BackgroundReload::Read make_reload_job(const Options& options, const LoadedScene& loaded, ShownScene& shown) {
-  return [&options, environment = loaded.environment, state = state_of(loaded, shown)](const auto& log_line) {
+  return [options, environment = loaded.environment, state = state_of(loaded, shown)](const auto& log_line) {
     auto changed = reload_scene(options, environment, log_line);
     if (!changed) return changed;
     add_missing_centers(*changed, state.evaluation.skinning);

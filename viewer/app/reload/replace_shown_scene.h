@@ -13,8 +13,7 @@
 namespace sinew::viewer {
 
 /// Makes the job that reloads the changed file and prepares all that the display needs: centers of rotation and ambient
-/// visibility. It holds only copies of data of `shown` and `loaded`.
-/// in   options  must outlive the job
+/// visibility. It holds only copies.
 BackgroundReload::Read make_reload_job(const Options& options, const LoadedScene& loaded, ShownScene& shown);
 
 /// Uploads a scene to the device.

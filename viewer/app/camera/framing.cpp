@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/framing.h"
+#include "viewer/app/camera/framing.h"
 
 #include <algorithm>
 
@@ -18,24 +18,28 @@ glm::dvec3 Framed::offset_at(double time_s) const noexcept {
   return lerp(from, to, at - static_cast<double>(before));
 }
 
-Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s, const CacheOnScene* cache) {
+Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s, const CacheOnScene* cache,
+              const MovedBy* moved) {
   Framed out;
-  std::vector<double> times = pose_times(scene, clip, cache);
+  std::vector<double> times = pose_times(scene, clip, cache, moved);
   if (framing == Framing::pose) times = {time_s};
   const bool follow = framing == Framing::follow;
   if (follow) {
     out.duration_s = times.back();
     out.path.clear();
   }
-  for_each_pose(scene, clip, cache, times, [&](const FrameResult& pose) {
-    const Aabb drawn = bounds_of(scene, pose), box = drawn.empty() ? bounds_of_joints(pose.model) : drawn;
-    glm::vec3 place(0.0f);
-    if (follow && !box.empty()) place = 0.5f * (box.lower + box.upper) * glm::vec3(1.0f, 0.0f, 1.0f);
-    if (follow) out.path.push_back(place);
-    out.outline.add(scene, pose, drawn, place);
-    if (drawn.empty())
-      for (const auto& m : pose.model) out.outline.add(translation_of(m) - place);
-  });
+  for_each_pose(
+      scene, clip, cache, times,
+      [&](const FrameResult& pose) {
+        const Aabb drawn = bounds_of(scene, pose), box = drawn.empty() ? bounds_of_joints(pose.model) : drawn;
+        glm::vec3 place(0.0f);
+        if (follow && !box.empty()) place = 0.5f * (box.lower + box.upper) * glm::vec3(1.0f, 0.0f, 1.0f);
+        if (follow) out.path.push_back(place);
+        out.outline.add(scene, pose, drawn, place);
+        if (drawn.empty())
+          for (const auto& m : pose.model) out.outline.add(translation_of(m) - place);
+      },
+      moved);
   if (out.path.empty()) out.path.emplace_back(0.0f);
   return out;
 }

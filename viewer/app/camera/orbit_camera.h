@@ -6,11 +6,11 @@
 
 namespace sinew::viewer {
 
-/// Horizontal range of the picture that the panel does not cover: -1 = left edge, 1 = right edge.
-struct FreeWidth {
-  double left = -1.0, right = 1.0;
+/// Part of the picture that no panel covers. -1 = left or lower edge, 1 = right edge; the upper edge is always free.
+struct FreePart {
+  double left = -1.0, right = 1.0, bottom = -1.0;
 
-  friend bool operator==(const FreeWidth&, const FreeWidth&) = default;
+  friend bool operator==(const FreePart&, const FreePart&) = default;
 };
 
 /// A camera that orbits a target point. Dragging over the full window height rotates by 180 degrees. While panning, the
@@ -27,6 +27,7 @@ class OrbitCamera {
   double fov_y_rad = 0.785398163397448;
   /// Horizontal offset of the target in the picture: tangent of its angle to the right of the view direction.
   double aside = 0.0;
+  double above = 0.0;  ///< the same, upwards
 
   glm::dvec3 eye() const noexcept;
 
@@ -45,9 +46,9 @@ class OrbitCamera {
   ///      reach: a = max(x + r z), b = max(-x - l z):  eye.z = (a + b) / (r - l);  y gives a second eye.z, and the
   ///      larger one is used. It lies at least 2 % of the points' depth before the nearest point;  eye.x = (a - b - (r
   ///      + l) eye.z) / 2
-  void frame(std::span<const glm::vec3> points, double aspect, const FreeWidth& free = {}) noexcept;
+  void frame(std::span<const glm::vec3> points, double aspect, const FreePart& free = {}) noexcept;
   /// Frames the corners of the box.
-  void frame(const Aabb& bounds, double aspect, const FreeWidth& free = {}) noexcept;
+  void frame(const Aabb& bounds, double aspect, const FreePart& free = {}) noexcept;
 
   /// Moves to `eye` and looks at `to`. Does nothing if both are the same point.
   void place(const glm::dvec3& eye, const glm::dvec3& to) noexcept;

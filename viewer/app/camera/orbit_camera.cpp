@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/orbit_camera.h"
+#include "viewer/app/camera/orbit_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ Axes axes_of(double yaw, double pitch) noexcept {
 
 glm::dvec3 OrbitCamera::eye() const noexcept {
   const Axes axes = axes_of(yaw_rad, pitch_rad);
-  return target + distance_m * (axes.back - aside * axes.right);
+  return target + distance_m * (axes.back - aside * axes.right - above * axes.up);
 }
 
 void OrbitCamera::orbit(double dx, double dy, double height) noexcept {
@@ -49,19 +49,21 @@ void OrbitCamera::zoom(double steps) noexcept {
   distance_m = std::clamp(distance_m * std::pow(kZoomPerStep, steps), scale_m_ / kZoomRange, scale_m_ * kZoomRange);
 }
 
-void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect, const FreeWidth& free) noexcept {
+void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect, const FreePart& free) noexcept {
   const Axes axes = axes_of(yaw_rad, pitch_rad);
   const double slope_y = std::tan(0.5 * fov_y_rad), slope_x = slope_y * std::max(aspect, 1e-3);
   const double middle_x = 0.5 * (free.right + free.left) * slope_x;
-  const double half_x = kFilledSide * 0.5 * (free.right - free.left) * slope_x, half_y = kFilledSide * slope_y;
+  const double middle_y = 0.5 * (1.0 + free.bottom) * slope_y;
+  const double half_x = kFilledSide * 0.5 * (free.right - free.left) * slope_x;
+  const double half_y = kFilledSide * 0.5 * (1.0 - free.bottom) * slope_y;
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   double right = kNever, left = kNever, top = kNever, bottom = kNever, nearest = kNever, farthest = -kNever;
   for (const glm::dvec3 p : points) {
     const double x = glm::dot(p, axes.right), y = glm::dot(p, axes.up), z = glm::dot(p, axes.back);
     right = std::max(right, x + (middle_x + half_x) * z);
     left = std::max(left, -x - (middle_x - half_x) * z);
-    top = std::max(top, y + half_y * z);
-    bottom = std::max(bottom, -y + half_y * z);
+    top = std::max(top, y + (middle_y + half_y) * z);
+    bottom = std::max(bottom, -y - (middle_y - half_y) * z);
     nearest = std::max(nearest, z);
     farthest = std::min(farthest, z);
   }
@@ -74,11 +76,12 @@ void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect, const 
   }
   distance_m = scale_m_ = eye_z - middle;
   aside = middle_x;
-  const double eye_x = 0.5 * (right - left) - middle_x * eye_z;
-  target = (eye_x + aside * distance_m) * axes.right + 0.5 * (top - bottom) * axes.up + middle * axes.back;
+  above = middle_y;
+  const double eye_x = 0.5 * (right - left) - middle_x * eye_z, eye_y = 0.5 * (top - bottom) - middle_y * eye_z;
+  target = (eye_x + aside * distance_m) * axes.right + (eye_y + above * distance_m) * axes.up + middle * axes.back;
 }
 
-void OrbitCamera::frame(const Aabb& bounds, double aspect, const FreeWidth& free) noexcept {
+void OrbitCamera::frame(const Aabb& bounds, double aspect, const FreePart& free) noexcept {
   if (bounds.empty()) return frame(std::span<const glm::vec3>(), aspect, free);
   glm::vec3 corners[8];
   for (int c = 0; c < 8; ++c)
@@ -92,7 +95,7 @@ void OrbitCamera::place(const glm::dvec3& eye, const glm::dvec3& to) noexcept {
   const double length = glm::length(back);
   if (length == 0.0) return;
   target = to;
-  aside = 0.0;
+  aside = above = 0.0;
   distance_m = scale_m_ = length;
   pitch_rad = std::clamp(std::atan2(back.y, std::hypot(back.x, back.z)), -kSteepest_rad, kSteepest_rad);
   if (back.x != 0.0 || back.z != 0.0) yaw_rad = std::atan2(back.x, back.z);
@@ -109,7 +112,8 @@ void OrbitCamera::take_over(const View& view, const Aabb& bounds) noexcept {
 }
 
 View OrbitCamera::view(const Aabb& bounds) const {
-  const glm::dvec3 ahead = target - distance_m * aside * axes_of(yaw_rad, pitch_rad).right;
+  const Axes axes = axes_of(yaw_rad, pitch_rad);
+  const glm::dvec3 ahead = target - distance_m * (aside * axes.right + above * axes.up);
   return look_at(eye(), ahead, fov_y_rad, near_plane_for(eye(), bounds));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/png_writer.h"
+#include "viewer/app/pictures/png_writer.h"
 
 #include <zlib.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/camera_pose.h"
+#include "viewer/app/camera/camera_pose.h"
 
 #include "runtime/base/contract.h"
-#include "viewer/app/file_camera.h"
+#include "viewer/app/camera/file_camera.h"
 
 namespace sinew::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/frustum_culling.h"
+#include "viewer/app/camera/frustum_culling.h"
 
 #include <algorithm>
 

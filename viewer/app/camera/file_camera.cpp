@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/file_camera.h"
+#include "viewer/app/camera/file_camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/outline.h"
+#include "viewer/app/pictures/outline.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "viewer/app/framing.h"
-#include "viewer/app/orbit_camera.h"
+#include "viewer/app/camera/framing.h"
+#include "viewer/app/camera/orbit_camera.h"
 #include "viewer/app/shown_scene.h"
 
 namespace sinew::viewer {
@@ -16,7 +16,7 @@ class FramedCamera {
 
   /// Moves, without turning, so that the subject fills the part of the picture that the panel leaves free.
   /// cost as framed()
-  void frame(Framing framing, ShownScene& shown, double aspect, const FreeWidth& free = {});
+  void frame(Framing framing, ShownScene& shown, double aspect, const FreePart& free = {});
 
   /// After frame() with Framing::follow: moves with the current pose. If the clip has changed, frames it again.
   void follow(ShownScene& shown, double aspect);
@@ -31,7 +31,7 @@ class FramedCamera {
 
   std::optional<Framed> followed_;  ///< set while the camera follows
   std::uint32_t followed_clip_ = kNone;
-  FreeWidth free_;         ///< argument of the last frame()
+  FreePart free_;          ///< argument of the last frame()
   glm::dvec3 place_{0.0};  ///< how far the camera has followed so far
 };
 

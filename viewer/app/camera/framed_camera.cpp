@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/framed_camera.h"
+#include "viewer/app/camera/framed_camera.h"
 
 #include <utility>
 
@@ -14,7 +14,7 @@ Framed framed_now(Framing framing, ShownScene& shown) {
 
 }  // namespace
 
-void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect, const FreeWidth& free) {
+void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect, const FreePart& free) {
   followed_.reset();
   free_ = free;
   if (framing == Framing::clip) return orbit.frame(shown.bounds().outline.points(), aspect, free);

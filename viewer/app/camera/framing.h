@@ -30,6 +30,6 @@ struct Framed {
 ///      cache  geometry cache that plays together with the clip at full weight; null = none
 /// cost one evaluation for a pose, up to 17 otherwise
 Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s,
-              const CacheOnScene* cache = nullptr);
+              const CacheOnScene* cache = nullptr, const MovedBy* moved = nullptr);
 
 }  // namespace sinew::viewer
