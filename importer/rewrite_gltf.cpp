@@ -8,6 +8,7 @@
 
 #include "importer/rewrite/add_animations.h"
 #include "importer/rewrite/add_attributes.h"
+#include "importer/rewrite/decode_images.h"
 #include "importer/rewrite/embed_images.h"
 #include "importer/rewrite/mend.h"
 #include "importer/rewrite/pack_buffer.h"
@@ -104,6 +105,7 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   rewrite::add_attributes(options.added_attributes, draft);
   recode(document, file.scene, options, draft);
   rewrite::embed_images(document, draft);
+  if (options.decode_images) rewrite::decode_images(document, draft);
   rewrite::remove_unused(draft);
   rewrite::mend(draft);
   RewrittenFile out;

@@ -51,6 +51,9 @@ struct RewriteOptions {
   /// Compress with EXT_meshopt_compression, which the new file then requires. Triangles and vertices are reordered for
   /// the codec and equal ones merged, which renumbers vertices. Without `quantize`, values stay bit-identical.
   bool meshopt = false;
+  /// Write WebP, AVIF and KTX2 images as PNG, which every reader knows; their extensions go. An image that cannot be
+  /// decoded is a loss ("image-missing").
+  bool decode_images = false;
   /// Names of permitted losses: an extension, or a rule such as "image-missing"; "all" permits everything.
   std::set<std::string> drop = {};
   /// Empty = write a .glb; otherwise a .gltf whose buffer has this URI.

@@ -129,15 +129,21 @@ std::optional<StoredValues> stored_as_before(const Keys& before, const Keys& aft
   return out;
 }
 
-/// The new keys of a channel, and its old keys.
+/// The new keys of a channel, and its old keys. Without new keys the channel is left out.
 struct ChangedKeys {
-  Keys after;
-  std::optional<Keys> before;
+  std::optional<Keys> after, before;
 };
+
+/// True if a channel or its sampler says more than sinew knows. Such a channel is never left out.
+bool has_more(const Json& channel, const Json& sampler) {
+  const auto contains = [](const Json& object) { return object.contains("extras") || object.contains("extensions"); };
+  return contains(channel) || channel["target"].contains("extras") || contains(sampler);
+}
 
 /// The channels of an animation that get new keys.
 std::map<std::uint32_t, ChangedKeys> changed_channels(const gltf::Document& document, const Scene& scene,
-                                                      std::uint32_t index, const NewKeys& new_keys) {
+                                                      std::uint32_t index, const NewKeys& new_keys,
+                                                      const Json& animation) {
   const Animation& after = new_keys.animations[index];
   IssueLog discarded_log;  // the import has reported these issues
   std::set<ChannelTarget> seen;
@@ -148,9 +154,19 @@ std::map<std::uint32_t, ChangedKeys> changed_channels(const gltf::Document& docu
     if (!target->moves_joint() && target->property != AnimatedProperty::weights) continue;
     auto keys = find_keys(scene, after, new_target(scene, new_keys, *target));
     auto before = find_keys(scene, scene.animations[index], *target);
-    if (keys && keys != before) changed.emplace(c, ChangedKeys{*std::move(keys), std::move(before)});
+    const std::uint32_t sampler = document.animations[index].channels[c].sampler;
+    const bool leave_out = !keys && before && !has_more(animation["channels"][c], animation["samplers"][sampler]);
+    if (leave_out || (keys && keys != before)) changed.emplace(c, ChangedKeys{std::move(keys), std::move(before)});
   }
   return changed;
+}
+
+/// Removes channels.
+void drop_channels(Json& animation, const std::set<std::uint32_t>& dropped) {
+  Json kept = Json::array();
+  for (std::uint32_t c = 0; c < animation["channels"].size(); ++c)
+    if (!dropped.contains(c)) kept.push_back(std::move(animation["channels"][c]));
+  animation["channels"] = std::move(kept);
 }
 
 /// Removes samplers without any channel.
@@ -173,24 +189,29 @@ void replace_keys(const gltf::Document& document, const Scene& scene, const NewK
   KeyWriter writer(draft);
   for (std::uint32_t a = 0; a < new_keys.animations.size(); ++a) {
     Json& animation = list_of(draft, "animations")[a];
-    std::set<std::uint32_t> left;
-    for (auto& [channel, keys] : changed_channels(document, scene, a, new_keys)) {
+    std::set<std::uint32_t> left, dropped;
+    for (auto& [channel, keys] : changed_channels(document, scene, a, new_keys, animation)) {
       const std::uint32_t sampler = document.animations[a].channels[channel].sampler;
       Json own = animation["samplers"][sampler];
       for (const char* end : {"input", "output"})
         draft.spare_accessors.insert(static_cast<std::uint32_t>(own[end].get<double>()));
+      left.insert(sampler);
+      if (!keys.after) {
+        dropped.insert(channel);
+        continue;
+      }
       std::optional<StoredValues> stored;
       if (keys.before)
         stored =
-            stored_as_before(*keys.before, keys.after,
+            stored_as_before(*keys.before, *keys.after,
                              draft.json["accessors"][static_cast<std::uint32_t>(own["output"].get<double>())], draft);
-      writer.write(keys.after, own, stored ? &*stored : nullptr);
+      writer.write(*keys.after, own, stored ? &*stored : nullptr);
       animation["channels"][channel]["sampler"] = animation["samplers"].size();
       animation["samplers"].push_back(std::move(own));
-      left.insert(sampler);
     }
-    drop_samplers(animation, left);
     move_channels(document, scene, new_keys, a, animation);
+    drop_channels(animation, dropped);
+    drop_samplers(animation, left);
     add_channels(document, scene, new_keys, a, writer, animation);
     if (const Annotations& after = new_keys.animations[a].annotations; after != scene.animations[a].annotations)
       set_annotations(after, animation);

@@ -14,7 +14,8 @@ struct NewKeys {
 };
 
 /// Replaces the keys of all channels by `keys.animations`. A channel whose keys equal those of the scene keeps its
-/// bytes. So do ignored channels, and channels of properties other than translation, rotation, scale and weights.
+/// bytes. So do ignored channels, and channels of properties other than translation, rotation, scale and weights. A
+/// channel whose target has no keys any more is removed, unless it or its sampler has extras or extensions.
 /// Channels are redirected to the nodes of their new target joints. With `channels_to`, tracks of joints that no
 /// channel moves become channels.
 void replace_keys(const gltf::Document& document, const Scene& scene, const NewKeys& keys, Draft& draft);

@@ -91,6 +91,26 @@ TEST(rewrite_keys, replaced_channels_leave_the_sampler_that_others_share) {
   EXPECT_EQ(out.json["animations"][0]["samplers"][2]["extras"], "shared");
 }
 
+TEST(rewrite_keys, channels_without_keys_go_with_their_bytes_and_what_says_more_stays) {
+  const auto leave_out = [](auto& animations) { animations[0].bones[0].rotation = {}; };
+  TinyGltf gltf = moving();
+  const Rewritten out = rewritten_keys(gltf, leave_out);
+  EXPECT_TRUE(out.after.scene.animations[0].bones[0].rotation.empty());
+  EXPECT_EQ(out.after.scene.animations[0].bones[0].translation.times_s, (std::vector<float>{0, 1, 2}));
+  EXPECT_EQ(out.json["animations"][0]["channels"].size(), 3u);
+  EXPECT_EQ(out.json["animations"][0]["samplers"].size(), 1u);
+  const auto bytes = [](const Rewritten& file) { return file.json["buffers"][0]["byteLength"].get<int>(); };
+  EXPECT_EQ(bytes(out), bytes(rewritten_keys(gltf, [](auto&) {})) - 48);
+
+  for (const char* place : {"/channels/2", "/channels/2/target", "/samplers/1"}) {
+    TinyGltf with_more = moving();
+    with_more.root["animations"][0][Json::json_pointer(place)]["extras"] = "of the author";
+    const Rewritten kept = rewritten_keys(with_more, leave_out);
+    EXPECT_EQ(kept.json["animations"][0]["channels"].size(), 4u) << place;
+    EXPECT_EQ(kept.after.scene.animations[0].bones[0].rotation.key_count(), 3u) << place;
+  }
+}
+
 TEST(rewrite_keys, bytes_of_replaced_keys_go) {
   TinyGltf gltf;
   gltf.add_triangle();
