@@ -17,6 +17,7 @@ Command compile_command();
 Command simulate_command();
 Command bake_command();
 Command graph_command();
+Command batch_command();
 Command bake_ao_command();  ///< In builds with Embree.
 Command cost_command();     ///< In builds with SINEW_COST.
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "importer/graph/graph_files.h"
 #include "importer/platform/files.h"
 #include "importer/tool/commands.h"
 
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "importer/tool/annotations_option.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/clip_choice.h"
@@ -21,6 +24,7 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/graph/graph_bytes.h"
 #include "runtime/lod/compile_skeleton_lod.h"
 
 namespace sinew::tool {
@@ -31,6 +35,8 @@ struct CompileOptions {
   std::string out, budget = "0.1mm";
   std::vector<std::string> clips, parts{"skeleton", "model", "clips"};
   std::vector<std::string> joint_tolerances;
+  std::optional<std::string> annotations;
+  std::vector<std::string> graphs;
   bool truth = false;
   double page_s = 0.0;
   int zstd_level = 0;
@@ -70,6 +76,21 @@ std::vector<CompiledSkeletonLod> lods_of(const Scene& scene, const std::vector<L
   return lods;
 }
 
+/// The graphs of --graph, compiled and checked against the model; each has the name of its file.
+/// err   what is wrong, as a sentence for the user
+tl::expected<std::vector<StoredGraph>, std::string> graphs_of(const std::vector<std::string>& files,
+                                                              const Scene& scene) {
+  std::vector<StoredGraph> graphs;
+  for (const std::string& file : files) {
+    const auto loaded = load_graph(file, scene);
+    if (!loaded) return tl::unexpected(loaded.error());
+    graphs.push_back({platform::text_of(platform::path_of(file).stem()), write_graph_bytes(loaded->graph.tables())});
+    for (std::size_t g = 0; g + 1 < graphs.size(); ++g)
+      if (graphs[g].name == graphs.back().name) return tl::unexpected(file + ": another graph has this name");
+  }
+  return graphs;
+}
+
 /// Compiles the chosen clips and removes all others from the scene.
 void compile_clips_of(Scene& scene, const ClipChoice& chosen, double budget_m) {
   std::vector<Animation> animations;
@@ -106,8 +127,13 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   if (!file) return ExitCode::input_at_fault;
   if (const auto error = find_output_error(platform::path_of(out), file->facts.files))
     return fail_with(ExitCode::wrong_usage, *error);
+  if (const ExitCode code = annotate_from(options.annotations, file->scene.animations); code != ExitCode::done)
+    return code;
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
+  const auto graphs = graphs_of(options.graphs, file->scene);
+  if (!graphs) return fail_with(ExitCode::input_at_fault, graphs.error());
+  blocks.graphs = *graphs;
   Scene& scene = file->scene;
   compile_clips_of(scene, blocks.clips ? *chosen : ClipChoice(), metres_of(*budget, scene));
   const std::vector<CompiledSkeletonLod> lods = lods_of(scene, *tolerances);
@@ -146,6 +172,9 @@ Command compile_command() {
               "What OUT holds (default: skeleton,model,clips). With clips alone it belongs to the skeleton of FILE")
       .list()
       .one_of({"skeleton", "model", "clips"});
+  add_annotations_option(command, options->annotations);
+  command.option("--graph", "FILE.json", &options->graphs,
+                 "A motion graph of these clips to store, compiled; may be given several times");
   command.flag("--truth", options->truth, "Also store the keys of FILE, in full");
   command.option("--joint-tolerance", "LENGTH", &options->joint_tolerances,
                  fmt::format("Also store which joints can be left out while no vertex moves farther than this in the "

@@ -11,6 +11,7 @@
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/cache_folder.h"
+#include "importer/tool/graph/program_rows.h"
 #include "importer/tool/json.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
@@ -19,6 +20,7 @@
 #include "importer/tool/model_size.h"
 #include "importer/tool/skinning_choice.h"
 #include "importer/visible_text.h"
+#include "runtime/model/mirror_scene.h"
 #include "runtime/plan/run_plan.h"
 
 namespace sinew::tool {
@@ -33,6 +35,8 @@ struct PlanOptions {
   std::string normals = "linear";
   std::optional<std::string> joint_tolerance;
   std::string cache;
+  std::optional<std::string> program;
+  bool times = false;
 };
 
 template <bool Outputs::*flag>
@@ -135,11 +139,13 @@ tl::expected<std::optional<CompiledSkeletonLod>, std::string> leave_out_joints(c
                               needs);
 }
 
-/// The compiled plan of one file, with its level of detail and the counted work, if requested.
+/// The compiled plan of one file, with its level of detail, the counted work and the program, if requested.
 struct Outcome {
   const Plan& plan;
   const std::optional<CompiledSkeletonLod>& left_out;
   const std::optional<WorkCounters>& work;
+  std::vector<ProgramRow> operations = {};
+  bool times = false;
 };
 
 /// in   file   empty = not named
@@ -158,11 +164,12 @@ Json plan_json(const Outcome& outcome, const std::string& file) {
   if (const auto& left_out = outcome.left_out)
     report["left_out_joints"] = left_out_json(outcome.plan.scene(), *left_out);
   if (outcome.work) report["work"] = work_json(*outcome.work);
+  if (!outcome.operations.empty()) report["operations"] = program_json(outcome.operations, outcome.times);
   return report;
 }
 
 void print_text(const Outcome& outcome) {
-  const auto& [plan, left_out, work] = outcome;
+  const auto& [plan, left_out, work, operations, times] = outcome;
   std::size_t widest = 5;
   for (const PlanStage& stage : plan.stages()) widest = std::max(widest, stage.stage.size());
   print_result("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
@@ -171,6 +178,7 @@ void print_text(const Outcome& outcome) {
                  stage.count, stage.bytes, stage.reason);
   print_result("one frame buffer of a character takes {} bytes\n", plan.frame_bytes());
   if (left_out) print_result("{}", left_out_text(plan.scene(), *left_out));
+  if (!operations.empty()) print_result("{}", program_text(operations, times));
   if (!work) return;
   print_result("work done by one frame:\n");
   const Json counts = work_json(*work);
@@ -200,6 +208,13 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
     return fail_with(ExitCode::wrong_usage, fmt::format("--skinning: {} methods for {} mesh instances",
                                                         options.skinning.size(), file->scene.instances.size()));
   }
+  std::optional<ProgramOfModel> program;
+  if (options.program) {
+    auto loaded = load_program(*options.program, file->scene);
+    if (!loaded) return fail_with(ExitCode::input_at_fault, loaded.error());
+    program = std::move(*loaded);
+    add_program(*program, file->scene, *needs);
+  }
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
   if (*left_out) needs->out.skeleton_lod = (*left_out)->detail;
@@ -210,7 +225,9 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
     if (!counted) return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", path, describe(counted.error())));
     work = *counted;
   }
-  const Outcome outcome{plan, *left_out, work};
+  Outcome outcome{plan, *left_out, work};
+  outcome.times = options.times;
+  if (program) outcome.operations = program_rows(plan, *program, options.times);
   if (options.files.json)
     print_json(plan_json(outcome, many ? path : ""), many);
   else if (many)
@@ -250,6 +267,9 @@ Command plan_command() {
                  fmt::format("Leave out joints that move no vertex farther than this over the clip, or over all clips, "
                              "{} (default: none)",
                              kLengthHelp));
+  command.option("--program", "PROGRAM.json", &options->program,
+                 "Also list the operations of a pose program, each with what takes its pose, or why it is not needed");
+  command.flag("--times", options->times, "With --program: also measure the microseconds of each operation");
   add_cache_option(command, options->cache);
   command.flag("--json", options->files.json,
                "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}, of several files one document a "

@@ -26,8 +26,8 @@ constexpr const char* kEnding =
 using MakeCommand = Command (*)();
 
 constexpr MakeCommand kCommands[] = {
-    info_command,    sample_command,   verify_command,  check_command,    plan_command,  convert_command,
-    import_command,  retarget_command, compile_command, simulate_command, graph_command, bake_command,
+    info_command,     sample_command,  verify_command,   check_command, plan_command, convert_command, import_command,
+    retarget_command, compile_command, simulate_command, graph_command, bake_command, batch_command,
 #ifdef SINEW_WITH_RAYS
     bake_ao_command,
 #endif

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
+#include "importer/file/json_fault.h"
 #include "importer/file/json_shape.h"
 #include "importer/file/parse_json.h"
 #include "tests/importer/tiny_gltf.h"
@@ -72,6 +74,51 @@ TEST(json, what_json_does_not_allow_is_refused) {
   for (const char* bad : {"",    " ",        "{", "[1,]", "{\"a\":1,}", "{a:1}", "01",      "+1",    ".5", "1.", "1e",
                           "NaN", "Infinity", "-", "'a'",  "[1] [2]",    "nul",   "/* */ 1", "[1 2]", "\"", "tru"})
     EXPECT_EQ(parse(bad), nullptr) << bad;
+}
+
+/// Changes a few bytes, mostly to those that mean something in JSON.
+std::string damaged(std::string text, FixedRandom& random) {
+  constexpr std::string_view kTelling =
+      "{}[]\",:\\/0123456789+-.eEutrfnalsb \n\t\x01\x7f\x80\xbf\xc2\xe0\xed\xa0\xf4\x90\xff";
+  for (std::uint32_t changes = 1 + random.below(3); changes > 0; --changes) {
+    const std::uint32_t at = random.below(static_cast<std::uint32_t>(text.size()));
+    const char byte = kTelling[random.below(static_cast<std::uint32_t>(kTelling.size()))];
+    switch (random.below(4)) {
+      case 0: text.erase(at, 1 + random.below(9)); break;
+      case 1: text.insert(at, 1, byte); break;
+      case 2:
+        text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(40)));
+        break;
+      default: text[at] = byte;
+    }
+    if (text.empty()) text = " ";
+  }
+  return text;
+}
+
+/// nlohmann's reader is the truth. Text that is refused has a fault with a name.
+TEST(json, damaged_text_is_judged_and_read_as_by_another_reader) {
+  const std::string texts[] = {
+      R"({"asset": {"version": "2.0"}, "nodes": [{"name": "\ud83d\ude00 \u00e9 ß日本 𝄞", "scale": [1, -2.5e-3, 0.1]}]})",
+      R"([0, -0, 0.0, 12345678901234567890, -9223372036854775808, 18446744073709551616, 1e300, 0.30000000000000004])",
+      R"({"a long name of a property, longer than a word": "line\nline\ttab \"quoted\" \/ \\", "b": [true, false, null, {}, []]})",
+      "[\"\x7f plain text of many bytes, then \xf4\x8f\xbf\xbf\", \"\xe1\x80\x80\xed\x9f\xbf\xee\x80\x80\", "
+      "\"\\u0000\"]"};
+  FixedRandom random(7);
+  std::size_t good = 0, bad = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const std::string text = i < 4 ? texts[i] : damaged(texts[random.below(4)], random);
+    const Json truth = Json::parse(text, nullptr, false);
+    const auto tree = parse(text);
+    ASSERT_EQ(tree == nullptr, truth.is_discarded()) << text;
+    ASSERT_TRUE(tree != nullptr || !describe_json_fault(text).empty()) << text;
+    ++(tree != nullptr ? good : bad);
+    if (tree != nullptr) {
+      ASSERT_EQ(to_json(tree->root), truth) << text;
+    }
+  }
+  EXPECT_GT(good, 1000u);
+  EXPECT_GT(bad, 1000u);
 }
 
 TEST(json, the_last_of_two_values_with_one_name_counts_and_is_reported) {

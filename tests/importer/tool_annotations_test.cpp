@@ -7,6 +7,7 @@
 
 #include <fstream>
 
+#include "importer/clip_annotations.h"
 #include "importer/export_glb.h"
 #include "tests/importer/tiny_gltf.h"
 #include "tests/importer/tool_model.h"
@@ -126,6 +127,42 @@ TEST(annotations, go_with_the_clip_through_every_command) {
   const auto again = import_gltf(source);
   ASSERT_TRUE(export_glb(again->scene, folder.beside("exported.glb")));
   EXPECT_EQ(notes_of(folder.beside("exported.glb")), before);
+}
+
+TEST(annotations, from_a_file_beside_the_model_go_into_what_is_written) {
+  const ToolModelFile folder;
+  TinyGltf file = noted("{\"mood\": \"calm\"}");
+  file.root["animations"][0]["name"] = "walk/fast";
+  const std::string source = folder.beside("walk.gltf"), notes = folder.beside("notes.json");
+  std::ofstream(source) << file.text();
+  std::ofstream(notes) << R"({"walk/fast": {"events": [{"time": 0.5, "name": "step"}]}})";
+  EXPECT_EQ(run_tool({"convert", source, folder.beside("a.glb"), "--annotations", notes}).status, 0);
+  EXPECT_EQ(run_tool({"convert", source, folder.beside("b.glb"), "--annotations", notes, "--budget", "1mm"}).status, 0);
+  for (const char* written : {"a.glb", "b.glb"}) {
+    const auto read = import_gltf(folder.beside(written));
+    ASSERT_EQ(outcome(read), "ok");
+    EXPECT_THAT(read->scene.animations.at(0).annotations.event_names, ElementsAre("step")) << written;
+  }
+  EXPECT_EQ(run_tool({"compile", source, "-o", folder.beside("walk.sinew"), "--annotations", notes}).status, 0);
+  EXPECT_THAT(run_tool({"info", folder.beside("walk.sinew")}).out, HasSubstr("\"step\" at 0.5 s"));
+
+  auto again = import_gltf(source);
+  EXPECT_THAT(annotate_clips(again->scene, R"({"walk/fast": {"curves": {"w": {"keys": [{"time": 0, "value": 1}]}}}})"),
+              IsEmpty());
+  EXPECT_EQ(again->scene.clips[0].annotations(), again->scene.animations[0].annotations);
+  const auto refused = [&](const std::string& text) {
+    std::ofstream(notes) << text;
+    const CommandOutcome outcome = run_tool({"convert", source, folder.beside("c.glb"), "--annotations", notes});
+    EXPECT_EQ(outcome.status, 1) << text;
+    EXPECT_FALSE(std::ifstream(folder.beside("c.glb")).good());
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("[1"), HasSubstr("notes.json: error: json-syntax: is no JSON object"));
+  EXPECT_THAT(refused(R"({"run": {}})"), HasSubstr("notes.json: /run: error: animation-extras: the model has no clip"));
+  EXPECT_THAT(refused(R"({"walk/fast": 3})"), HasSubstr("/walk~1fast: error: animation-extras: is no object"));
+  EXPECT_THAT(refused(R"({"walk/fast": {"mood": 1}})"), HasSubstr("/walk~1fast/mood: error: animation-extras"));
+  EXPECT_THAT(refused(R"({"walk/fast": {"events": [{"time": 3, "name": "late"}]}})"),
+              HasSubstr("/walk~1fast/events/0/time: error: animation-extras: is not within the animation"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ template <class Change>
 PoseComparison after(const Change& change, PoseTolerance tolerance = {.distance_m = 0.01, .model_size_m = 2.0}) {
   Pose golden = simple_pose(), pose = simple_pose();
   change(golden, pose);
-  PoseComparison comparison(tolerance, 3);
+  PoseComparison comparison(tolerance);
   comparison.compare(4, golden, pose);
   return comparison;
 }
@@ -134,7 +134,7 @@ TEST(compare_poses, keeps_the_worst_in_order) {
 TEST(compare_poses, names_follow_numbers_where_they_are_known) {
   Pose golden = simple_pose(), pose = simple_pose();
   pose.nodes[0].world[12] += 1.0;
-  PoseComparison comparison({.distance_m = 0.01, .model_size_m = 2.0}, 3, {{"", "", "", "", "\"Walk\""}, {"\"hand\""}});
+  PoseComparison comparison({.distance_m = 0.01, .model_size_m = 2.0}, {{"", "", "", "", "\"Walk\""}, {"\"hand\""}});
   comparison.compare(4, golden, pose);
   EXPECT_EQ(comparison.worst()[0].where, "clip 4 \"Walk\", 1.5 s, node 0 \"hand\", translation");
 }
@@ -187,7 +187,7 @@ std::pair<Pose, Pose> renumbered_poses() {
 
 TEST(compare_poses, vertices_with_other_numbers_are_told_once_and_not_as_distances) {
   auto [golden, pose] = renumbered_poses();
-  PoseComparison comparison({.distance_m = 1e-3, .model_size_m = 2.0}, 5);
+  PoseComparison comparison({.distance_m = 1e-3, .model_size_m = 2.0});
   comparison.compare(0, golden, pose);
   comparison.compare(0, golden, pose);
   ASSERT_EQ(comparison.worst().size(), 1u);
@@ -195,7 +195,7 @@ TEST(compare_poses, vertices_with_other_numbers_are_told_once_and_not_as_distanc
   EXPECT_EQ(comparison.failed(), 1u);
   EXPECT_EQ(comparison.largest_m(), 0.0);
   pose.primitives[0].of(VertexKind::positions)[0] += 0.5;  // one golden place is nobody's
-  PoseComparison moved({.distance_m = 1e-3, .model_size_m = 2.0}, 5);
+  PoseComparison moved({.distance_m = 1e-3, .model_size_m = 2.0});
   moved.compare(0, golden, pose);
   EXPECT_EQ(moved.failed(), 10u);
   EXPECT_NEAR(moved.largest_m(), std::hypot(9.0, 8.1), 1.0);

@@ -207,5 +207,39 @@ TEST(pose_commands, verify_prints_how_far_a_value_is_off_and_how_far_it_may_be) 
   EXPECT_THAT(run_tool({"verify", model.path(), golden}).err, IsEmpty());
 }
 
+TEST(tool_verify, a_test_report_has_a_case_for_each_file) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json"), report = model.beside("report.xml");
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", golden}).status, 0);
+  const auto reported = [&](const std::string& poses) {
+    const CommandOutcome outcome = run_tool({"verify", model.path(), poses, "--junit", report});
+    std::ifstream file(report);
+    return std::pair(outcome.status, std::string(std::istreambuf_iterator<char>(file), {}));
+  };
+  const auto [held, passed] = reported(golden);
+  EXPECT_EQ(held, 0);
+  EXPECT_THAT(passed, HasSubstr("<testsuite name=\"sinew verify\" tests=\"1\" failures=\"0\" errors=\"0\""));
+  EXPECT_THAT(passed, HasSubstr("name=\"" + model.path() + "\""));
+
+  std::ifstream from(golden);
+  std::string text(std::istreambuf_iterator<char>(from), {});
+  const std::string world = "\"world\": [1";
+  const std::size_t at = text.find(world);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, world.size(), "\"world\": [2");
+  std::ofstream(model.beside("moved & <new>.json")) << text;
+  const auto [moved, failed] = reported(model.beside("moved & <new>.json"));
+  EXPECT_EQ(moved, 1);
+  EXPECT_THAT(failed, HasSubstr("failures=\"1\" errors=\"0\""));
+  EXPECT_THAT(failed, HasSubstr("moved &amp; &lt;new&gt;.json"));
+  EXPECT_THAT(failed, HasSubstr("<failure message=\""));
+  EXPECT_THAT(failed, HasSubstr("off by"));
+
+  const auto [missing, error] = reported(model.beside("none.json"));
+  EXPECT_EQ(missing, 4);
+  EXPECT_THAT(error, HasSubstr("failures=\"0\" errors=\"1\""));
+  EXPECT_EQ(run_tool({"verify", model.path(), golden, "--junit", model.beside("no/folder.xml")}).status, 2);
+}
+
 }  // namespace
 }  // namespace sinew::test

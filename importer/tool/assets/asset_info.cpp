@@ -14,6 +14,7 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/graph/graph_bytes.h"
 
 namespace sinew::tool {
 namespace {
@@ -113,6 +114,48 @@ Json json_of(const std::vector<CompiledSkeletonLod>& lods) {
   return out;
 }
 
+/// The needs of a stored graph, or its fault if it cannot be read.
+Json json_of(const StoredGraph& stored) {
+  Json out = {{"name", stored.name}, {"bytes", stored.bytes.size()}};
+  auto tables = read_graph_bytes(stored.bytes);
+  if (!tables) {
+    out["fault"] = std::string(describe(tables.error()));
+    return out;
+  }
+  const auto graph = GraphDefinition::make(*std::move(tables));
+  if (!graph) {
+    out["fault"] = graph.error().rule;
+    return out;
+  }
+  out["nodes"] = graph->tables().nodes.size();
+  out["clips"] = graph->tables().clip_names.size();
+  out["state_bytes"] = graph->state_bytes();
+  out["most_operations"] = graph->room().ops;
+  out["most_poses"] = graph->room().slots;
+  return out;
+}
+
+Json json_of(const std::vector<StoredGraph>& graphs) {
+  Json out = Json::array();
+  for (const StoredGraph& graph : graphs) out.push_back(json_of(graph));
+  return out;
+}
+
+std::string lines_of(const std::vector<StoredGraph>& graphs) {
+  std::string out;
+  for (const StoredGraph& graph : graphs) {
+    const Json json = json_of(graph);
+    out += json.contains("fault")
+               ? fmt::format("  graph {}: {}\n", in_quotes(graph.name), json["fault"].get<std::string>())
+               : fmt::format("  graph {}: {}, {}, programs of at most {}, {} bytes of state a character\n",
+                             in_quotes(graph.name), counted(json["nodes"].get<std::size_t>(), "node"),
+                             counted(json["clips"].get<std::size_t>(), "clip"),
+                             counted(json["most_operations"].get<std::size_t>(), "operation"),
+                             json["state_bytes"].get<std::size_t>());
+  }
+  return out;
+}
+
 /// "joints 3, meshes 2, ..."
 std::string line_of(const Json& counts) {
   std::string out;
@@ -142,6 +185,10 @@ Info info_of_assets(const std::string& name, const std::vector<std::byte>& bytes
   if (!parts->lods.empty()) {
     out.json["skeleton_lods"] = json_of(parts->lods);
     out.tables += lod_lines(parts->lods, parts->scene->skeleton.joint_count());
+  }
+  if (!parts->graphs.empty()) {
+    out.json["graphs"] = json_of(parts->graphs);
+    out.tables += lines_of(parts->graphs);
   }
   MemoryCount memory;
   if (parts->scene) memory.add(*parts->scene);

@@ -9,7 +9,10 @@ tl::expected<AssetParts, AssetFileError> asset_parts(std::span<const std::byte> 
   auto file = AssetFile::open(bytes);
   if (!file) return tl::unexpected(file.error());
   if (const auto sums = file->check_sums(); !sums) return tl::unexpected(sums.error());
-  AssetParts parts{*std::move(file), std::nullopt, {}, {}};
+  AssetParts parts{*std::move(file), std::nullopt, {}, {}, {}};
+  auto graphs = read_graphs(parts.file);
+  if (!graphs) return tl::unexpected(graphs.error());
+  parts.graphs = *std::move(graphs);
   if (parts.file.find(AssetKind::skeleton) != nullptr) {
     auto scene = read_scene(parts.file);
     if (!scene) return tl::unexpected(scene.error());

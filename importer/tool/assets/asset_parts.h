@@ -15,6 +15,7 @@ struct AssetParts {
   std::optional<Scene> scene;  ///< present if the file has a skeleton
   std::vector<Clip> clips;
   std::vector<CompiledSkeletonLod> lods;  ///< empty if the file has no skeleton
+  std::vector<StoredGraph> graphs;
 };
 
 /// Opens and reads all of a file. It also compares the checksums of unknown blocks.

@@ -11,6 +11,7 @@
 
 #include "importer/platform/files.h"
 #include "importer/rewrite_gltf.h"
+#include "importer/tool/annotations_option.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/convert/mirror_clips.h"
@@ -31,9 +32,9 @@ struct ConvertOptions {
   BatchOptions files;
   std::string in, out;
   std::optional<std::string> format;  // "glb" or "gltf"; empty = as the name of OUT says
-  std::optional<std::string> budget, reference;
+  std::optional<std::string> budget, reference, annotations;
   std::optional<double> fps;
-  bool mirror = false, quantize = false, merge_vertices = false, meshopt = false;
+  bool mirror = false, quantize = false, merge_vertices = false, meshopt = false, decode_images = false;
   std::vector<std::string> drop;
 };
 
@@ -59,10 +60,10 @@ tl::expected<ModelOutput, std::string> output_of(const ConvertOptions& options) 
 
 /// The clips that written clips are measured against: those of the file, or their mirror images.
 struct Truths {
-  std::vector<Animation> mirrored;         // empty without --mirror
+  std::vector<Animation> changed;          // mirrored or annotated; empty without these options
   std::vector<std::uint32_t> channels_to;  // RewriteOptions::channels_to
 
-  std::span<const Animation> of(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
+  std::span<const Animation> of(const Scene& scene) const { return changed.empty() ? scene.animations : changed; }
 };
 
 /// err   what is wrong, as a sentence for the user
@@ -109,14 +110,19 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   if (const auto error = find_output_error(*output, model->facts.files))
     return fail_with(ExitCode::wrong_usage, *error);
 
-  const auto truths = truths_of(options, model->scene);
+  auto truths = truths_of(options, model->scene);
   if (!truths) return fail_with(ExitCode::wrong_usage, options.in + ": " + truths.error());
+  if (options.annotations) {
+    truths->changed = model->scene.animations;
+    if (const ExitCode code = annotate_from(options.annotations, truths->changed); code != ExitCode::done) return code;
+  }
   RewriteOptions changes;
-  changes.animations = truths->mirrored;
+  changes.animations = truths->changed;
   changes.channels_to = truths->channels_to;
   changes.quantize = options.quantize;
   changes.merge_vertices = options.merge_vertices;
   changes.meshopt = options.meshopt;
+  changes.decode_images = options.decode_images;
   changes.drop.insert(options.drop.begin(), options.drop.end());
   if ((options.budget || options.fps) && !model->scene.animations.empty()) {
     const auto budget_m = options.budget ? std::optional(metres_of(*budget, model->scene)) : std::nullopt;
@@ -153,8 +159,8 @@ Command convert_command() {
       "complete or not at all, and never replaces a file that is read.\n"
       "\n"
       "With a budget, keys are left out of clips as long as no vertex of the model ever moves farther than the budget "
-      "from where it was, and no camera or light turns by more than 0.05 degrees. --fps resamples clips. Either way "
-      "the "
+      "from where it was, and no camera or light turns by more than 0.05 degrees. A channel that leaves its node where "
+      "the file puts it without animation is left out. --fps resamples clips. Either way the "
       "written file is read again and measured, and each line says how many keys are left. A clip for which no smaller "
       "form is within the budget keeps all of its keys. Where even these are not, since what is written cannot say the "
       "same, the exit status is 1.\n"
@@ -190,6 +196,7 @@ Command convert_command() {
                   "The symmetric pose that --mirror keeps as it is.\n"
                   "Default: rest, but bind if the rest pose is asymmetric and the bind pose by less than half as much")
       .needs("--mirror");
+  add_annotations_option(command, options->annotations).excludes("--mirror");
   command.flag("--quantize", options->quantize,
                "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
                "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16). Weights get\n"
@@ -201,6 +208,8 @@ Command convert_command() {
   command.flag("--meshopt", options->meshopt,
                "Compress with EXT_meshopt_compression; merges equal vertices and gives them another order, so that\n"
                "poses and geometry caches of the input no longer fit");
+  command.flag("--decode-images", options->decode_images,
+               "Write WebP, AVIF and KTX2 images as PNG, which every program reads");
   add_drop_option(command, options->drop);
   command.run = [options] { return convert_files(*options); };
   return command;

@@ -63,9 +63,10 @@ template <class Where>
 void PoseComparison::add(const Kind& kind, double amount, double tolerance, const char* unit, const Where& where) {
   ++compared_;
   if (std::string_view(unit) == "m") largest_m_ = std::fmax(largest_m_, amount);
+  ratio_ = std::fmax(ratio_, tolerance > 0.0 ? amount / tolerance : amount > 0.0 ? kMissing : 0.0);
   if (amount <= tolerance) return;
   ++failed_;
-  Deviation deviation{{}, amount, tolerance, unit};
+  Deviation deviation{{}, amount, tolerance, unit, 0, kind.name, clip_, kind.node, time_s_};
   const auto [known, is_first] = worst_.try_emplace(kind, deviation);
   if (!is_first) deviation.more = known->second.more + 1;
   if (!is_first && deviation.amount <= known->second.amount) {
@@ -80,12 +81,15 @@ std::vector<Deviation> PoseComparison::worst() const {
   std::vector<Deviation> out;
   for (const auto& [kind, deviation] : worst_) out.push_back(deviation);
   std::stable_sort(out.begin(), out.end(), [](const Deviation& a, const Deviation& b) { return a.is_worse_than(b); });
-  if (out.size() > keep_worst_) out.resize(keep_worst_);
   return out;
 }
 
 std::string PoseComparison::node_text(std::uint32_t node) const {
   return with_name(fmt::format("node {}", node), node, names_.nodes);
+}
+
+std::string PoseComparison::clip_text(std::uint32_t clip) const {
+  return clip == kNone ? "rest pose" : with_name(fmt::format("clip {}", clip), clip, names_.clips);
 }
 
 void PoseComparison::missing(std::string where) {
@@ -124,10 +128,11 @@ void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose
     add({"matrix", golden.node}, pose ? turned * lever_m : kMissing, allowed_m(lever_m), "m", place);
 }
 
-void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose& pose) {
-  const std::string clip_text =
-      clip == kNone ? "rest pose" : with_name(fmt::format("clip {}", clip), clip, names_.clips);
-  const std::string sample = fmt::format("{}, {:.9g} s", clip_text, golden.time_s);
+double PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose& pose) {
+  clip_ = clip;
+  time_s_ = golden.time_s;
+  ratio_ = 0.0;
+  const std::string sample = fmt::format("{}, {:.9g} s", clip_text(clip), golden.time_s);
   slack_ = 1.5 * golden.non_unit;
   if (tolerance_.exact) compare_bits(golden, pose, sample);
   std::map<std::uint32_t, const NodeWorld*> nodes;
@@ -151,6 +156,7 @@ void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose&
     const auto found = primitives.find({p.node, p.primitive});
     compare_primitive(p, found == primitives.end() ? nullptr : found->second, sample);
   }
+  return ratio_;
 }
 
 void PoseComparison::compare_primitive(const PrimitivePose& golden, const PrimitivePose* pose,

@@ -21,6 +21,9 @@ struct Deviation {
   const char* unit = "m";  ///< "m", "deg" for directions, "" for weights, "bits" for hashes, "numbers" for vertices
                            ///< that have other ones
   std::uint64_t more = 0;  ///< number of other values of this kind that are out of tolerance
+  const char* kind = "";   ///< "translation", "matrix", "weights", "bits", or a key of kVertexKinds; a literal
+  std::uint32_t clip = kNone, node = kNone;  ///< kNone: the rest pose, or a value that belongs to no node
+  double time_s = 0.0;
 
   /// True if this is farther out of its tolerance. Of two without a tolerance, or of two that are missing, the larger
   /// is.
@@ -53,16 +56,19 @@ struct PoseTolerance {
 /// Compares poses: looks up everything that the golden pose holds. Null entries of the golden pose are skipped.
 class PoseComparison {
  public:
-  PoseComparison(const PoseTolerance& tolerance, std::size_t keep_worst, PoseNames names = {})
-      : tolerance_(tolerance), keep_worst_(keep_worst), names_(std::move(names)) {}
+  explicit PoseComparison(const PoseTolerance& tolerance, PoseNames names = {})
+      : tolerance_(tolerance), names_(std::move(names)) {}
 
-  void compare(std::uint32_t clip, const Pose& golden, const Pose& pose);
+  /// out   the largest difference of this pose over its tolerance; infinite when a value is missing
+  double compare(std::uint32_t clip, const Pose& golden, const Pose& pose);
   void missing(std::string where);  ///< a whole clip or sample is missing
 
   std::uint64_t compared() const noexcept { return compared_; }
   std::uint64_t failed() const noexcept { return failed_; }
   double largest_m() const noexcept { return largest_m_; }  ///< the largest difference of a value with a unit
   std::vector<Deviation> worst() const;  ///< the worst first, one for each kind of values of a node or primitive
+  std::string clip_text(std::uint32_t clip) const;  ///< as in Deviation::where
+  const PoseNames& names() const noexcept { return names_; }
 
  private:
   double allowed_m(double size_m) const noexcept;
@@ -81,8 +87,9 @@ class PoseComparison {
   void add(const Kind& kind, double amount, double tolerance, const char* unit, const Where& where);
 
   PoseTolerance tolerance_;
-  std::size_t keep_worst_;
   double slack_ = 0.0;
+  std::uint32_t clip_ = kNone;  // of the pose that is compared, with its time and largest difference over tolerance
+  double time_s_ = 0.0, ratio_ = 0.0;
   std::uint64_t compared_ = 0, failed_ = 0;
   double largest_m_ = 0.0;
   PoseNames names_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -23,6 +24,7 @@
 #include "importer/tool/retarget/map_file.h"
 #include "importer/tool/text_table.h"
 #include "importer/vrm.h"
+#include "importer/vrm_animation.h"
 #include "runtime/library/clip_channels.h"
 #include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/map_scenes.h"
@@ -99,10 +101,29 @@ void carry_properties(const SkeletonMap& map, const Animation& animation, const 
   for (const std::string& name : left_out) print_result("  the character has no {}\n", in_quotes(name));
 }
 
+/// Gives the character the expressions and the gaze of a VRM animation, and prints what it cannot show.
+void carry_face(const Animation& animation, const ImportedFile& clips, const ImportedFile& character,
+                Animation& retargeted) {
+  if (!clips.vrm || !clips.vrm->is_animation || !character.vrm) return;
+  FaceTracks face = face_tracks(animation, *clips.vrm, *character.vrm, character.scene);
+  for (const std::string& name : face.not_found)
+    print_result("  the character does not show the expression {}\n", in_quotes(name));
+  for (WeightAnimation& track : face.weights) {
+    std::erase_if(retargeted.weights, [&](const WeightAnimation& other) { return other.instance == track.instance; });
+    retargeted.duration_s = std::max(retargeted.duration_s, static_cast<double>(track.weights.times_s.back()));
+    retargeted.weights.push_back(std::move(track));
+  }
+  for (BoneAnimation& eye : face.eyes) {
+    std::erase_if(retargeted.bones, [&](const BoneAnimation& other) { return other.joint == eye.joint; });
+    retargeted.duration_s = std::max(retargeted.duration_s, eye.end_time());
+    retargeted.bones.push_back(std::move(eye));
+  }
+}
+
 /// Retargets all clips, and prints how far each is from the retargeted poses.
-std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const TwistMap& twists,
+std::vector<Animation> retarget_clips(const ImportedFile& from, const SkeletonMap& map, const TwistMap& twists,
                                       const FeetMap& feet, const ImportedFile& file) {
-  const Scene& character = file.scene;
+  const Scene &clips = from.scene, &character = file.scene;
   constexpr double kDegrees = 57.29577951308232;
   std::vector<Animation> all;
   const WeightMap weights = make_weight_map(clips, character);
@@ -115,6 +136,7 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
     print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
                  counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
     retarget_weights(weights, animation, clips, character, retargeted);
+    carry_face(animation, from, file, retargeted);
     carry_properties(map, animation, clips, file, retargeted);
     all.push_back(std::move(retargeted));
   }
@@ -181,7 +203,7 @@ ExitCode retarget(const RetargetOptions& options) {
   const TwistMap twists = make_twist_map(*map, target);
   print_map(*map, twists, source, target);
   print_references(options, *map, clips->scene, character->scene);
-  const std::vector<Animation> added = retarget_clips(clips->scene, *map, twists, feet, *character);
+  const std::vector<Animation> added = retarget_clips(*clips, *map, twists, feet, *character);
   RewriteOptions changes;
   changes.added_animations = added;
   const auto bytes = write_model(*character, options.character, std::move(changes), options.drop, *output);
@@ -203,7 +225,8 @@ Command retarget_command() {
       "clips point, also where one rests with its arms out and the other with its arms down. Bones keep their lengths; "
       "the path of the hips is scaled by their height. Twist joints of arms and legs share what hands, feet, arms and "
       "thighs are twisted. Morph targets, and animated properties of materials, lights and cameras, follow those of "
-      "equal names.\n"
+      "equal names. Expressions and gaze of a VRM animation (.vrma) become morph weights and turns of eyes of a VRM "
+      "character.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
       "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; what cannot be "

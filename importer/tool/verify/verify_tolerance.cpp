@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/verify_tolerance.h"
+#include "importer/tool/verify/verify_tolerance.h"
 
 #include <cmath>
 
