@@ -32,8 +32,8 @@ part_in_turn() { echo "${ci_parts[$((16#${ci_commit:0:6} % ${#ci_parts[@]}))]}";
 takes() { [[ " ${ci_taken[*]:-} $(part_in_turn) " == *" $1 "* ]]; }
 
 # Other builds of the same code. Each commit takes one of them, by its hash.
-ci_builds=("thread sanitizer" "64-bit ARM" "64-bit Windows")
-ci_build=${ci_builds[$((16#${ci_commit:6:6} % 3))]}
+ci_builds=("thread sanitizer" "64-bit ARM" "64-bit Windows" "Python package" "Slurm and GNU parallel")
+ci_build=${ci_builds[$((16#${ci_commit:6:6} % ${#ci_builds[@]}))]}
 builds() { [ -n "$ci_all" ] || [ "$ci_build" = "$1" ]; }
 
 what_was_left_out() {
@@ -105,9 +105,10 @@ table_of_steps() {
 # Tools that tests use where they are there, too large for everybody's machine, and the compilers of the other steps. Here a test that
 # is skipped is a failure.
 install_tools() {
-  local as_root=() packages=(chromium python3-clang python3-numpy groff zsh fish)
+  local as_root=() packages=(chromium python3-clang python3-numpy python3-yaml abigail-tools groff zsh fish)
   [ "$(id -u)" = 0 ] || as_root=(sudo)
   command -v npm > /dev/null || packages+=(npm)  # a Node.js from elsewhere brings its own, and Debian's does not go beside it
+  ! builds "Slurm and GNU parallel" || packages+=(parallel slurm-wlm munge)
   "${as_root[@]}" apt-get update -qq -o Acquire::Retries=5
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends -o Acquire::Retries=5 "${packages[@]}" > /dev/null
   npm install --prefix build/npm --no-audit --no-fund --silent --fetch-retries=5 gltf-validator@2.0.0-dev.3.10 three@0.170.0 \

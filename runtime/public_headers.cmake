@@ -30,7 +30,7 @@ set(sinew_public_headers
   plan.h            runtime/public/plan.h
   playback.h        runtime/public/playback.h
   pose_jobs.h       runtime/public/pose_jobs.h
-  pose_program.h    runtime/pose_program/run_pose_program.h
+  pose_program.h    runtime/public/pose_program.h
   procedures.h      runtime/public/procedures.h
   result.h          runtime/public/result.h
   retarget.h        runtime/public/retarget.h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// Scenes in .sinew files, which load without the importer: skeletons, models, clips, pages of long clips, bounds,
-/// skeleton LODs.
+/// skeleton LODs, motion graphs.
 ///
 ///     const auto file = sinew::AssetFile::open(bytes);
 ///     if (!file) return log(describe(file.error()));

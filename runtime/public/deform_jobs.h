@@ -2,7 +2,8 @@
 #pragma once
 /// Jobs on vertices, for engines that run stages themselves: morph, three kinds of skinning, normals, bounds. They work
 /// like those of pose_jobs.h. Normals and tangents need tables that are made once: sort_flat_faces, join_surface.
-/// Linear skinning takes about half of the time with vertices that were sorted once: tile_vertices, SkinTilesJob.
+/// Linear skinning takes about half of the time with vertices that were sorted once (tile_vertices, SkinTilesJob), and
+/// dual quaternions two thirds (SkinDualQuaternionJob::tiles).
 ///
 ///     const sinew::SkinLinearJob skin{
 ///         .influences = &primitive.influences,

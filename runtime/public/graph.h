@@ -16,8 +16,11 @@
 ///     run(sinew::UpdateGraphJob{.graph = &*graph, .clips = &clips, .parameters = values, .state = character,
 ///                               .dt_s = dt_s, .program = &program, .events = events, .step = &step});
 ///     frame.program = program.ops();
+#include "runtime/graph/carry_state.h"
 #include "runtime/graph/graph_builder.h"
+#include "runtime/graph/graph_bytes.h"
 #include "runtime/graph/graph_clips.h"
 #include "runtime/graph/graph_definition.h"
+#include "runtime/graph/graph_masks.h"
 #include "runtime/graph/read_graph_state.h"
 #include "runtime/graph/update_graph.h"

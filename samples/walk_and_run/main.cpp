@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A motion graph as text moves a character over the ground: it stands, walks, runs a bend and stops. The root motion of
-// the clips carries it. With an argument, plays at that many frames a second; the way is the same.
+// the clips carries it, and events of the clips sound its steps. With an argument, plays at that many frames a second;
+// way and steps are the same.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -54,15 +56,23 @@ struct Setting {
 constexpr Setting kScript[] = {{1.0, 1.5f, 0.0f}, {4.0, 4.0f, 0.0f}, {6.0, 4.0f, 2.0f}, {8.0, 0.0f, 0.0f}};
 constexpr int kSeconds = 10;
 
+/// The places of the character and the number of steps that were heard.
+struct Outcome {
+  DualQuatd world;
+  int steps = 0;
+};
+
 /// Plays the script; prints where the character is each second.
-DualQuatd play(const GraphDefinition& graph, const GraphClipSet& clips, int fps, bool prints) {
+Outcome play(const GraphDefinition& graph, const GraphClipSet& clips, int fps, bool prints) {
   const GraphIndex speed = graph.find_parameter("speed"), turn = graph.find_parameter("turn");
   std::vector<float> values(graph.tables().parameters.size());
   std::vector<std::uint64_t> memory(graph.state_bytes() / sizeof(std::uint64_t));
   const std::span<std::byte> state = std::as_writable_bytes(std::span(memory));
   PoseProgram program;
   GraphStep step;
-  DualQuatd world;
+  std::array<GraphEvent, 16> events;
+  Outcome out;
+  DualQuatd& world = out.world;
   if (run(StartGraphJob{&graph, &clips, values, state}) != ErrorCode::ok) std::abort();
   for (int frame = 0; frame < kSeconds * fps; ++frame) {
     for (const Setting& setting : kScript)
@@ -70,9 +80,12 @@ DualQuatd play(const GraphDefinition& graph, const GraphClipSet& clips, int fps,
         values[speed] = setting.speed;
         values[turn] = setting.turn;
       }
-    if (run(UpdateGraphJob{&graph, &clips, values, state, 1.0 / fps, &program, {}, &step}) != ErrorCode::ok)
+    if (run(UpdateGraphJob{&graph, &clips, values, state, 1.0 / fps, &program, events, &step}) != ErrorCode::ok)
       std::abort();
     world = normalised(world * step.root_motion);
+    // Where clips blend, each tells its own steps. One is heard if its clip has most of the weight.
+    for (const GraphEvent& event : std::span(events).first(step.event_count))
+      out.steps += event.kind == GraphEventKind::clip && event.weight > 0.5f;
     // A frame would take program.ops() as FrameInput::program, and world * inverse of step.root_place as its root.
     if (!prints || (frame + 1) % fps != 0) continue;
     GraphStateView view;
@@ -80,10 +93,10 @@ DualQuatd play(const GraphDefinition& graph, const GraphClipSet& clips, int fps,
     const Vec3<double> at = translation_of(world);
     const std::string_view name =
         graph.tables().name_at(graph.tables().states[view.state].name);  // of the only machine
-    std::printf("%2d s  x %7.3f  z %7.3f  %.*s, %zu operations\n", (frame + 1) / fps, at.x, at.z,
-                static_cast<int>(name.size()), name.data(), program.ops().size());
+    std::printf("%2d s  x %7.3f  z %7.3f  %.*s, %zu operations, %d steps\n", (frame + 1) / fps, at.x, at.z,
+                static_cast<int>(name.size()), name.data(), program.ops().size(), out.steps);
   }
-  return world;
+  return out;
 }
 
 }  // namespace
@@ -101,23 +114,25 @@ int main(int argc, char** argv) {
     return 1;
   }
   const RootTrack walk = way(1.0f, 1.5f, 0.0), run_way = way(0.7f, 2.8f, 0.0), bend = way(0.7f, 2.8f, 0.5);
+  const std::vector<double> walk_steps = {0.1, 0.6}, run_steps = {0.1, 0.45};  // both feet touch the ground once
   std::vector<GraphClip> clips;
   for (const std::uint32_t offset : graph->tables().clip_names) {
     const std::string_view name = graph->tables().name_at(offset);
     const auto index = static_cast<std::uint32_t>(clips.size());
     if (name == "walk")
-      clips.push_back({index, 1.0, {}, &walk});
+      clips.push_back({index, 1.0, walk_steps, &walk});
     else if (name == "stand")
       clips.push_back({index, 2.0});
     else
-      clips.push_back({index, 0.7f, {}, name == "run" ? &run_way : &bend});
+      clips.push_back({index, 0.7f, run_steps, name == "run" ? &run_way : &bend});
   }
   const GraphClipSet set = *GraphClipSet::make(clips);
   std::printf("a character's state takes %zu bytes\n", graph->state_bytes());
-  const DualQuatd world = play(*graph, set, fps, true), fine = play(*graph, set, 1000, false);
+  const Outcome seen = play(*graph, set, fps, true), fine = play(*graph, set, 1000, false);
   // Speeds and lengths of the clips, and what the fades take.
-  const Vec3<double> end = translation_of(world);
-  const double off_m = glm::length(end - translation_of(fine)), way_m = std::hypot(end.x, end.z);
-  std::printf("%.3f m away, %.2g m from the end at 1000 frames a second\n", way_m, off_m);
-  return way_m > 10.0 && way_m < 22.0 && off_m < 1e-6 ? 0 : 1;
+  const Vec3<double> end = translation_of(seen.world);
+  const double off_m = glm::length(end - translation_of(fine.world)), way_m = std::hypot(end.x, end.z);
+  std::printf("%.3f m away, %.2g m from the end at 1000 frames a second; %d steps, %d there\n", way_m, off_m,
+              seen.steps, fine.steps);
+  return way_m > 10.0 && way_m < 22.0 && off_m < 1e-6 && seen.steps > 12 && seen.steps == fine.steps ? 0 : 1;
 }

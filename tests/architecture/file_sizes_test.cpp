@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A file that outgrows its limit holds two ideas: split it.
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +12,8 @@
 
 namespace sinew::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kHeaderLines = 150, kSourceLines = 400, kTestLines = 450;
 
@@ -23,6 +28,17 @@ TEST(file_sizes, headers_sources_and_tests_stay_below_their_limits) {
     if (const std::size_t count = lines_of(file.text).size(); count > limit_for(file))
       large.push_back(file.path + ": " + std::to_string(count) + " lines, limit " + std::to_string(limit_for(file)));
   EXPECT_THAT(large, testing::IsEmpty());
+}
+
+/// A header and its source file count once.
+TEST(file_sizes, folders_of_the_product_hold_what_a_reader_can_survey) {
+  constexpr std::size_t kFolderStems = 32;
+  std::map<fs::path, std::set<fs::path>> stems;
+  for (const SourceFile& file : source_tree())
+    if (file.in("runtime") || file.in("importer") || file.in("viewer"))
+      stems[fs::path(file.path).parent_path()].insert(fs::path(file.path).stem());
+  EXPECT_GT(stems["viewer/app"].size(), 10u);
+  for (const auto& [folder, names] : stems) EXPECT_LE(names.size(), kFolderStems) << folder;
 }
 
 TEST(file_sizes, the_tree_is_really_read) {

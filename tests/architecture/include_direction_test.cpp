@@ -41,9 +41,9 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (auto row = runtime_rows().rbegin(); row != runtime_rows().rend(); ++row)  // subfolders before their folder
     if (starts(row->first)) return row->first;
-  for (const char* part :
-       {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "importer/formats",
-        "importer/graph", "viewer/app", "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient",
+                           "importer/formats", "importer/graph", "importer/ktx2", "importer/python", "viewer/app",
+                           "viewer/light", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -58,8 +58,14 @@ bool sees(const std::string& from, const std::string& to) {
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
   if (from == "importer/formats") return to == from || to == "importer" || kAssets.contains(to);
-  if (from == "importer/graph") return to == from || to == "runtime/base" || to == "runtime/graph";
-  if (from == "importer") return to == "importer" || kAssets.contains(to) || to.starts_with("runtime/procedures/");
+  if (from == "importer/python")
+    return to == from || to == "importer" || to == "importer/formats" || to.starts_with("runtime");
+  if (from == "importer/graph")
+    return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/graph" ||
+           to == "runtime/playback" || to == "runtime/pose" || to == "runtime/pose_program" || to == "runtime/sync";
+  if (from == "importer/ktx2") return to == from;
+  if (from == "importer")
+    return to == "importer" || to == "importer/ktx2" || kAssets.contains(to) || to.starts_with("runtime/procedures/");
   if (from == "viewer/light")
     return to == from || to == "runtime/base" || to == "runtime/math" || to == "runtime/threads";
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
@@ -84,8 +90,10 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"nlohmann/", {"importer", "importer/graph", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
-      "runtime/transition", "importer/tool", "tests"}},
-    {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
+      "runtime/transition", "runtime/procedures", "importer", "importer/tool", "tests"}},
+    {"zstd",
+     {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/ktx2", "importer/tool",
+      "tests"}},
     {"tbb/", {"runtime/threads", "importer/tool", "tests"}},
     {"oneapi/", {}},
     {"Eigen/", {"runtime/blend_space", "runtime/model", "runtime/procedures", "tests"}},

@@ -43,6 +43,8 @@ void read_all(Bytes file) {
   if (!boxes) return require(boxes.error().block == "bounds", "an error names its block");
   const auto lods = read_skeleton_lods(*opened, scene->skeleton);
   if (!lods) return require(lods.error().block == "skeleton_lods", "an error names its block");
+  const auto graphs = read_graphs(*opened);
+  if (!graphs) return require(graphs.error().block == "graphs", "an error names its block");
   if (is_small(*scene)) play(*scene, *boxes);
   const std::vector<std::byte> again =
       write_asset_file(*scene, {.truth = true, .clip_boxes = *boxes, .skeleton_lods = *lods});

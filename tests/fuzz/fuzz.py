@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-TARGETS = ["glb", "json", "accessors", "compressed", "images", "clips", "geometry", "assets", "poses", "motion"]
+TARGETS = ["glb", "json", "accessors", "compressed", "images", "clips", "geometry", "assets", "poses", "motion", "graphs", "graph_bytes"]
 LIMITS = ["-rss_limit_mb=2560", "-malloc_limit_mb=1024", "-timeout=30", "-print_final_stats=1", "-verbosity=1"]
 # The weights that libFuzzer's entropic schedule keeps of every feature took more than two thirds of the time of whole files.
 SPEED = ["-entropic=0", "-reload=0", "-print_funcs=0"]

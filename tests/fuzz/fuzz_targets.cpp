@@ -11,7 +11,8 @@ std::span<const Target> targets() noexcept {
                                        Target{"accessors", read_accessors}, Target{"compressed", decode_compressed},
                                        Target{"images", decode_images},     Target{"clips", load_compiled_clips},
                                        Target{"geometry", play_geometry},   Target{"assets", read_asset_files},
-                                       Target{"poses", read_poses},         Target{"motion", read_motion}};
+                                       Target{"poses", read_poses},         Target{"motion", read_motion},
+                                       Target{"graphs", play_graphs},       Target{"graph_bytes", play_graph_bytes}};
   return kTargets;
 }
 

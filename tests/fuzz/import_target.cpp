@@ -4,8 +4,11 @@
 #include <tbb/global_control.h>
 
 #include <cstdint>
+#include <string_view>
 
 #include "importer/file/glb_container.h"
+#include "importer/file/json_fault.h"
+#include "importer/file/json_reader.h"
 #include "importer/import_gltf.h"
 #include "runtime/plan/run_plan.h"
 
@@ -33,7 +36,16 @@ void import_and_evaluate(Bytes file) {
 void import_glb(Bytes input) { import_and_evaluate(input); }
 
 void import_json(Bytes input) {
-  if (!looks_like_glb(input)) import_and_evaluate(input);
+  if (looks_like_glb(input)) return;
+  const std::string_view text(reinterpret_cast<const char*>(input.data()), input.size());
+  JsonMemory memory;
+  JsonPool pool(2048, &memory);
+  JsonBuilder tree(&pool, 256, &memory);
+  JsonOutcome outcome{};
+  const auto read = [&](JsonBuilder& builder) { return (outcome = read_json(text, builder)) == JsonOutcome::read; };
+  tree.Populate(read);
+  require(outcome != JsonOutcome::invalid || !describe_json_fault(text).empty(), "text that is refused has a fault");
+  import_and_evaluate(input);
 }
 
 }  // namespace sinew::fuzz

@@ -82,7 +82,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     const std::string_view name = chosen_target().name;
     if (name == "geometry") changed = change_geometry(data, size, max_size, seed / 5);
     if (name == "glb") changed = change_glb(data, size, max_size, seed / 5);
-    if (name == "json" || name == "poses") changed = change_json(data, size, max_size, seed / 5);
+    if (name == "json" || name == "poses" || name == "graphs") changed = change_json(data, size, max_size, seed / 5);
   }
   return changed ? *changed : LLVMFuzzerMutate(data, size, max_size);
 }

@@ -6,7 +6,7 @@
 namespace sinew::fuzz {
 
 void read_poses(Bytes input) {
-  tool::PoseComparison comparison({}, 8);
+  tool::PoseComparison comparison({});
   const auto compare = [&](std::size_t, const tool::Pose& pose) {
     comparison.compare(0, pose, pose);
     return true;

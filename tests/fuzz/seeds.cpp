@@ -14,16 +14,20 @@
 #include "importer/file/glb_container.h"
 #include "importer/file/meshopt_extension.h"
 #include "importer/geometry_cache/encode_geometry_cache.h"
+#include "importer/graph/graph_text.h"
 #include "importer/import_gltf.h"
 #include "runtime/asset_file/write_asset_file.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/compress/compile_clip_within.h"
+#include "runtime/graph/graph_bytes.h"
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/model/mesh.h"
 #include "samples/showcase/showcase.h"
 #include "tests/asset_file/full_scene.h"
+#include "tests/fuzz/graph_seed.h"
 #include "tests/importer/encoded_images.h"
 #include "tests/importer/glb_seeds.h"
+#include "tests/importer/ktx2_samples.h"
 #include "tests/importer/tiny_gltf.h"
 #include "tests/support/fixed_random.h"
 
@@ -270,8 +274,13 @@ std::vector<Seed> own_seeds() {
   out.push_back({"images", test::encode_jpeg(5, 4, 3, pixels)});
   out.push_back({"images", test::encode_webp(5, 4, pixels)});
   out.push_back({"images", test::encode_avif(5, 4, pixels)});
+  for (const auto* sample : {&test::etc1s_sample(), &test::etc1s_alpha_sample(), &test::uastc_zstd_sample()})
+    out.push_back({"images", sample->file});
   out.push_back({"poses", blob(kPoses)});
   out.push_back({"motion", blob(kMotion)});
+  out.push_back({"graphs", blob(kGraphSeed)});
+  if (const auto document = read_graph(kGraphSeed))
+    if (const auto graph = compile_graph(*document)) out.push_back({"graph_bytes", write_graph_bytes(graph->tables())});
   return out;
 }
 
@@ -279,7 +288,8 @@ std::vector<Seed> seeds_of_file(const std::filesystem::path& file) {
   std::vector<Seed> out;
   const Blob bytes = read_file(file);
   const std::string extension = file.extension().string();
-  if (extension == ".png" || extension == ".jpg" || extension == ".webp" || extension == ".avif") {
+  if (extension == ".png" || extension == ".jpg" || extension == ".webp" || extension == ".avif" ||
+      extension == ".ktx2") {
     if (bytes.size() < kLargest) out.push_back({"images", bytes});
   } else if (extension == ".json") {
     if (bytes.size() < kLargest) out.push_back({"poses", bytes});
