@@ -36,9 +36,16 @@ ci_builds=("thread sanitizer" "64-bit ARM" "64-bit Windows" "Python package" "Sl
 ci_build=${ci_builds[$((16#${ci_commit:6:6} % ${#ci_builds[@]}))]}
 builds() { [ -n "$ci_all" ] || [ "$ci_build" = "$1" ]; }
 
+# The headers that changed since the base, and a quarter of all in turn.
+headers_in_turn() {
+  [ -z "$ci_base" ] || git diff --name-only --no-renames "$ci_base" HEAD -- '*.h'
+  git ls-files '*.h' | awk -v turn=$((16#${ci_commit:12:6} % 4)) 'NR % 4 == turn'
+}
+
 what_was_left_out() {
   local part
   for part in "${ci_builds[@]}"; do builds "$part" || echo "left out: $part (its turn comes; ./run check-all takes all)"; done
+  [ "$ci_all" ] || ! takes headers || echo "left out: three quarters of the headers that did not change (their turn comes)"
   if [ "$ci_changes" = everything ]; then
     echo "every part was taken: that was asked for, there is no older commit, or what decides about all files has changed"
     echo "left out: mutants, of which a few say nothing about so many changes (./run mutate)"

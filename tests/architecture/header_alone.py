@@ -4,6 +4,7 @@
 
 Only the syntax is checked, beside one precompiled header of the other libraries, which is most of what a header includes.
 standard_includes_test holds that each header includes what that brings of the standard library and GLM.
+SINEW_HEADERS names a file with the headers to take, one a line, where all would take too long; empty: all.
 usage: header_alone.py SOURCE FOLDER [--headers CLI/CLI.hpp ...] [--exclude REGEX] --work FOLDER -- COMPILER FLAGS..."""
 import argparse
 import concurrent.futures
@@ -40,10 +41,13 @@ if done.returncode:
 # Headers that end in -inl.h are included once for each instruction set by design.
 headers = sorted(str(path.relative_to(options.source)) for path in (options.source / options.folder).rglob('*.h'))
 headers = [h for h in headers if not h.endswith('-inl.h') and not re.search(options.exclude, h)]
+total = len(headers)
+if chosen := os.environ.get('SINEW_HEADERS'):
+    headers = sorted(set(headers) & set(pathlib.Path(chosen).read_text().split()))
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     answers = pool.map(lambda h: compile_text(f'#include "{h}"\n' * 2, '-fsyntax-only', '-include', precompiled), headers)
     bad = [(h, a.stderr) for h, a in zip(headers, answers) if a.returncode]
 for header, errors in bad:
     print(f'{header} does not compile alone:\n{errors}')
-print(f'{options.folder}: {len(headers)} headers, {len(bad)} of them do not compile alone')
-sys.exit(1 if bad or not headers else 0)
+print(f'{options.folder}: {len(headers)} of {total} headers, {len(bad)} of them do not compile alone')
+sys.exit(1 if bad or not total else 0)
