@@ -103,11 +103,9 @@ class SINEW_API JobThread {
   bool wait(Ticket ticket) const;
 
   /// The pose of a character whose frame waits at its cut; the caller may write it until resume(). Null if no frame
-  /// waits, or the character does not stop there, was removed or got another plan since.
-  ///
-  /// In the first half a follower uses joints of its leader. They are those of the cut if the leader stops too, and
-  /// those of its last result if the leader runs after the cut. The second half uses the final joints, for the root and
-  /// for the operations that are left.
+  /// waits, or the character does not stop there, was removed or got another plan since. Up to the cut a follower uses
+  /// joints of its leader at the cut if the leader stops too, else those of its last result. The second half uses the
+  /// final joints, for the root and for the operations that are left.
   const CutPose* cut_pose(Character character) const noexcept;
   /// Lets the frame that waits at its cut go on. Followers of characters that stopped run now.
   /// err  no_cut (no frame waits). A pose with NaN or infinity is reported by last_error() as not_finite
