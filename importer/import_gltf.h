@@ -60,7 +60,7 @@ struct ImportedFile {
   struct Facts {
     std::string generator, copyright, version;
     std::vector<std::string> extensions_used, extensions_required;
-    std::uint64_t file_bytes = 0;  ///< including all buffers and images that were read
+    std::uint64_t file_bytes = 0;  ///< size of the file with all buffers and images that were read
     /// The file, and all existing files that it refers to. A program must not overwrite any of them.
     std::vector<std::filesystem::path> files;
   } facts;

@@ -18,14 +18,18 @@ struct VrmMorphBind {
 
 /// A facial expression: a preset such as "happy", "blink" or "aa", or a custom one of the file.
 struct VrmExpression {
-  /// How it holds back other expressions: not, wholly above 0, or by its value.
-  enum class Override : std::uint8_t { none, block, blend };
+  /// How this expression weakens the expressions of one part of the face.
+  enum class Override : std::uint8_t {
+    none,
+    block,  ///< turns them off while its own value is above 0
+    blend   ///< subtracts its own value from their factor
+  };
   std::string name;
   bool is_preset = false;
   bool is_binary = false;  ///< fully on or off, without intermediate weights
   std::vector<VrmMorphBind> morphs;
   Override override_blink = Override::none, override_look_at = Override::none, override_mouth = Override::none;
-  std::uint32_t value_joint = kNone;  ///< of an animation: the joint whose x translation is the value
+  std::uint32_t value_joint = kNone;  ///< in VRMC_vrm_animation: the joint whose x translation is the value
 };
 
 /// How the eyes look at a point: with eye bones, or with the expressions lookLeft, lookRight, lookUp and lookDown.
@@ -37,10 +41,10 @@ struct VrmLookAt {
     float output = 10.0f;  ///< degrees of bones, or the weight of an expression
   };
   Kind kind = Kind::none;
-  /// Position between the eyes in the space of the bone "head"; where the file is silent that of UniVRM.
+  /// Position between the eyes in the space of the bone "head". The default is that of UniVRM, for files without one.
   glm::vec3 offset_from_head_m{0.0f, 0.06f, 0.0f};
   Range inner, outer, down, up;      ///< towards the nose, away from it, down and up
-  std::uint32_t gaze_joint = kNone;  ///< of an animation: the joint whose rotation is that of the gaze
+  std::uint32_t gaze_joint = kNone;  ///< in VRMC_vrm_animation: the joint whose rotation is the direction of the gaze
 };
 
 /// A collider for hair and cloth: a sphere, a capsule from `offset` to `tail`, or the half-space below a plane.

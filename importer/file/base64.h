@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,5 +13,8 @@ namespace sinew {
 /// out   empty if a character is not in the alphabet, or a single character is left over
 /// cost  O(text); allocates 3/4 of its size
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text);
+
+/// Encodes bytes as base64, with padding.
+std::string encode_base64(std::string_view bytes);
 
 }  // namespace sinew

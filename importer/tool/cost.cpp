@@ -15,6 +15,7 @@
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/cost/make_report.h"
 #include "importer/tool/cost/occlusion_group.h"
+#include "importer/tool/cost/overview/make_overview.h"
 #include "importer/tool/cost/shading_groups.h"
 #include "importer/tool/cost/subject.h"
 #include "importer/tool/cost/write_report.h"
@@ -45,7 +46,7 @@ std::string description_of(const std::string& file, const Scene& scene) {
 }
 
 constexpr double kDoneBefore = 0.7;  // fraction of the progress line that ends before the study of ambient occlusion
-constexpr double kDoneBeforeFilters = 0.9;
+constexpr double kDoneBeforeFilters = 0.85, kDoneBeforePictures = 0.95;
 
 ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
   report.subject = subject;
@@ -75,6 +76,9 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   const std::string measured = reads_textures || angles.samples > 0 ? cost::measure_shading(options.quick) : "";
   report.groups.push_back(reads_textures ? cost::filter_group(measured) : cost::no_filters());
   report.groups.push_back(cost::normal_interpolation_group(angles, measured));
+  show("pictures", kDoneBeforePictures);
+  const auto effort = options.quick ? cost::Effort::quick() : cost::Effort{};
+  report.overview = cost::make_overview(report.groups, cost::Subject(*scenes.skinned, looked_at, effort), options.file);
   progress.wipe();
   return finish(std::move(report), subject, options);
 }

@@ -73,8 +73,8 @@ typedef struct sinew_blended_event {
   float weight;    ///< of the clip at that moment
 } sinew_blended_event;
 
-/// The events of all clips that play in one step, in the order of time, each once per crossing. Give the clips of the
-/// program before and of this one, so that a clip's last step is not lost in a fade.
+/// The events of all clips that play in one step, in the order of time, each once per crossing. Pass the
+/// clips of this frame's program and of the previous one, so that the last step of a faded clip counts.
 /// in   playing[count]  at most 255
 /// out  events[capacity]  what does not fit is left out;   crossed  number of events, which may be larger than `capacity`
 /// err  SINEW_NULL_ARGUMENT, SINEW_UNSUPPORTED (more clips)

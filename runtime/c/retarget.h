@@ -91,7 +91,7 @@ SINEW_API sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const s
 /// Holds the feet of a retargeted pose. A foot on the ground follows the path of the source's foot, scaled by the ratio
 /// of heights. It stands still while the source's foot stands still. Thighs and shanks turn; hips come down where legs
 /// are too short.
-/// in   ground    height of the ground below the source's feet at rest, in units of the source (sinew_find_ground)
+/// in   ground    height of the ground relative to the source's feet at rest, in its units (sinew_find_ground)
 ///      pose      of the source
 ///      held      the result of sinew_retarget_pose for `pose`; changed in place
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH, SINEW_NOT_FINITE;   cost O(joints of legs), no allocation

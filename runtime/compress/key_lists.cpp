@@ -118,8 +118,8 @@ void rest(TrackType& track, std::uint32_t key) {
   track.interpolation = Interpolation::linear;
 }
 
-/// Adds the first or the last key of `source` to a track that lacks it. A resting track repeats its value. A track that
-/// was left out rests again.
+/// Extends a track to the first or last key time of `source`. A track of one value repeats the value there. A track
+/// that was left out becomes a track of one value again. Any other track gets the key of `source`.
 template <class TrackType>
 void add_end(TrackType& track, const TrackType& source, const KeptKeys& kept, bool first) {
   if (kept.left_out && track.empty()) {

@@ -96,7 +96,7 @@ class SINEW_API GeometryDecoder {
   std::unique_ptr<Memory> memory_;
   std::uint32_t frame_ = kNone;
   float part_ = 1.0f;
-  bool has_before_ = false;  // the frame before the held one is valid too
+  bool has_before_ = false;  // the points of the frame before frame_ are held too
   std::uint64_t frames_decoded_ = 0;
 };
 

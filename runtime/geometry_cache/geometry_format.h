@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Layout of .sgeo files, shared by the encoder (importer/geometry_cache) and the decoder. Little-endian.
 //
-//   head       kGeometryFileHead bytes: magic, version, 0, bytes of head and directory together, bytes of the file,
-//              checksum of the directory
-//   directory  meshes, streams, tables of frames (geometry_cache.cpp reads it in its order)
-//   frames     one after another, each the frames of all streams one after another
+// - head       kGeometryFileHead bytes: magic, version, 0, size of head and directory, size of the file, checksum of
+// the
+//              directory
+// - directory  meshes, streams, tables of frames, in the order in which geometry_cache.cpp reads them
+// - frames     in the order of time; each holds one frame of every stream
 //
-// A frame of a stream is three sections, each stored as it is or by zstd, whichever is smaller:
-//   coarse     kinds, widths, shifts, upper bytes of offsets and matrices: planes of small numbers
-//   fine       lowest bytes of offsets and matrices: close to random
-//   payload    packed residuals
+// One frame of a stream has three sections. Each is stored as it is or compressed by zstd, whichever is smaller.
+// - coarse     kinds, widths, shifts, upper bytes of offsets and matrices: planes of small numbers
+// - fine       lowest bytes of offsets and matrices: close to random
+// - payload    packed residuals
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -124,8 +124,8 @@ class StateCarrier {
       now.position = std::clamp(now.position, std::int64_t{0}, period);
   }
 
-  /// Keeps the choice, which the next update compares with the parameter. States that a transition has frozen keep
-  /// theirs for good.
+  /// Keeps the choice, which the next update compares with the parameter. A state that a transition has frozen never
+  /// changes its choice.
   void carry_select(const GraphSelect& old_select, std::byte* old_own, const GraphSelect& select,
                     std::byte* own) noexcept {
     const GraphIndex old_child = old_.children[old_select.first_child + block_at<SelectState>(old_own).child];

@@ -14,7 +14,7 @@ namespace sinew {
 /// what stays. A node plays on if the new graph has a node of its name and kind in its place, and a clip also needs the
 /// same clip name. A machine keeps its states, their times and their fades by the names of states. All else starts
 /// anew, as StartGraphJob starts it:
-/// - a machine whose active state is gone; a select whose choice is another one;
+/// - a machine whose active state is gone; a select whose playing child is gone;
 /// - a fade whose transition is gone, or is of another kind, ends at once.
 /// Triggers that are set, and a state that was requested, stay if their names do. The clock of the graph goes on.
 /// in   from_state  of `from`;   clips, parameters  of the new graph;   state  8-byte aligned, not that of `from_state`

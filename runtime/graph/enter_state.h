@@ -9,7 +9,8 @@ namespace sinew {
 /// in   base  start of the memory to which the node's offset is relative.     Internal to graph/.
 void start_node(const LiveGraph& live, GraphIndex node, std::byte* base) noexcept;
 
-/// Starts the newly chosen child of each select whose choice has changed. States that a cut has frozen keep theirs.
+/// Starts the newly chosen child of each select whose choice has changed. A state that a cut has frozen keeps its
+/// choice.
 /// out  true: something started, so the live lists must be made again
 bool follow_choices(const LiveGraph& live, GraphIndex node, std::byte* base) noexcept;
 

@@ -33,8 +33,8 @@ struct GraphStep {
   DualQuatd root_motion;  ///< world = normalised(world * root_motion)
   DualQuatd root_place;   ///< FrameInput::root = world * inverse of root_place
   std::uint32_t event_count = 0;
-  std::uint64_t events_left_out = 0;  ///< no room, or beyond 1,024 rounds of a clip in one piece of the step
-  bool transitions_left_out = false;  ///< true: kMostGraphTransitions were taken, so no more are taken in this update
+  std::uint64_t events_left_out = 0;  ///< events not written: `events` was full, or a clip played over 1,024 rounds
+  bool transitions_left_out = false;  ///< the update has taken kMostGraphTransitions and takes no more
 };
 
 inline constexpr double kMostGraphStep_s = 3600.0;

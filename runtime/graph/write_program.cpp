@@ -9,8 +9,8 @@
 namespace sinew {
 namespace {
 
-/// Threshold of a mean: smaller sums of weights are filled up with the rest pose. The weights sum to about 1, so they
-/// are only normalised.
+/// Threshold of a mean: if the weights sum to less, the rest pose gets the missing weight. Here they sum to about 1, so
+/// the threshold only guards against an empty sum.
 constexpr double kThreshold = 0.001;
 
 /// Time step, in ticks, over which transitions measure velocities.

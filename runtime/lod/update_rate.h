@@ -10,7 +10,7 @@ namespace sinew {
 /// How often a character is evaluated: at level k in every 2^k-th frame.
 enum class UpdateLevel : std::uint8_t { every, every_second, every_fourth };
 
-/// Screen sizes at which levels change, as fractions of the picture height.
+/// Screen sizes at which levels change. A size is the height of a character as a fraction of the picture height.
 struct UpdateRates {
   double second_below = 0.2;   ///< smaller characters are evaluated in every second frame
   double fourth_below = 0.07;  ///< smaller characters are evaluated in every fourth frame

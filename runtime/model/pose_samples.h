@@ -60,9 +60,9 @@ struct PoseSamples {
 };
 
 /// Checks the input of a corrective.
-/// err  size_mismatch (no driver, sample or weight, or arrays of wrong length); not_finite (also rotations and axes
-///      without direction, and drivers of weight 0 only); unsupported (negative driver weight or regularisation,
-///      radius <= 0)
+/// err  size_mismatch (no driver, sample or weight, or arrays of wrong length);
+///      not_finite (a number, a rotation or axis of length 0, or all driver weights are 0);
+///      unsupported (negative driver weight or regularisation, radius <= 0)
 SINEW_API ErrorCode check(const PoseSamples& samples) noexcept;
 
 }  // namespace sinew

@@ -28,8 +28,10 @@ struct CompiledSkeletonLod {
   SkeletonLod detail;
   double tolerance_m = 0.0;    ///< the requested limit
   std::uint32_t left_out = 0;  ///< number of joints
-  double measured_m = 0.0;     ///< largest displacement of virtual vertices of left-out joints, and of vertices in
-                               ///< the frames that were compared
+  /// Largest displacement from the full skeleton, over the sampled moments of the clips. It covers the virtual vertices
+  /// (compress/virtual_vertices.h) of left-out joints. If the skinning is not linear, whole frames were evaluated too,
+  /// and it covers their vertices.
+  double measured_m = 0.0;
   std::uint32_t worst_joint = kNone;  ///< the joint whose virtual vertices moved most
 };
 

@@ -39,8 +39,8 @@ struct PageSample {
 class SINEW_API PagedClip {
  public:
   struct Options {
-    std::size_t window = 4;  ///< most pages in memory, at least 2: the playing one, the next ones, and from 3 on the
-                             ///< previous one
+    std::size_t window = 4;  ///< most pages in memory, at least 2: the playing one and the next ones. A window of 3
+                             ///< or more also has the previous one
     bool loops = true;       ///< the first page follows the last one
     std::vector<std::uint32_t> kept_joints = {};  ///< for a plan with a skeleton LOD, its kept_joints
                                                   ///< (plan/compile_plan.h); empty = all joints

@@ -97,8 +97,8 @@ struct FrameInput {
   /// Empty = the layers make the pose.
   PoseProgramSpan program = {};
   /// Poses, joints and masks of the caller that the program names by index. With a SkeletonLod, poses and joints are
-  /// those that it keeps (pose_joint). Layers may name the masks, too. An
-  /// input with masks has its poses evaluated in each frame between updates.
+  /// those that it keeps (pose_joint). Layers may name the masks, too. With masks, both poses that
+  /// `interpolation_factor` mixes are evaluated in every frame.
   PoseProgramInputs program_inputs = {};
   bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion are not part of
                         ///< frames, so they go on

@@ -33,7 +33,7 @@ struct BlendedEvent {
 /// Iterates over the events of all clips that play in one step, in the order of time, each once per crossing:
 ///     for (BlendedEvents crossed(playing, cursors); auto e = crossed.next();)
 ///       if (e->weight > 0.25f) fire(*e);
-/// Give the clips of the program before and of this one, so that a clip's last step is not lost in a fade.
+/// Pass the clips of this frame's program and of the previous one, so that the last step of a faded clip counts.
 /// eq   u = clip time played until the event / |step_s|, weight = (1 - u) weight_before + u weight_after; u = 1 in a
 ///      step of length 0. Of events at the same moment, those of the first clip come first
 /// in   playing    a step with an error, and a clip whose weights are both 0, has no events
@@ -49,7 +49,7 @@ class SINEW_API BlendedEvents {
   BlendedEvents(std::span<const PlayingClip> playing, std::span<Cursor> cursors) noexcept;
 
   std::optional<BlendedEvent> next() noexcept;
-  /// Whole rounds of all clips that are skipped (EventCursor::rounds_left_out).
+  /// Number of whole rounds whose events next() skips, summed over the clips (EventCursor::rounds_left_out).
   std::uint64_t rounds_left_out() const noexcept { return rounds_left_out_; }
 
  private:

@@ -32,10 +32,10 @@ class SINEW_API EventCursor {
   /// Index of the next crossed event; nullopt if there is none.
   std::optional<std::size_t> next() noexcept;
 
-  /// Clip time that the step has played when it crosses the event that next() returned last, in seconds, >= 0.
+  /// Clip time from the start of the step to the event that next() returned last, in seconds, >= 0.
   double played_s() const noexcept { return played_s_; }
 
-  /// Whole rounds that next() skips; at most 2^63.
+  /// Number of whole rounds whose events next() skips; at most 2^63.
   std::uint64_t rounds_left_out() const noexcept { return rounds_left_out_; }
 
  private:

@@ -11,7 +11,7 @@ namespace sinew {
 
 /// Behaviour of a clock at the ends of its clip.
 enum class PlayMode : std::uint8_t {
-  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once.
+  loop,       ///< time runs in [0, duration). The end of a round is the start of the next one, so it is shown once.
               ///< Nothing is interpolated across the seam, unless the clip was closed (animation/close_loop.h).
   clamp,      ///< stays at the end; leaves it at once if the direction changes
   ping_pong,  ///< plays forward, then backward; each end is shown once

@@ -14,9 +14,9 @@
 namespace sinew {
 
 enum class ChainSolver : std::uint8_t {
-  ccd,     ///< each joint from the last to the first turns its effectors to their targets; slow near the end
-  fabrik,  ///< moves places of joints to the targets and back, then turns joints to them; near the target at once
-  damped,  ///< damped least squares over all joints; exact after about eight iterations, but they cost most
+  ccd,     ///< each joint, from the last to the first, turns its effectors to their targets; converges slowly
+  fabrik,  ///< moves positions of joints to the targets and back, then turns joints to fit; fast to a rough solution
+  damped,  ///< damped least squares over all joints; exact after about eight iterations, which cost most
 };
 
 /// A joint that may turn.
@@ -31,8 +31,8 @@ struct ChainEffector {
   std::uint32_t joint = 0;
   Vec3<double> target{0.0};                    ///< in model space
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< in model space, w x y z; unit
-  float weight = 1.0f;  ///< >= 0, of the place. Of two targets, one with 100 times the weight is nearly reached
-  float rotation_weight = 0.0f;  ///< >= 0; 0: only the place matters
+  float weight = 1.0f;  ///< >= 0, of the target. If two cannot both be reached, one with 100 times the weight nearly is
+  float rotation_weight = 0.0f;  ///< >= 0, of `rotation`; 0: any rotation will do
 };
 
 /// Joints, targets, and limits of the solver. Bone lengths are taken from the pose, so they may be animated.

@@ -28,8 +28,8 @@ struct Ground {
   void* context = nullptr;
 };
 
-/// Joints of a leg, and two points of its sole. Spiders and horses have several joints between: `hip`, `knee` and
-/// `ankle` are the limb of two bones that moves.
+/// Joints of a leg, and two points of its sole. Other joints may lie in between, as in the legs of spiders and horses:
+/// only `hip`, `knee` and `ankle` turn.
 struct FootSetup {
   std::uint32_t hip = 0, knee = 0, ankle = 0;
   std::uint32_t toes = kNone;         ///< joint at the ball of the foot; kNone = the foot has none
@@ -46,31 +46,33 @@ inline constexpr std::size_t kMostFeet = 8;
 struct FeetSetup {
   std::uint32_t pelvis = 0;          ///< joint above all legs, which comes down where the ground is low
   std::span<const FootSetup> feet;   ///< at most kMostFeet
-  double lock_below_m_s = 0.3;       ///< a low foot whose tip is slower stays where it is
-  double free_above_m_s = 1.0;       ///< a foot whose tip is faster goes on
-  double contact_height_m = 0.05;    ///< a foot is low if the tip is no higher above the clip's ground
-  double release_beyond_m = 0.2;     ///< a foot goes on where it stays behind its clip by more
-  double half_life_s = 0.05;         ///< of what is left between a foot and its clip
-  double step_half_life_s = 0.045;   ///< of what is left of a jump of the ground: a foot rises to its step in the air
-  double pelvis_half_life_s = 0.08;  ///< of what is left between the pelvis and its place
-  double most_pelvis_m = 0.5;        ///< the pelvis moves up or down by no more
-  double most_slope_rad = 0.9;       ///< a sole turns by no more; where the ground is steeper it is a step
+  double lock_below_m_s = 0.3;       ///< a foot is locked if its tip is low in the clip, and slower than this
+  double free_above_m_s = 1.0;       ///< a locked foot is released if its tip is faster in the clip
+  double contact_height_m = 0.05;    ///< height of the tip in the clip below which it is low; twice this height
+                                     ///< releases a locked foot
+  double release_beyond_m = 0.2;     ///< a locked foot is released at this horizontal distance from its clip
+  double half_life_s = 0.05;         ///< time in which the distance of a released foot from its clip halves
+  double step_half_life_s = 0.045;   ///< time in which the offset of a foot halves after the ground below it jumped
+  double pelvis_half_life_s = 0.08;  ///< time in which the distance of the pelvis from its goal halves
+  double most_pelvis_m = 0.5;        ///< limit of the pelvis's offset, up and down
+  double most_slope_rad = 0.9;       ///< limit of a sole's turn
 };
 
-/// Memory of one character's feet: plain numbers, to be copied, stored and rolled back.
+/// Memory of one character's feet: plain numbers that can be copied, stored and rolled back.
 struct FeetState {
   struct Foot {
-    Vec3<double> clip_tip{0.0};                  ///< place of the tip in the clip: in the world, y above the root
-    Vec3<double> shown_tip{0.0};                 ///< horizontal place that is shown, and ground below it
-    Vec3<double> offset{0.0}, offset_rate{0.0};  ///< shown minus clip, which fades after a lock
-    double step = 0.0, step_rate = 0.0;          ///< height that the ground jumped by, which fades
+    Vec3<double> clip_tip{0.0};   ///< place of the tip in the clip: x and z in the world, y above the root
+    Vec3<double> shown_tip{0.0};  ///< place of the tip in the last frame: x and z in the world, y of the ground below
+    Vec3<double> offset{0.0}, offset_rate{0.0};  ///< shown place minus clip, which fades after a lock
+    double step = 0.0, step_rate = 0.0;          ///< height by which the ground jumped; fades to 0
     Vec3<double> normal{0.0, 1.0, 0.0};
     std::uint8_t is_locked = 0;
   };
   std::array<Foot, kMostFeet> feet;
   double pelvis = 0.0, pelvis_rate = 0.0;
-  double pelvis_goal = 0.0;      ///< the place of the last run
-  std::uint8_t has_started = 0;  ///< 0: the next run starts where the clip is, as after a teleport
+  double pelvis_goal = 0.0;  ///< goal of the pelvis in the last run
+  /// 0: the next run has no history. It places feet and pelvis at once, as after a teleport.
+  std::uint8_t has_started = 0;
 };
 
 /// Outcome for one foot.
@@ -80,8 +82,8 @@ struct FootResult {
   float tip_above_ground_m = 0.0f, heel_above_ground_m = 0.0f;  ///< in the pose that was written
 };
 
-/// Puts feet on the ground, and keeps them in place while they stand. The clip plays on flat ground at the height of
-/// the root; y is up. Up and down hill, over stairs, with any number of legs from 1 to kMostFeet.
+/// Puts feet on the ground, and keeps them in place while they stand: uphill, downhill and on stairs, with 1 to
+/// kMostFeet legs. The clip itself plays on flat ground at the height of the root; y is up.
 /// eq   tip    while it is locked, the place where it was locked; then the clip's place plus an offset that fades
 ///             critically damped, with the foot's velocity at the release: no pop in place or velocity
 ///      height the clip's height above its ground, plus the ground's height. Where the ground jumps (stairs), the jump
@@ -91,9 +93,9 @@ struct FootResult {
 ///             critically damped, so the pelvis does not lag on slopes
 ///      A foot in the air is never straighter than in the clip. A foot on the ground may be while the pelvis comes
 ///      down.
-/// limits  A foot that passes the edge of a step less than 50 ms before it stands is late on its step.
+/// limits  A foot that passes the edge of a step less than 50 ms before it lands is still below or above the step then.
 /// in   root   matrix from model space to the world: turns about y, one positive scale
-///      dt_s   >= 0 since the last run; 0 = the same moment again: nothing is remembered anew
+///      dt_s   >= 0 since the last run; 0 = the same moment again: no lock or speed in `state` changes
 /// io   local, state
 /// out  results[feet] or empty
 /// err  size_mismatch (pose, feet, results), index_out_of_range, unsupported (joints not in one line, a fixed matrix),

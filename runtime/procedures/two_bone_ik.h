@@ -21,14 +21,14 @@ enum class EndRotation : std::uint8_t {
 
 /// The quantity that a weight below 1 mixes between input pose and solution.
 enum class IkBlend : std::uint8_t {
-  pose,      ///< rotations of the joints; turns beyond 150 degrees go to the nearer of both
-  effector,  ///< places of the tip: it moves along a straight line towards the target
+  pose,      ///< rotations of the joints; beyond turns of 150 degrees the share goes to 0 or 1
+  effector,  ///< place of the tip: it moves along a straight line towards the target
 };
 
-/// A limb and the target of its tip. Angles are in radians, shares are of the length of the straight limb.
+/// A limb and the target of its tip. Angles are in radians. Shares are fractions of the straight limb's length.
 struct TwoBoneGoal {
   std::uint32_t root = 0, middle = 0, tip = 0;  ///< each below the previous one; joints in between do not turn
-  Vec3<double> target{0.0};                     ///< of the tip, in model space
+  Vec3<double> target{0.0};                     ///< where the tip shall be, in model space
   Vec3<double> pole{0.0};                       ///< direction or place towards which the middle joint bends (pole_kind)
   PoleKind pole_kind = PoleKind::none;
   IkBlend blend = IkBlend::pose;
@@ -40,11 +40,11 @@ struct TwoBoneGoal {
   Vec3<float> middle_axis{0.0f};
   float twist_rad = 0.0f;     ///< turns the limb about the line from root to target
   float weight = 1.0f;        ///< [0, 1]; 0 keeps every bit of the pose
-  float soft_reach = 0.0f;    ///< [0, 1) share of the length that straightens smoothly (kSoftReach); 0 = off
+  float soft_reach = 0.0f;    ///< [0, 1) last share over which the limb straightens smoothly (kSoftReach); 0 = off
   float most_stretch = 1.0f;  ///< >= 1: factor by which bones may lengthen; 1 = off
   float least_bend_rad = 0.0f, most_bend_rad = 3.14159265f;  ///< [0, pi]; 0 = straight, pi = folded
   float pole_fade = kPoleFade;  ///< [0, 1) as kPoleFade; 0: no fade, so the limb snaps at the pole
-  float tolerance = 1e-5f;      ///< share of the length that counts as reached
+  float tolerance = 1e-5f;      ///< distance from the target that counts as reached, as a share
 };
 
 /// Two-bone inverse kinematics on a local pose.

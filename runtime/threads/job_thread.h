@@ -103,9 +103,9 @@ class SINEW_API JobThread {
   bool wait(Ticket ticket) const;
 
   /// The pose of a character whose frame waits at its cut; the caller may write it until resume(). Null if no frame
-  /// waits, or the character does not stop there, was removed or got another plan since. A follower sees a leader that
-  /// stops as well as it is at the cut, and a leader that runs after the cut as in its last result. The second half
-  /// uses the final joints, for the root and for the operations that are left.
+  /// waits, or the character does not stop there, was removed or got another plan since. Up to the cut a follower uses
+  /// joints of its leader at the cut if the leader stops too, else those of its last result. The second half uses the
+  /// final joints, for the root and for the operations that are left.
   const CutPose* cut_pose(Character character) const noexcept;
   /// Lets the frame that waits at its cut go on. Followers of characters that stopped run now.
   /// err  no_cut (no frame waits). A pose with NaN or infinity is reported by last_error() as not_finite

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How an engine uses sinew: read an asset file, compile a plan once, then submit frames to the job thread and read the
-// newest finished one without waiting. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is linked.
+// How an engine uses sinew: read an asset file, and compile a plan once. Then submit frames to the job thread, and read
+// the newest finished one without waiting. `sinew compile lift.gltf -o lift.sinew` makes the file; no importer is
+// linked.
 #include <sinew/asset_file.h>
 #include <sinew/job_thread.h>
 #include <sinew/plan.h>

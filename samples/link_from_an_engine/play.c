@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C version of main.cpp: read an asset file, plan, run frames into one block of memory, follow a clock. C11.
+// The version of main.cpp in C (2011): read an asset file, plan, run frames into one block of memory, follow a clock.
 #include <stdio.h>
 #include <stdlib.h>
 

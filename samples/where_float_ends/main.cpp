@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where float ends: the largest error of each kernel over a sweep of inputs, against double precision, in radians,
-// metres or seconds and in steps of float. Common shortcuts are measured too, to show their errors.
+// Where float ends: the largest error of each kernel over a sweep of inputs, against double precision. Errors are in
+// radians, metres or seconds, and in steps of float. Common shortcuts are measured too, to show their errors.
 #include <cstdio>
 #include <cstring>
 

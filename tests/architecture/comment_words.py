@@ -65,7 +65,9 @@ def sentences(texts):
 def findings(path, text):
     lines = text.splitlines()
     for start, texts in blocks(lines):
-        if any("SPDX" in line for line in texts) or "clang-format off" in texts[0]:
+        while texts and "SPDX" in texts[0]:  # the block may go on with the file's purpose
+            start, texts = start + 1, texts[1:]
+        if not texts or "clang-format off" in texts[0]:
             continue
         for offset, sentence in sentences(texts):
             if FIELD.match(sentence):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The archives of the runtime have no writable variables, with few exceptions: the engine's handler of broken
-// contracts, cache sizes of the corrective solver, and an empty name. (Highway's choice of the instruction set is in
-// libhwy; the tables of kernels are constants.)
+// The archives of the runtime have no writable variables. The exceptions are the engine's handler of broken contracts,
+// cache sizes of the corrective solver, and an empty name. (Highway's choice of the instruction set is in libhwy; the
+// tables of kernels are constants.)
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -68,7 +68,8 @@ HEADLINES = (
 # Leaves one chart of the page, without the table under it, and says how high that is.
 ONE_CHART = """<style>main { padding: 0 !important } main > :not(#groups), .scroll, .about, .detail, section:not(#rotation) { display: none !important }
 section { margin: 4px !important }</style>
-<script>document.body.dataset.height = Math.ceil(document.getElementById("rotation").getBoundingClientRect().bottom) + 4;</script></body>"""
+<script>document.querySelector("#rotation details").open = true;
+document.body.dataset.height = Math.ceil(document.getElementById("rotation").getBoundingClientRect().bottom) + 4;</script></body>"""
 
 
 def model(corpus, name):

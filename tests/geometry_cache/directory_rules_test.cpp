@@ -274,8 +274,8 @@ TEST(directory_rules, the_directory_ends_where_it_ends_and_the_frames_fill_the_f
 }
 
 TEST(directory_rules, tables_take_up_to_16_MiB_and_64_times_the_head) {
-  // All vertices are one point, so that the table packs to next to nothing; 4 bytes of memory each. Beside it the other
-  // tables take 12 and 192 bytes, and the two frames 8 + 16 + 24 and their entries.
+  // All vertices share one point: their table takes 4 bytes of memory each, but nearly none in the file. The other
+  // tables take 12 and 192 bytes, and the two frames take 8 + 16 + 24 bytes and their entries.
   FileFields fields;
   fields.packed = true;
   const auto with_vertices = [&](std::size_t count) {

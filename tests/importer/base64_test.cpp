@@ -36,6 +36,7 @@ TEST(base64, bytes_of_every_length_come_back) {
     std::vector<std::byte> bytes(size);
     for (std::byte& byte : bytes) byte = static_cast<std::byte>(random.below(256));
     EXPECT_EQ(decode_base64(base64(bytes)), bytes) << size;
+    EXPECT_EQ(encode_base64({reinterpret_cast<const char*>(bytes.data()), size}), base64(bytes)) << size;
   }
 }
 

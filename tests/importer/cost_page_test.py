@@ -14,6 +14,8 @@ from browser import DARK, browser, run
 
 # Runs after the page's own script and leaves its findings where --dump-dom shows them.
 PROBE = """<script>
+const folded = document.documentElement.scrollHeight, screen = document.getElementById("overview").getBoundingClientRect().bottom;
+document.querySelectorAll("details").forEach(fold => { fold.open = true; });
 const boxes = [...document.querySelectorAll("svg")].map(svg => [...svg.querySelectorAll("g.point text")].map(t => t.getBBox()));
 const apart = (a, b) => a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + 0.8 * a.height <= b.y || b.y + 0.8 * b.height <= a.y;
 const overlaps = boxes.flatMap(list => list.flatMap((a, i) => list.slice(i + 1).filter(b => !apart(a, b)))).length;
@@ -21,7 +23,8 @@ const focusable = [...document.querySelectorAll("g.point")];
 const details = focusable.filter(g => { g.focus(); return g.closest("section").querySelector(".detail").textContent.includes("—"); }).length;
 document.body.dataset.probe = JSON.stringify({ charts: boxes.length, labels: boxes.flat().length, points: focusable.length, overlaps, details,
   rows: document.querySelectorAll("tbody tr").length, paper: getComputedStyle(document.body).backgroundColor,
-  wide: document.documentElement.scrollWidth > innerWidth });
+  wide: document.documentElement.scrollWidth > innerWidth, frame: document.querySelectorAll("#frame .bar").length,
+  choices: document.querySelectorAll(".choices h2").length, short: folded < 0.3 * document.documentElement.scrollHeight && screen < 1200 });
 </script>
 </body>"""
 
@@ -51,7 +54,8 @@ def main():
         for dark in (False, True):
             seen = probe(folder, probed, *(DARK if dark else []))
             expected = {"charts": sum(bool(g["points"]) for g in report["groups"]), "points": points, "labels": points, "overlaps": 0,
-                        "details": points, "rows": points, "paper": "rgb(20, 23, 26)" if dark else "rgb(246, 245, 241)", "wide": False}
+                        "details": points, "rows": points, "paper": "rgb(20, 23, 26)" if dark else "rgb(246, 245, 241)", "wide": False,
+                        "frame": 1, "choices": len(report["overview"]["choices"]), "short": True}
             assert seen == expected, (seen, expected)
         paper = folder / "page.pdf"
         run(folder, page, f"--print-to-pdf={paper}", "--no-pdf-header-footer")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew info` says of asset files: every entry of the document, and every line of the tables.
+// Text and JSON of `sinew info` for asset files: every entry of the document and every line of the tables.
 #include <gtest/gtest.h>
 
 #include <fstream>

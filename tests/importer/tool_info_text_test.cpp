@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew info` says of a document that has something in every table, word for word.
+// Output of `sinew info`, word for word, for a document with an entry in every table.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What numbers options take: each limit, and the next number beyond it.
+// Limits of the options that take numbers: each limit is accepted, the next number beyond it is refused.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew sample` writes besides JSON: a table, and arrays for NumPy.
+// `sinew sample` writes tables, and arrays for NumPy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

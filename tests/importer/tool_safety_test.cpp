@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command must never do to the files and the terminal of its user, whatever it is given.
+// No command harms the files or the terminal of its user, for any arguments and any model.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A thousand small files, some of them broken, are checked: the same bytes whatever the jobs, a true summary, and
-// memory that does not grow with the number of files.
+// A thousand small files are checked, some of them broken. Output has the same bytes for any number of jobs, the
+// summary is true, and memory does not grow with the number of files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

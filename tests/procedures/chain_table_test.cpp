@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Residuals by solver and number of iterations, beside the budget that engines commonly have: four iterations of CCD in
-// which a joint turns by at most 2 degrees.
+// Residuals by solver and number of iterations. They are compared with the usual budget of engines: four iterations of
+// CCD in which a joint turns by at most 2 degrees.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints nanoseconds a joint of a plain loop that samples the first clip of a file: into one pose, and with each pose
-// kept as an array of transforms.
+// Prints nanoseconds per joint of a plain loop that samples the first clip of a file. It is measured twice: into one
+// pose, and with each pose kept as an array of transforms.
 //   sinew-sample-loop FILE POSES REPEATS
 #include <algorithm>
 #include <chrono>

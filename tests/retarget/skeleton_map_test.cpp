@@ -120,7 +120,7 @@ TEST(skeleton_map, joints_that_one_side_alone_has_do_not_matter) {
   TwoSided body = scenes::two_sided(RightSide::any_axes, 1);
   const Skeleton from = body.skeleton;
   Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
-  to.names[kForearm] = "something";  // the hand follows the hand, below a forearm that rests
+  to.names[kForearm] = "something";  // no counterpart: it stays at rest, but its hand is mapped
   const SkeletonMap map = make_skeleton_map(from, to);
   EXPECT_EQ(map.unmapped_target, (std::vector<std::uint32_t>{kForearm}));
   EXPECT_EQ(map.unmapped_source, (std::vector<std::uint32_t>{kForearm}));

@@ -30,7 +30,7 @@ class SpringTruth {
     remember_ends();
   }
 
-  /// in  dt_s  length of the step. Drag is a part of the velocity in each step, whatever its length.
+  /// in  dt_s  length of the step. Each step loses the share `drag` of the velocity, long or short.
   void step(double dt_s) {
     aim_at_goals();
     for (std::uint32_t j = 0; j < skeleton_.joint_count(); ++j)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew-frame-study measures GPU times of pictures on this machine's Vulkan device: many draws without and with ambient
-// occlusion, and whole frames of built-in scenes and of files.
+// sinew-frame-study measures GPU times of pictures on this machine's Vulkan device. It draws many objects without and
+// with ambient occlusion, and whole frames of built-in scenes and of files.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

@@ -108,7 +108,7 @@ TEST_F(Inspect, a_mesh_without_a_skin_is_moved_by_its_joint) {
   EXPECT_EQ(influences[0].weight, 1.0f);
 }
 
-/// Three vertices of a skin of two joints: one joint, both, and the other one.
+/// A skin of two joints with three vertices: two follow both joints, the last one follows a single joint.
 Scene skinned() {
   Scene scene;
   scene.skeleton.parents = {kNone, 0, 1};

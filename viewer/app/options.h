@@ -46,8 +46,8 @@ struct Options {
   std::optional<double> time_s;  ///< unset = 0
   std::optional<FrameRange> frames;
   std::uint32_t turntable = 0;  ///< pictures of a turn around the scene; 0 = none
-  std::string film, sheet;      ///< files to write in place of `headless`, which then names them, too
-  std::string compare;          ///< views of one moment side by side (parse_views); empty = one view
+  std::string film, sheet;  ///< files to write instead of pictures; check_outputs() also copies the name to `headless`
+  std::string compare;      ///< views of one moment side by side (parse_views); empty = one view
 
   /// True if several pictures are written.
   bool is_sequence() const noexcept { return frames || turntable > 0; }

@@ -66,8 +66,9 @@ struct Caster {
   Affined world_from_mesh;
   std::uint64_t scene = 0;  ///< SceneUpload::number()
   std::uint32_t variant = kNone;
-  /// Frame buffer of the vertices, and the frame in which they changed; of the material where it is alpha-tested.
-  /// Since 0 = unknown: the caster counts as changed in every frame.
+  /// Identifies the shape of a caster that changes: its frame buffer, and the frame since which it is the same. For an
+  /// alpha-tested caster that is the newest frame, as its material may be animated. since = 0 means unknown: the caster
+  /// counts as changed in every frame.
   std::uint64_t source = 0, since = 0;
 };
 

@@ -44,15 +44,15 @@ constexpr bool blurs_at_corners(const FrameFeatures& frame) noexcept {
 /// is added.
 enum class Through : std::uint8_t {
   nothing,           ///< not transmissive: drawn in one step
-  filter,            ///< first step; also darkens a plain backdrop
-  filter_drawn,      ///< first step if the backdrop is an environment, which is not in the image yet
-  blurred_backdrop,  ///< second step then: adds the environment seen through the surface, where nothing is behind it
-  sharp_backdrop,
-  light,            ///< last step: adds the surface's own light
-  erase,            ///< first step of a rough surface: removes the sharp picture behind it
-  frosted,          ///< last step then: adds its own light and the blurred opaque picture
-  frosted_blurred,  ///< frosted, plus the environment where nothing is behind it
-  frosted_sharp
+  filter,            ///< first step over a plain backdrop: darkens the surfaces behind it and the backdrop
+  filter_drawn,      ///< first step over an environment, which is drawn later: darkens only the surfaces behind it
+  blurred_backdrop,  ///< second step: adds the blurred environment, where no surface is behind it
+  sharp_backdrop,    ///< second step: adds the sharp environment, where no surface is behind it
+  light,             ///< last step: adds the surface's own light
+  erase,             ///< first step of a rough surface: removes the sharp picture behind it
+  frosted,           ///< last step of a rough surface: adds its own light and the blurred opaque picture
+  frosted_blurred,   ///< frosted, plus the blurred environment where no surface is behind it
+  frosted_sharp      ///< frosted, plus the sharp environment where no surface is behind it
 };
 
 /// Key of a pipeline that draws meshes.
@@ -60,7 +60,7 @@ struct MeshPipelineKey {
   Pass pass = Pass::opaque;  ///< normal_depth, opaque, transparent or weighted
   Topology topology = Topology::triangles;
   bool masked = false;
-  bool covers = false;  ///< transparent: alpha is no coverage
+  bool covers = false;  ///< Pass::transparent: a transmissive surface that covers its pixels whatever its alpha
   Through through = Through::nothing;
   bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
   bool depth_only = false;     ///< normal_depth, shadow; opaque: the depth of the samples

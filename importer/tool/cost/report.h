@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "importer/tool/cost/overview/overview.h"
+
 namespace sinew::cost {
 
 /// A further number of a point, for the table.
@@ -55,6 +57,7 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> machine;  ///< processor, compiler, ...
   std::string command;                                       ///< the command that makes this report
   std::vector<Group> groups;
+  std::optional<Overview> overview;  ///< empty for a geometry cache, whose page has one group
 };
 
 }  // namespace sinew::cost

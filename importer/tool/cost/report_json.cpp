@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "importer/file/base64.h"
+
 namespace sinew::cost {
 namespace {
 
@@ -86,6 +88,41 @@ std::string inside_script(const OrderedJson& json) {
   return safe;
 }
 
+OrderedJson parts_json(const std::vector<FramePart>& parts) {
+  OrderedJson out = OrderedJson::array();
+  for (const FramePart& part : parts) out.push_back({{"name", part.name}, {"us", part.us}});
+  return out;
+}
+
+OrderedJson choice_json(const Choice& choice) {
+  OrderedJson out = {{"group", choice.group},
+                     {"title", choice.title},
+                     {"now", choice.now},
+                     {"other", choice.other},
+                     {"takes_other", choice.takes_other},
+                     {"why", choice.why},
+                     {"us_change", choice.us_change},
+                     {"error_unit", choice.error_unit},
+                     {"error_now", choice.error_now},
+                     {"error_other", choice.error_other},
+                     {"picture_note", choice.picture_note}};
+  if (choice.size_ratio) out["size_ratio"] = *choice.size_ratio;
+  if (choice.budget) out["budget"] = *choice.budget;
+  return out;
+}
+
+OrderedJson overview_json(const Overview& overview) {
+  OrderedJson out = {{"size_m", overview.size_m},
+                     {"odd_unit", overview.odd_unit},
+                     {"evaluation", parts_json(overview.evaluation)},
+                     {"drawing", parts_json(overview.drawing)},
+                     {"not_drawn", overview.not_drawn},
+                     {"command", overview.command}};
+  out["choices"] = OrderedJson::array();
+  for (const Choice& choice : overview.choices) out["choices"].push_back(choice_json(choice));
+  return out;
+}
+
 }  // namespace
 
 OrderedJson report_json(const Report& report) {
@@ -93,6 +130,7 @@ OrderedJson report_json(const Report& report) {
   for (const auto& [name, value] : report.machine) machine[name] = value;
   OrderedJson out = {
       {"subject", report.subject}, {"machine", machine}, {"command", report.command}, {"noisy_from", kNoisySpread}};
+  if (report.overview) out["overview"] = overview_json(*report.overview);
   out["groups"] = OrderedJson::array();
   for (const Group& group : report.groups) out["groups"].push_back(group_json(group));
   return out;
@@ -109,7 +147,11 @@ std::string report_csv(const Report& report) {
 std::string report_page(const Report& report) {
   constexpr std::string_view kPlace = "@REPORT@";
   std::string page(kPageTemplate);
-  page.replace(page.find(kPlace), kPlace.size(), inside_script(report_json(report)));
+  OrderedJson json = report_json(report);
+  for (std::size_t i = 0; report.overview && i < report.overview->choices.size(); ++i)
+    if (const std::string& png = report.overview->choices[i].picture; !png.empty())
+      json["overview"]["choices"][i]["picture"] = "data:image/png;base64," + encode_base64(png);
+  page.replace(page.find(kPlace), kPlace.size(), inside_script(json));
   return page;
 }
 

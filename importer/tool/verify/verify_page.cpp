@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "importer/file/base64.h"
 #include "importer/tool/json.h"
 #include "importer/tool/verify/verify_report.h"
 
@@ -17,18 +18,6 @@ constexpr std::string_view kVerifyPageTemplate =
 constexpr std::size_t kFilesDrawn = 50, kTableRows = 20, kPointsOfCurve = 240;
 
 Json point_json(const Point& point) { return Json(point); }
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
-  }
-  return text;
-}
 
 /// Rows of a curve of `count` samples that are drawn: evenly spaced, and the row that must be seen.
 std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t needed) {
@@ -107,7 +96,7 @@ Json file_json(const VerifiedFile& file, bool drawn) {
   for (const DifferenceOverTime& clip : file.over_time) out["over_time"].push_back(over_time_json(clip));
   for (const JointHistory& joint : file.history.joints) out["joints"].push_back(joint_json(joint));
   out["figure"] = figure_json(file.history.figure);
-  if (!file.picture.empty()) out["picture"] = "data:image/png;base64," + base64(file.picture);
+  if (!file.picture.empty()) out["picture"] = "data:image/png;base64," + encode_base64(file.picture);
   return out;
 }
 

@@ -33,14 +33,14 @@ typedef struct sinew_feet_setup {
   const sinew_foot* feet;     ///< copied
   size_t foot_count;          ///< at most SINEW_MOST_FEET
   uint32_t pelvis;            ///< joint above all legs, which comes down where the ground is low
-  double lock_below_m_s;      ///< a low foot whose tip is slower stays where it is
-  double free_above_m_s;      ///< a foot whose tip is faster goes on
-  double contact_height_m;    ///< a foot is low if its tip is no higher above the clip's ground
-  double release_beyond_m;    ///< a foot goes on where it stays behind its clip by more
-  double half_life_s;         ///< of what is left between a foot and its clip
-  double step_half_life_s;    ///< of what is left of a jump of the ground
-  double pelvis_half_life_s;  ///< of what is left between the pelvis and its place
-  double most_pelvis_m;       ///< the pelvis moves up or down by no more
+  double lock_below_m_s;      ///< a foot is locked if its tip is low in the clip, and slower than this
+  double free_above_m_s;      ///< a locked foot is released if its tip is faster in the clip
+  double contact_height_m;    ///< height of the tip in the clip below which it is low
+  double release_beyond_m;    ///< a locked foot is released at this horizontal distance from its clip
+  double half_life_s;         ///< time in which the distance of a released foot from its clip halves
+  double step_half_life_s;    ///< time in which the offset of a foot halves after the ground jumped
+  double pelvis_half_life_s;  ///< time in which the distance of the pelvis from its goal halves
+  double most_pelvis_m;       ///< limit of the pelvis's offset, up and down
   double most_slope_rad;      ///< a sole turns by no more
 } sinew_feet_setup;
 
@@ -104,8 +104,8 @@ typedef struct sinew_foot_result {
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
 SINEW_API sinew_error sinew_get_foot_result(const sinew_feet* feet, size_t foot, sinew_foot_result* out);
 
-/// The memory of the feet: plain bytes, to be copied and rolled back by the same version of the library. Feet whose
-/// bytes are all zero start where the clip is, as after a teleport.
+/// The memory of the feet: plain bytes that can be copied and rolled back by the same version of the library. If all
+/// bytes are zero, the next run has no history: it places the feet at once, as after a teleport.
 SINEW_API size_t sinew_feet_state_bytes(void);
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (`size` is not sinew_feet_state_bytes)
 SINEW_API sinew_error sinew_feet_get_state(const sinew_feet* feet, void* state, size_t size);

@@ -79,8 +79,8 @@ typedef struct sinew_spring_result {
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 SINEW_API sinew_error sinew_get_spring_result(const sinew_spring_motion* motion, sinew_spring_result* out);
 
-/// The memory of the motion: plain bytes, to be copied and rolled back by the same version of the library and the same
-/// springs. All zero = the next frame starts at rest.
+/// The memory of the motion: plain bytes that can be copied and rolled back by the same version of the library and the
+/// same springs. All zero = the next frame starts at rest.
 SINEW_API size_t sinew_spring_motion_state_bytes(const sinew_spring_motion* motion);
 /// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (`size` is not sinew_spring_motion_state_bytes)
 SINEW_API sinew_error sinew_spring_motion_get_state(const sinew_spring_motion* motion, void* state, size_t size);

@@ -12,7 +12,7 @@ namespace sinew::viewer {
 /// in   clips  not `character`
 ///      log_line  receives one line for all joints, morph targets and properties that a clip moves and that the
 ///                character lacks
-/// io   character  unchanged if no joint and no morph target of the clips is like one of it; that is one line, too
+/// io   character  unchanged, with one log line, if no joint and no morph target of the clips has a counterpart in it
 /// cost O(keys), allocates; all clips are compiled again
 void add_clips(const LoadedScene& clips, LoadedScene& character,
                const std::function<void(const std::string&)>& log_line);
