@@ -4,6 +4,7 @@
 /// like those of pose_jobs.h. Normals and tangents need tables that are made once: sort_flat_faces, join_surface.
 /// Linear skinning takes about half of the time with vertices that were sorted once (tile_vertices, SkinTilesJob), and
 /// dual quaternions two thirds (SkinDualQuaternionJob::tiles). StridedSkinJob skins vertices in interleaved buffers;
+/// WriteVerticesJob and QuantizeVerticesJob copy packed ones to such buffers, also as 16-bit integers.
 ///
 ///     const sinew::SkinLinearJob skin{
 ///         .influences = &primitive.influences,
@@ -29,3 +30,4 @@
 #include "runtime/deform/tiled_morphs.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/deform/vertex_tiles.h"
+#include "runtime/deform/write_vertices.h"
