@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/result.h"
 
+#include <cstddef>
 #include <span>
 
 #include "runtime/c/glue/call.h"
@@ -8,6 +9,7 @@
 #include "runtime/c/glue/pose_span.h"
 #include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/handles.h"
+#include "runtime/deform/write_vertices.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_result.h"
 
@@ -17,6 +19,31 @@ namespace {
 
 const FrameResult& result_behind(const sinew_result* result) noexcept {
   return *reinterpret_cast<const FrameResult*>(result);
+}
+
+/// The attributes of a buffer as an output of WriteVerticesJob or QuantizeVerticesJob.
+template <class Output>
+Output output_over(const sinew_vertex_buffer& to) noexcept {
+  return {{static_cast<std::byte*>(to.positions), to.positions ? to.vertex_count : 0, to.position_stride},
+          {static_cast<std::byte*>(to.normals), to.normals ? to.vertex_count : 0, to.normal_stride},
+          {static_cast<std::byte*>(to.tangents), to.tangents ? to.vertex_count : 0, to.tangent_stride}};
+}
+
+ErrorCode write_shape(const DeformedPrimitive& shape, const sinew_vertex_buffer& to) noexcept {
+  const VertexInput vertices{.positions = shape.positions, .normals = shape.normals, .tangents = shape.tangents};
+  const auto lacks = [](const void* wanted, std::size_t count) { return wanted != nullptr && count == 0; };
+  if (lacks(to.positions, vertices.positions.size()) || lacks(to.normals, vertices.normals.size()) ||
+      lacks(to.tangents, vertices.tangents.size()))
+    return ErrorCode::unsupported;
+  switch (to.format) {
+    case SINEW_VERTEX_FLOAT: return run(WriteVerticesJob{vertices, output_over<StridedOutput>(to)});
+    case SINEW_VERTEX_16_BIT: {
+      Aabb box;
+      c::copy_bytes(to.box, box);
+      return run(QuantizeVerticesJob{vertices, box, output_over<QuantizedOutput>(to)});
+    }
+    default: return ErrorCode::unsupported;
+  }
 }
 
 }  // namespace
@@ -90,5 +117,15 @@ sinew_error sinew_get_shape(const sinew_result* result, std::uint32_t shape, sin
                             .colors = c::to_c(found.colors),
                             .since_frame = found.since_frame},
                            out);
+  });
+}
+
+sinew_error sinew_write_shape(const sinew_result* result, std::uint32_t shape, const sinew_vertex_buffer* to) {
+  return c::call(c::given(result, to), [&] {
+    const std::span<const DeformedPrimitive> shapes = result_behind(result).primitives;
+    if (shape >= shapes.size()) return SINEW_INDEX_OUT_OF_RANGE;
+    sinew_vertex_buffer buffer{};
+    if (const sinew_error error = c::read_struct(to, buffer); error != SINEW_OK) return error;
+    return c::error_from(write_shape(shapes[shape], buffer));
   });
 }

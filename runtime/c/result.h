@@ -58,6 +58,31 @@ typedef struct sinew_shape {
 } sinew_shape;
 SINEW_API sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 
+typedef enum sinew_vertex_format {
+  SINEW_VERTEX_FLOAT = 0,  ///< 3 floats of a position, 3 of a normal, 4 of a tangent
+  SINEW_VERTEX_16_BIT = 1  ///< 3 uint16_t of a position: 0 and 65535 are the sides of the box. 2 int16_t of a normal
+                           ///< and 3 of a tangent: octahedral x and y, then the handedness; 32767 is 1
+} sinew_vertex_format;
+/// Vertices of the engine, for example in an interleaved buffer.
+typedef struct sinew_vertex_buffer {
+  size_t struct_size;
+  uint32_t format;         ///< a value of sinew_vertex_format
+  size_t vertex_count;     ///< vertices that there is room for
+  void* positions;         ///< of the first vertex; null = not written, also below
+  size_t position_stride;  ///< bytes from one vertex to the next, also below
+  void* normals;
+  size_t normal_stride;
+  void* tangents;
+  size_t tangent_stride;
+  sinew_box box;  ///< 16-bit positions only; positions outside of it are moved to its sides
+} sinew_vertex_buffer;
+/// Copies the vertices of a shape to a buffer of the engine. 16-bit positions are off by at most 0.51 / 65535 of the
+/// side of the box and the rounding of float, directions by 7e-5 radians.
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (shape), SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH
+///      (vertex_count; strides below the size of an attribute), SINEW_NOT_FINITE (box; also an empty one),
+///      SINEW_UNSUPPORTED (format; an attribute that the shape does not have)
+SINEW_API sinew_error sinew_write_shape(const sinew_result* result, uint32_t shape, const sinew_vertex_buffer* to);
+
 #ifdef __cplusplus
 }
 #endif

@@ -182,15 +182,14 @@ class CenteredLanes {
         matrices_(tiles.job.palette.data(), s.joints_of(run), run.joint_count) {}
 
   /// Skins one vector of lanes. Returns the lanes that are done.
-  HWY_INLINE hn::Mask<TileTag> skin(const TilePlane* weights, std::size_t lane, const TileInputs& tile,
-                                    const LaneOutputs& out) const {
-    SpreadMatrices<0>::Blend blend(matrices_, weights, lane);
+  HWY_INLINE hn::Mask<TileTag> skin(std::size_t lane, const TileInputs& tile, const LaneOutputs& out) const {
+    SpreadMatrices<0>::Blend blend(matrices_, tile.weights, lane);
     const Lanes3 c = load_planes3(tile.centers, lane);
     const Lanes3 of_x = blend.column(0);
     Lanes3 moved = plus_product(blend.column(3), of_x, c.x);
     moved = plus_product(moved, blend.column(1), c.y);
     moved = plus_product(moved, blend.column(2), c.z);
-    const DualQuatLanes motion = motions_.blend(weights, lane);
+    const DualQuatLanes motion = motions_.blend(tile.weights, lane);
     const Lanes3 arm = minus(load_planes3(tile.positions, lane), c);
     pack(plus(rotate(motion, arm), moved), out.positions);
     return rotate_directions(motion, wanted_, tile, lane, out);
@@ -215,7 +214,7 @@ class CenteredLanes {
 };
 
 void skin_centered_tiles(const SkinCenterOfRotationJob& job, AttributesPresent wanted) {
-  const TileStreams streams{*job.tiles, job.out, wants_streams(*job.tiles, wanted, false)};
+  const TileStreams streams{*job.tiles, attributes_of(*job.tiles), job.out, wants_streams(*job.tiles, wanted, false)};
   for (const TileRun& run : job.tiles->runs) skin_run<CenteredLanes>(streams, run, CenteredTiles{job, wanted});
   if (streams.past_caches) hwy::FlushStream();  // makes the output visible to threads that this one signals afterwards
 }

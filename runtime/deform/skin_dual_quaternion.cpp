@@ -132,9 +132,8 @@ class RigidLanes {
         motions_(tiles.job.split.data(), s.joints_of(run), run.joint_count) {}
 
   /// Skins one vector of lanes. Returns the lanes that are done.
-  HWY_INLINE hn::Mask<TileTag> skin(const TilePlane* weights, std::size_t lane, const TileInputs& tile,
-                                    const LaneOutputs& out) const {
-    const DualQuatLanes motion = motions_.blend(weights, lane);
+  HWY_INLINE hn::Mask<TileTag> skin(std::size_t lane, const TileInputs& tile, const LaneOutputs& out) const {
+    const DualQuatLanes motion = motions_.blend(tile.weights, lane);
     pack(move_points(motion, load_planes3(tile.positions, lane)), out.positions);
     return rotate_directions(motion, wanted_, tile, lane, out);
   }
@@ -151,7 +150,7 @@ class RigidLanes {
 };
 
 void skin_rigid_tiles(const SkinDualQuaternionJob& job, AttributesPresent wanted) {
-  const TileStreams streams{*job.tiles, job.out, wants_streams(*job.tiles, wanted, false)};
+  const TileStreams streams{*job.tiles, attributes_of(*job.tiles), job.out, wants_streams(*job.tiles, wanted, false)};
   for (const TileRun& run : job.tiles->runs)
     with_joint_count(run, [&](auto count) { skin_run<RigidLanes<count>>(streams, run, RigidTiles{job, wanted}); });
   if (streams.past_caches) hwy::FlushStream();  // makes the output visible to threads that this one signals afterwards

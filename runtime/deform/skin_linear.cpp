@@ -8,9 +8,8 @@
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/careful_directions-inl.h"
 #include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/simd/lane_order-inl.h"
 #include "runtime/deform/simd/rows-inl.h"
-#include "runtime/deform/simd/shared_matrices-inl.h"
-#include "runtime/deform/simd/triples-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/pose/simd/dispatch.h"
 
@@ -64,13 +63,6 @@ struct SkinRow {
           continue;
         }
       }
-      if constexpr (kMayShareJoints<kCount>) {
-        if (shares_joints(row, t)) {
-          t = end_of_shared(row, t);
-          follow_shared_joints(Row(row), begin, t);
-          continue;
-        }
-      }
       t = end_of_others(row, t);
       skin_tiles(row, begin, t);
     }
@@ -87,25 +79,6 @@ struct SkinRow {
   /// True if the row may use kernels with one vertex per lane. These have no non-temporal stores for tangents, and with
   /// four lanes none for any attribute.
   static HWY_INLINE bool may_run_in_lanes(const Row& row) { return (kInTriples && !kTangents) || !row.past_caches; }
-
-  static HWY_INLINE bool shares_joints(const Row& row, std::size_t t) {
-    if constexpr (kMayShareJoints<kCount>) {
-      constexpr std::size_t kFewest = SharedMatrices<kCount>::kMinTiles;
-      return may_run_in_lanes(row) && row.place.whole && row.tile_count - t >= kFewest &&
-             share_joints<kCount, kFewest * kTileSize>(row.joints(t).first.joints);
-    } else {
-      return false;
-    }
-  }
-  /// Index after the last consecutive tile, from `t` on, whose vertices all share the joints of the first tile.
-  static HWY_INLINE std::size_t end_of_shared(const Row& row, std::size_t t) {
-    const std::uint16_t* first = row.joints(t).first.joints;
-    for (t += SharedMatrices<kCount>::kMinTiles; t < row.tile_count; ++t) {
-      const std::uint16_t* joints = row.joints(t).first.joints;
-      if (!std::equal(first, first + kCount, joints) || !share_joints<kCount>(joints)) break;
-    }
-    return t;
-  }
 
   static HWY_INLINE bool have_one_joint(const std::uint16_t* joints, std::size_t count) {
     const hn::CappedTag<std::uint16_t, kTileSize> d;
@@ -130,11 +103,10 @@ struct SkinRow {
     }
     return t;
   }
-  /// Index after the last consecutive tile, from `t` on, that begins no run and shares no joints. At least t + 1, at
-  /// most t + kKept.
+  /// Index after the last consecutive tile, from `t` on, that begins no run. At least t + 1, at most t + kKept.
   static HWY_INLINE std::size_t end_of_others(const Row& row, std::size_t t) {
     const std::size_t most = std::min(row.tile_count, t + kKept);
-    for (++t; t < most && !begins_run(row, t) && !shares_joints(row, t);) ++t;
+    for (++t; t < most && !begins_run(row, t);) ++t;
     return t;
   }
 
@@ -142,13 +114,13 @@ struct SkinRow {
     const LaneMatrix m = lane_matrix(palette.palette[*row.joints(begin).first.joints]);
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t v = t * kTileSize;
-      const Lanes3 p = load_shared(row.all_in.positions + v);
-      store_shared(transform_points(m, p), row.all_out.positions + v, row.past_caches);
+      const Lanes3 p = load_ordered(row.all_in.positions + v);
+      store_ordered(transform_points(m, p), row.all_out.positions + v, row.past_caches);
       if constexpr (kNormals) {
-        Lanes3 n = moved_normals(m, load_shared(row.normals_in(t)), kCofactor);
+        Lanes3 n = moved_normals(m, load_ordered(row.normals_in(t)), kCofactor);
         const auto sound = normalise(n);
-        store_shared(n, row.normals_out(t), row.past_caches);
-        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_normal_of(row, t, vertex_of_shared_lane(lane)); });
+        store_ordered(n, row.normals_out(t), row.past_caches);
+        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_normal_of(row, t, vertex_of_ordered_lane(lane)); });
       }
       if constexpr (kTangents) {
         const Lanes4 tangent = load4(row.tangents_in(t));
@@ -156,52 +128,6 @@ struct SkinRow {
         const auto sound = normalise(moved);
         store4({moved.x, moved.y, moved.z, tangent.w}, row.tangents_out(t));
         for_each_lane_not_in(sound, [&](std::size_t lane) { careful_tangent_of(row, t, vertex_of_lane(lane)); });
-      }
-    }
-  }
-
-  /// Blends column by column, so that everything fits into sixteen registers.
-  HWY_NOINLINE void follow_shared_joints(const Row& row, std::size_t begin, std::size_t end) const
-      requires(kMayShareJoints<kCount>) {
-    const SharedMatrices<kCount> shared(palette.palette, row.joints(begin).first.joints);
-    for (std::size_t t = begin; t < end; ++t) {
-      const WeightLanes<kCount> w = shared_weight_lanes(row.joints(t));
-      const Lanes3 p = load_shared(row.all_in.positions + t * kTileSize);
-      Lanes3 n{}, tangent{}, moved_n{}, moved_tangent{};
-      Wide handedness{};
-      if constexpr (kNormals) n = load_shared(row.normals_in(t));
-      if constexpr (kTangents) {
-        const Lanes4 in = load4(row.tangents_in(t));
-        tangent = {shared_from_lanes(in.x), shared_from_lanes(in.y), shared_from_lanes(in.z)};
-        handedness = in.w;
-      }
-      LaneMatrix m;
-      m.c0 = shared.column(0, w);
-      Lanes3 moved = plus_product(shared.column(3, w), m.c0, p.x);
-      if constexpr (kNormals && !kCofactor) moved_n = times(m.c0, n.x);
-      if constexpr (kTangents) moved_tangent = times(m.c0, tangent.x);
-      m.c1 = shared.column(1, w);
-      moved = plus_product(moved, m.c1, p.y);
-      if constexpr (kNormals && !kCofactor) moved_n = plus_product(moved_n, m.c1, n.y);
-      if constexpr (kTangents) moved_tangent = plus_product(moved_tangent, m.c1, tangent.y);
-      m.c2 = shared.column(2, w);
-      store_shared(plus_product(moved, m.c2, p.z), row.all_out.positions + t * kTileSize, row.past_caches);
-      if constexpr (kNormals) {
-        if constexpr (kCofactor)
-          moved_n = moved_normals(m, n, true);
-        else
-          moved_n = plus_product(moved_n, m.c2, n.z);
-        const auto sound = normalise(moved_n);
-        store_shared(moved_n, row.normals_out(t), row.past_caches);
-        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_normal_of(row, t, vertex_of_shared_lane(lane)); });
-      }
-      if constexpr (kTangents) {
-        moved_tangent = plus_product(moved_tangent, m.c2, tangent.z);
-        const auto sound = normalise(moved_tangent);
-        store4({lanes_from_shared(moved_tangent.x), lanes_from_shared(moved_tangent.y),
-                lanes_from_shared(moved_tangent.z), handedness},
-               row.tangents_out(t));
-        for_each_lane_not_in(sound, [&](std::size_t lane) { careful_tangent_of(row, t, vertex_of_shared_lane(lane)); });
       }
     }
   }

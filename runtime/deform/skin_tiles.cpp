@@ -23,10 +23,8 @@ HWY_NOINLINE void write_careful(const TileStreams& s, const JointMatrix* palette
   const TileTag d;
   const std::size_t lane = lane_of_run % VertexTiles::kLanes;
   const std::uint32_t* vertices = s.vertices_of(run) + lane_of_run;
-  const TilePlane* weights =
-      &s.tiles.positions[run.first_plane + lane_of_run / VertexTiles::kLanes * run.planes_per_tile() + 3];
   const SpreadMatrices<0> matrices(palette, s.joints_of(run), run.joint_count);
-  SpreadMatrices<0>::Blend blend(matrices, weights, lane);
+  SpreadMatrices<0>::Blend blend(matrices, tile.weights, lane);
   Lanes3 columns[4];
   for (const std::size_t c : {0, 3, 1, 2}) columns[c] = blend.column(c);
   const LaneMatrix m{columns[0], columns[1], columns[2], columns[3]};
@@ -70,9 +68,8 @@ class LinearLanes {
 
   /// Skins one vector of lanes, column by column, so that everything fits into sixteen registers. Returns true if all
   /// directions keep their digits.
-  HWY_INLINE bool skin(const TilePlane* weights, std::size_t lane, const TileInputs& tile,
-                       const LaneOutputs& out) const {
-    typename SpreadMatrices<kCount>::Blend blend(matrices_, weights, lane);
+  HWY_INLINE bool skin(std::size_t lane, const TileInputs& tile, const LaneOutputs& out) const {
+    typename SpreadMatrices<kCount>::Blend blend(matrices_, tile.weights, lane);
     const auto column = [&](std::size_t c) HWY_ATTR { return blend.column(c); };
     const Lanes3 p = load_planes3(tile.positions, lane);
     Lanes3 n{}, t{}, moved_n{}, moved_t{};
@@ -117,7 +114,7 @@ class LinearLanes {
 
 void skin_tiles(const SkinTilesJob& job) {
   const AttributesPresent wanted{job.writes_normals(), job.writes_tangents()};
-  const TileStreams streams{*job.tiles, job.out, wants_streams(*job.tiles, wanted, job.past_caches)};
+  const TileStreams streams{*job.tiles, job.input(), job.out, wants_streams(*job.tiles, wanted, job.past_caches)};
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for (const TileRun& run : job.tiles->runs)
       with_joint_count(run, [&](auto count) {
@@ -142,6 +139,18 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+namespace {
+
+/// True if the attributes have memory for all tiles, where they are not empty.
+bool may_replace(const TiledInput& morphed, const VertexTiles& tiles) noexcept {
+  const auto fits = [&](std::span<const TilePlane> planes, std::size_t per_tile) {
+    return planes.empty() || planes.size() >= per_tile * tiles.tile_count();
+  };
+  return have_memory(morphed.positions, morphed.normals, morphed.tangents) && fits(morphed.positions, 3) &&
+         fits(morphed.normals, 3) && fits(morphed.tangents, 4);
+}
+
+}  // namespace
 
 ErrorCode check(const SkinTilesJob& job) noexcept {
   if (job.tiles == nullptr || !have_memory(job.palette, job.out.positions, job.out.normals, job.out.tangents))
@@ -149,7 +158,7 @@ ErrorCode check(const SkinTilesJob& job) noexcept {
   const std::size_t count = job.tiles->vertex_count;
   const bool fits = job.out.positions.size() >= count && (!job.writes_normals() || job.out.normals.size() >= count) &&
                     (!job.writes_tangents() || job.out.tangents.size() >= count);
-  if (!fits) return ErrorCode::size_mismatch;
+  if (!fits || !may_replace(job.morphed, *job.tiles)) return ErrorCode::size_mismatch;
   return job.palette.size() < job.tiles->joint_count ? ErrorCode::index_out_of_range : ErrorCode::ok;
 }
 

@@ -15,6 +15,7 @@ namespace sinew {
 ///      B is the matrix of the last joint, whose weight is not stored (TileRun). Normals and tangents are as in
 ///      SkinLinearJob.
 /// in   tiles    of the primitive;   palette[N]  finite
+///      morphed  attributes that replace those of the tiles (MorphTilesJob); an empty one is read from the tiles
 /// out  out      in the order of the primitive; must not overlap the input. A normal that collapses to zero keeps its
 ///      input value.
 /// err  size_mismatch, index_out_of_range
@@ -26,7 +27,17 @@ struct SkinTilesJob {
   VertexOutput out;
   NormalRule normal_rule = NormalRule::linear;
   bool past_caches = false;
+  TiledInput morphed;
 
+  /// The attributes that the job reads.
+  TiledInput input() const noexcept {
+    const auto chosen = [](std::span<const TilePlane> own, std::span<const TilePlane> other) {
+      return other.empty() ? own : other;
+    };
+    return {.positions = chosen(tiles->positions, morphed.positions),
+            .normals = chosen(tiles->normals, morphed.normals),
+            .tangents = chosen(tiles->tangents, morphed.tangents)};
+  }
   /// An attribute is written if the tiles have it and there is room for it.
   bool writes_normals() const noexcept { return !out.normals.empty() && !tiles->normals.empty(); }
   bool writes_tangents() const noexcept { return !out.tangents.empty() && !tiles->tangents.empty(); }

@@ -207,7 +207,8 @@ class TileWriter {
     }
     out_.runs.reserve(sets.size());
     out_.joints.reserve(joints);
-    out_.positions.reserve(3 * tiles + weights);
+    out_.positions.reserve(3 * tiles);
+    out_.weights.reserve(weights);
     out_.normals.reserve(in_.normals.empty() ? 0 : 3 * tiles);
     out_.tangents.reserve(in_.tangents.empty() ? 0 : 4 * tiles);
     out_.centers.reserve(centers_.empty() ? 0 : 3 * tiles);
@@ -218,7 +219,7 @@ class TileWriter {
   void add(const JointSet& set) {
     TileRun run{.first_tile = static_cast<std::uint32_t>(out_.tile_count()),
                 .lane_count = static_cast<std::uint32_t>(set.lanes.size()),
-                .first_plane = static_cast<std::uint32_t>(out_.positions.size()),
+                .first_weight = static_cast<std::uint32_t>(out_.weights.size()),
                 .first_joint = static_cast<std::uint32_t>(out_.joints.size()),
                 .joint_count = static_cast<std::uint32_t>(set.joints.size()),
                 .in_fours = set.in_fours,
@@ -246,7 +247,7 @@ class TileWriter {
     }
     add_planes(out_.positions, 3, [&](std::size_t lane, int c) { return in_.positions[vertices[lane]][c]; });
     for (std::size_t i = 0; i + 1 < run.joint_count; ++i)
-      add_planes(out_.positions, 1,
+      add_planes(out_.weights, 1,
                  [&](std::size_t lane, int) { return weight(vertices[lane], out_.joints[run.first_joint + i]); });
     if (!in_.normals.empty())
       add_planes(out_.normals, 3, [&](std::size_t lane, int c) { return in_.normals[vertices[lane]][c]; });

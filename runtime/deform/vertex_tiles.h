@@ -21,14 +21,14 @@ struct alignas(64) TilePlane {
 /// tile.
 struct TileRun {
   std::uint32_t first_tile = 0;
-  std::uint32_t lane_count = 0;   ///< number of vertices; later lanes of the last tile repeat the last vertex
-  std::uint32_t first_plane = 0;  ///< into VertexTiles::positions
-  std::uint32_t first_joint = 0;  ///< into VertexTiles::joints
-  std::uint32_t joint_count = 0;  ///< each but the last has a plane of weights; the last weighs 1 minus their sum
+  std::uint32_t lane_count = 0;    ///< number of vertices; later lanes of the last tile repeat the last vertex
+  std::uint32_t first_weight = 0;  ///< into VertexTiles::weights
+  std::uint32_t first_joint = 0;   ///< into VertexTiles::joints
+  std::uint32_t joint_count = 0;   ///< each but the last has a plane of weights; the last weighs 1 minus their sum
   std::uint32_t in_fours = 0, in_eights = 0,
                 in_sixteens = 0;  ///< number of first lanes that form groups of 4, 8 and 16 consecutive vertices
 
-  std::size_t planes_per_tile() const noexcept { return std::size_t{2} + joint_count; }
+  std::size_t weights_per_tile() const noexcept { return std::size_t{joint_count} - 1; }
 };
 
 /// Vertices of a primitive in the order in which linear skinning is fastest (SkinTilesJob). The order depends on the
@@ -45,7 +45,8 @@ struct VertexTiles {
 
   std::vector<TileRun> runs;            ///< in order of their number of joints, then of their first vertex
   std::vector<std::uint16_t> joints;    ///< of all runs, one run after the other
-  std::vector<TilePlane> positions;     ///< for each tile: x, y, z, then the weights
+  std::vector<TilePlane> positions;     ///< for each tile: x, y, z
+  std::vector<TilePlane> weights;       ///< for each tile: a plane for each joint of its run but the last
   std::vector<TilePlane> normals;       ///< for each tile: x, y, z; empty = the mesh has none
   std::vector<TilePlane> tangents;      ///< for each tile: x, y, z, w; empty = the mesh has none
   std::vector<TilePlane> centers;       ///< for each tile: x, y, z of centers of rotation; empty = none were given
@@ -62,6 +63,20 @@ struct VertexTiles {
   /// vector of scattered vertices takes 1.8 times as long, and each run adds the time of one vector.
   SINEW_API double relative_cost() const noexcept;
 };
+
+/// Vertex attributes in the order of VertexTiles, tile after tile: x, y, z of positions and normals, and x, y, z, w of
+/// tangents.
+struct TiledInput {
+  std::span<const TilePlane> positions, normals, tangents;
+};
+struct TiledOutput {
+  std::span<TilePlane> positions, normals, tangents;
+};
+
+/// The attributes that were given to tile_vertices().
+inline TiledInput attributes_of(const VertexTiles& tiles) noexcept {
+  return {.positions = tiles.positions, .normals = tiles.normals, .tangents = tiles.tangents};
+}
 
 /// Sorts vertices into tiles.
 /// in   influences  groups cover all vertices, and weights sum to 1;   vertices  at rest

@@ -65,8 +65,15 @@ std::size_t bytes_of_faces(const SurfaceFaces& faces) {
 
 std::size_t bytes_of_tiles(const VertexTiles& tiles) {
   return sizeof tiles + bytes_of(tiles.runs) + bytes_of(tiles.joints) + bytes_of(tiles.positions) +
-         bytes_of(tiles.normals) + bytes_of(tiles.tangents) + bytes_of(tiles.centers) + bytes_of(tiles.vertices) +
-         bytes_of(tiles.fours);
+         bytes_of(tiles.weights) + bytes_of(tiles.normals) + bytes_of(tiles.tangents) + bytes_of(tiles.centers) +
+         bytes_of(tiles.vertices) + bytes_of(tiles.fours);
+}
+
+std::size_t bytes_of_morphs(const TiledMorphs& morphs) {
+  const auto of_deltas = [](const TiledDeltas& deltas) { return bytes_of(deltas.tiles) + bytes_of(deltas.planes); };
+  return sizeof morphs + bytes_of(morphs.targets, [&](const TiledTarget& target) {
+           return of_deltas(target.positions) + of_deltas(target.normals) + of_deltas(target.tangents);
+         });
 }
 
 }  // namespace
@@ -84,8 +91,10 @@ MemoryCount& MemoryCount::add(const Plan& handle) {
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
   for (const auto& faces : plan.surface_faces)
     if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
-  for (const PrimitiveSkinning& skinning : plan.primitive_skinning)
+  for (const PrimitiveSkinning& skinning : plan.primitive_skinning) {
     if (is_new(skinning.tiles.get())) bytes_.plans += bytes_of_tiles(*skinning.tiles);
+    if (is_new(skinning.morphs.get())) bytes_.plans += bytes_of_morphs(*skinning.morphs);
+  }
   for (const Clip& clip : assets.clips) add(clip);
   if (!assets.leaves_out()) return *this;
   add(*assets.skeleton);  // reduced by the skeleton LOD

@@ -9,6 +9,7 @@
 #include "runtime/deform/combine_influences.h"
 #include "runtime/deform/flat_faces.h"
 #include "runtime/deform/surface_normals.h"
+#include "runtime/deform/tiled_morphs.h"
 #include "runtime/deform/vertex_tiles.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_layout.h"
@@ -21,9 +22,10 @@ namespace sinew {
 
 /// How a primitive of a mesh instance is skinned, in addition to PrimitivePlan.
 struct PrimitiveSkinning {
-  std::vector<JointPair> pairs;              ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
-  std::uint32_t combined = kNone;            ///< index into CompiledPlan::combined of its skin; kNone = not used
-  std::shared_ptr<const VertexTiles> tiles;  ///< of the influences, or of the combined ones; null = none
+  std::vector<JointPair> pairs;               ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
+  std::uint32_t combined = kNone;             ///< index into CompiledPlan::combined of its skin; kNone = not used
+  std::shared_ptr<const VertexTiles> tiles;   ///< of the influences, or of the combined ones; null = none
+  std::shared_ptr<const TiledMorphs> morphs;  ///< morph targets in the order of `tiles`; null = nothing is morphed
 };
 
 /// The content of a Plan: everything that run_plan reads beside the input. Internal to plan/ and its tests.

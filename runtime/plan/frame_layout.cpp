@@ -63,15 +63,25 @@ class SharedVertices {
     blocks.tangents = memory.take<glm::vec4>(tangents_);
     return blocks;
   }
+  /// Memory for counts that are those of tiles.
+  TiledBlocks take_tiles(MemoryLayout& memory) const {
+    TiledBlocks blocks;
+    blocks.positions = memory.take<TilePlane>(3 * positions_);
+    blocks.normals = memory.take<TilePlane>(3 * normals_);
+    blocks.tangents = memory.take<TilePlane>(4 * tangents_);
+    return blocks;
+  }
 
  private:
   std::size_t positions_ = 0, normals_ = 0, tangents_ = 0;
 };
 
 void lay_out_primitives(CompiledPlan& plan, MemoryLayout& memory) {
-  SharedVertices morphed;
+  SharedVertices morphed, morphed_tiles;
   std::size_t scratch = 0;
-  for (const PrimitivePlan& p : plan.primitives) {
+  for (std::size_t i = 0; i < plan.primitives.size(); ++i) {
+    const PrimitivePlan& p = plan.primitives[i];
+    const PrimitiveSkinning& skinning = plan.primitive_skinning[i];
     VertexBlocks& blocks = plan.layout.primitives.emplace_back();
     const std::size_t count = primitive_of(plan, p).vertex_count();
     if (p.morph.positions || p.skin.positions || p.cached.positions) blocks.positions = memory.take<glm::vec3>(count);
@@ -79,10 +89,15 @@ void lay_out_primitives(CompiledPlan& plan, MemoryLayout& memory) {
       blocks.normals = memory.take<glm::vec3>(count);
     if (p.morph.tangents || p.skin.tangents || p.cached.tangents) blocks.tangents = memory.take<glm::vec4>(count);
     if (p.morph_colors) blocks.colors = memory.take<glm::vec4>(count);
+    if (skinning.morphs != nullptr) {
+      morphed_tiles.need(p.morph, skinning.tiles->tile_count());
+      continue;
+    }
     if (p.skin.any()) morphed.need(p.morph, count);
     if (p.morph.any()) scratch = std::max(scratch, count);
   }
   plan.layout.morphed = morphed.take(memory);
+  plan.layout.morphed_tiles = morphed_tiles.take_tiles(memory);
   plan.layout.morph_scratch = memory.take<glm::vec3>(scratch);
 }
 

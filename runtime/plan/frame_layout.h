@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/deform/vertex_tiles.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
@@ -22,6 +23,11 @@ struct PlayedGeometry;
 struct VertexBlocks {
   Block<glm::vec3> positions, normals;
   Block<glm::vec4> tangents, colors;
+};
+
+/// Morphed vertices in the order of tiles.
+struct TiledBlocks {
+  Block<TilePlane> positions, normals, tangents;
 };
 
 /// Where the tables of a frame lie (frame_tables.h says what they hold).
@@ -62,6 +68,7 @@ struct FrameLayout {
   Block<bool> stretch;                       ///< [skins] the split found stretch
   std::vector<VertexBlocks> primitives;      ///< deformed vertices, parallel to CompiledPlan::primitives
   VertexBlocks morphed;                      ///< vertices of the current primitive, between morph and skin
+  TiledBlocks morphed_tiles;                 ///< the same, where the primitive is skinned in tiles
   Block<glm::vec3> morph_scratch;
   VertexBlocks cached;            ///< vertices of the current primitive, before they are blended with its pose
   Block<glm::vec4> surface_sums;  ///< scratch of the geometry_cache stage

@@ -97,12 +97,17 @@ void for_each_primitive(const CompiledPlan* plan, const Body& body) {
 /// the same attributes.
 class SkinningOfPlan {
  public:
-  using Tiles = std::shared_ptr<const VertexTiles>;
+  /// Vertices in tiles, and morph targets in their order if something is morphed. Null = jobs without tiles are faster.
+  struct Tiled {
+    std::shared_ptr<const VertexTiles> tiles;
+    std::shared_ptr<const TiledMorphs> morphs;
+  };
 
   SkinningOfPlan(CompiledPlan& plan, const CompiledPlan* beside) : plan_(plan) {
     for_each_primitive(beside, [&](const Primitive& primitive, std::size_t p) {
       const PrimitiveSkinning& skinning = beside->primitive_skinning[p];
-      if (skinning.tiles != nullptr && skinning.combined == kNone) beside_[&primitive] = skinning.tiles;
+      if (skinning.tiles != nullptr && skinning.combined == kNone)
+        beside_[&primitive] = {skinning.tiles, skinning.morphs};
     });
   }
 
@@ -113,15 +118,16 @@ class SkinningOfPlan {
   }
 
   /// The tiles of a primitive, which skins share.
-  Tiles tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
+  Tiled tiles_of(const Primitive& primitive, const PrimitivePlan& planned) {
+    if (planned.morph.any() && planned.skinning != Skinning::linear) return {};  // these jobs also read packed vertices
     const bool with_centers = planned.skinning == Skinning::center_of_rotation;
     const auto [at, is_new] = tiles_.try_emplace({&primitive, with_centers});
     if (!is_new) return at->second;
     const auto made = beside_.find(&primitive);
-    const bool serves = made != beside_.end() && !planned.morph.any() &&
-                        (!planned.skin.normals || !made->second->normals.empty()) &&
-                        (!planned.skin.tangents || !made->second->tangents.empty()) &&
-                        (!with_centers || !made->second->centers.empty());
+    const bool serves = made != beside_.end() && (!planned.morph.any() || made->second.morphs != nullptr) &&
+                        (!planned.skin.normals || !made->second.tiles->normals.empty()) &&
+                        (!planned.skin.tangents || !made->second.tiles->tangents.empty()) &&
+                        (!with_centers || !made->second.tiles->centers.empty());
     at->second = serves ? made->second : make_tiles(primitive.influences, primitive, planned);
     return at->second;
   }
@@ -129,39 +135,45 @@ class SkinningOfPlan {
  private:
   PrimitiveSkinning choose(const Primitive& primitive, std::uint32_t skin, const PrimitivePlan& planned) {
     PrimitiveSkinning chosen;
-    chosen.tiles = tiles_of(primitive, planned);
+    Tiled tiled = tiles_of(primitive, planned);
     CombinedInfluences combined = combine_influences(primitive.influences, matrix_count(plan_, skin));
     if (combined.used()) {
       // A vector takes less time with one matrix a vertex, so combinations win if they need no more vectors.
-      const Tiles tiles = make_tiles(combined.vertices, primitive, planned);
-      if (tiles != nullptr && (chosen.tiles == nullptr || tiles->relative_cost() <= chosen.tiles->relative_cost()))
-        chosen.tiles = tiles;
-      else if (chosen.tiles != nullptr)
+      Tiled other = make_tiles(combined.vertices, primitive, planned);
+      if (other.tiles != nullptr &&
+          (tiled.tiles == nullptr || other.tiles->relative_cost() <= tiled.tiles->relative_cost()))
+        tiled = std::move(other);
+      else if (tiled.tiles != nullptr)
         combined.combinations = combined.vertices = {};
     }
     if (combined.used()) chosen.combined = static_cast<std::uint32_t>(plan_.combined[skin].size());
     plan_.combined[skin].push_back(std::move(combined));
+    chosen.tiles = std::move(tiled.tiles);
+    chosen.morphs = std::move(tiled.morphs);
     return chosen;
   }
 
-  /// Null where jobs without tiles are faster. Moving morphed vertices into tiles takes as long as tiles save.
-  static Tiles make_tiles(const VertexInfluences& influences, const Primitive& primitive,
+  static Tiled make_tiles(const VertexInfluences& influences, const Primitive& primitive,
                           const PrimitivePlan& planned) {
-    if (planned.morph.any()) return nullptr;
     VertexInput in{.positions = primitive.positions, .normals = {}, .tangents = {}};
     if (planned.skin.normals) in.normals = primitive.normals;
     if (planned.skin.tangents) in.tangents = primitive.tangents;
     std::span<const glm::vec3> centers;
     if (planned.skinning == Skinning::center_of_rotation) centers = primitive.centers_of_rotation;
     VertexTiles tiles = tile_vertices(influences, in, centers);
-    if (tiles.relative_cost() > VertexTiles::kMostCost) return nullptr;
-    return std::make_shared<const VertexTiles>(std::move(tiles));
+    if (tiles.relative_cost() > VertexTiles::kMostCost) return {};
+    std::shared_ptr<const TiledMorphs> morphs;
+    if (planned.morph.any()) {
+      morphs = std::make_shared<const TiledMorphs>(tile_morphs(primitive.morphs, tiles));
+      if (morphs->relative_memory > TiledMorphs::kMostMemory) return {};
+    }
+    return {std::make_shared<const VertexTiles>(std::move(tiles)), std::move(morphs)};
   }
 
   CompiledPlan& plan_;
   std::map<std::pair<const Primitive*, std::uint32_t>, PrimitiveSkinning> known_;
-  std::map<std::pair<const Primitive*, bool>, Tiles> tiles_;  ///< of a primitive, with or without centers of rotation
-  std::map<const Primitive*, Tiles> beside_;
+  std::map<std::pair<const Primitive*, bool>, Tiled> tiles_;  ///< of a primitive, with or without centers of rotation
+  std::map<const Primitive*, Tiled> beside_;
 };
 
 /// Sorts the triangles of primitives with flat normals, once for all instances of a mesh.
@@ -241,7 +253,7 @@ void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t
   if (planned.skinning != Skinning::linear) {
     plan.split[skin] = true;
     skinning.pairs = joint_pairs_of_vertices(primitive.influences, plan.scene->skins[skin].joints.size());
-    skinning.tiles = of_plan.tiles_of(primitive, planned);
+    skinning.tiles = of_plan.tiles_of(primitive, planned).tiles;
     return;
   }
   skinning = of_plan.linear(primitive, skin, planned);

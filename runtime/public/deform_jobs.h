@@ -3,7 +3,8 @@
 /// Jobs on vertices, for engines that run stages themselves: morph, three kinds of skinning, normals, bounds. They work
 /// like those of pose_jobs.h. Normals and tangents need tables that are made once: sort_flat_faces, join_surface.
 /// Linear skinning takes about half of the time with vertices that were sorted once (tile_vertices, SkinTilesJob), and
-/// dual quaternions two thirds (SkinDualQuaternionJob::tiles).
+/// dual quaternions two thirds (SkinDualQuaternionJob::tiles). StridedSkinJob skins vertices in interleaved buffers;
+/// WriteVerticesJob and QuantizeVerticesJob copy packed ones to such buffers, also as 16-bit integers.
 ///
 ///     const sinew::SkinLinearJob skin{
 ///         .influences = &primitive.influences,
@@ -17,11 +18,16 @@
 #include "runtime/deform/flat_normals.h"
 #include "runtime/deform/grow_bounds.h"
 #include "runtime/deform/influence_streams.h"
+#include "runtime/deform/morph_tiles.h"
 #include "runtime/deform/morph_vertices.h"
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
+#include "runtime/deform/skin_strided.h"
 #include "runtime/deform/skin_tiles.h"
+#include "runtime/deform/strided_vertices.h"
 #include "runtime/deform/surface_normals.h"
+#include "runtime/deform/tiled_morphs.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/deform/vertex_tiles.h"
+#include "runtime/deform/write_vertices.h"

@@ -93,6 +93,9 @@ TEST_F(CLastIndex, of_results_and_stages) {
   sinew_shape shape{.struct_size = sizeof(shape)};
   EXPECT_EQ(sinew_get_shape(result_, 3, &shape), SINEW_OK);
   EXPECT_EQ(sinew_get_shape(result_, 4, &shape), SINEW_INDEX_OUT_OF_RANGE);
+  const sinew_vertex_buffer nowhere{.struct_size = sizeof(nowhere)};
+  EXPECT_EQ(sinew_write_shape(result_, 3, &nowhere), SINEW_OK);
+  EXPECT_EQ(sinew_write_shape(result_, 4, &nowhere), SINEW_INDEX_OUT_OF_RANGE);
   sinew_affine matrix;
   EXPECT_EQ(sinew_world_of(plan_, result_, 2, nullptr, &matrix), SINEW_OK);
   EXPECT_EQ(sinew_world_of(plan_, result_, 3, nullptr, &matrix), SINEW_INDEX_OUT_OF_RANGE);

@@ -93,6 +93,8 @@ TEST_F(CNullArguments, of_plans_and_frames) {
   EXPECT_REFUSED(sinew_get_result, {}, result_, &info);
   EXPECT_REFUSED(sinew_get_instance_result, {}, result_, 0, &instance);
   EXPECT_REFUSED(sinew_get_shape, {}, result_, 0, &shape);
+  const sinew_vertex_buffer nowhere{.struct_size = sizeof(nowhere)};
+  EXPECT_REFUSED(sinew_write_shape, {}, result_, 0, &nowhere);
   EXPECT_REFUSED(sinew_world_of, {3}, plan_, result_, 0, nullptr, &matrix);
   const auto allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
   const auto release = [](void*, void*, std::size_t, std::size_t) {};

@@ -36,7 +36,7 @@ std::map<std::uint16_t, double> weights_of(const VertexTiles& tiles, const TileR
   const std::size_t tile = lane / VertexTiles::kLanes, in_tile = lane % VertexTiles::kLanes;
   double left = 1;
   for (std::uint32_t i = 0; i + 1 < run.joint_count; ++i) {
-    const double w = tiles.positions[run.first_plane + tile * run.planes_per_tile() + 3 + i].lane[in_tile];
+    const double w = tiles.weights[run.first_weight + tile * run.weights_per_tile() + i].lane[in_tile];
     left -= w;
     if (w != 0) weights[tiles.joints[run.first_joint + i]] = w;
   }
@@ -70,8 +70,7 @@ TEST_P(VertexTilesOf, planes_hold_the_attributes_and_the_weights_as_given) {
       const auto plane = static_cast<std::size_t>(c);
       EXPECT_EQ(tiles.tangents[tile * 4 + plane].lane[in_tile], s.tangents[v][c]);
       if (c == 3) break;
-      EXPECT_EQ(tiles.positions[run.first_plane + of_run * run.planes_per_tile() + plane].lane[in_tile],
-                s.positions[v][c]);
+      EXPECT_EQ(tiles.positions[tile * 3 + plane].lane[in_tile], s.positions[v][c]);
       EXPECT_EQ(tiles.normals[tile * 3 + plane].lane[in_tile], s.normals[v][c]);
     }
     const auto weights = weights_of(tiles, run, lane);
@@ -204,7 +203,7 @@ TEST(vertex_tiles, weights_are_divided_by_their_sum) {
   const VertexInfluences influences{{{0, 1, 2, 0}}, {0, 1}, {0.6f, 0.6f}};
   const std::vector<glm::vec3> positions(1);
   const VertexTiles tiles = tile_vertices(influences, {.positions = positions, .normals = {}, .tangents = {}});
-  EXPECT_EQ(tiles.positions[3].lane[0], 0.5f);
+  EXPECT_EQ(tiles.weights[0].lane[0], 0.5f);
 }
 
 }  // namespace

@@ -151,7 +151,8 @@ TEST_F(MemoryOfPlans, what_several_share_counts_once) {
   VertexTiles tiles;
   tiles.runs.resize(2);
   tiles.joints.resize(3);
-  tiles.positions.resize(5);
+  tiles.positions.resize(3);
+  tiles.weights.resize(2);
   tiles.normals.resize(3);
   tiles.tangents.resize(4);
   tiles.vertices.resize(16);
@@ -164,6 +165,19 @@ TEST_F(MemoryOfPlans, what_several_share_counts_once) {
             }) + plan_.primitive_skinning.size() * sizeof(PrimitiveSkinning),
             3 * sizeof(PrimitiveSkinning) + sizeof tiles + 2 * sizeof(TileRun) + 3 * sizeof(std::uint16_t) +
                 12 * sizeof(TilePlane) + 20 * sizeof(std::uint32_t));
+  TiledMorphs morphs;
+  morphs.targets.resize(2);
+  morphs.targets[0].positions = {std::vector<std::uint32_t>(1), std::vector<TilePlane>(3)};
+  morphs.targets[1].normals = {std::vector<std::uint32_t>(2), std::vector<TilePlane>(6)};
+  morphs.targets[1].tangents = {std::vector<std::uint32_t>(3), std::vector<TilePlane>(9)};
+  const auto shared_morphs = std::make_shared<const TiledMorphs>(morphs);
+  EXPECT_EQ(added_by([&](CompiledPlan& plan) {
+              PrimitiveSkinning skinning;
+              skinning.morphs = shared_morphs;
+              plan.primitive_skinning = {skinning, {}, skinning};
+            }) + plan_.primitive_skinning.size() * sizeof(PrimitiveSkinning),
+            3 * sizeof(PrimitiveSkinning) + sizeof morphs + 2 * sizeof(TiledTarget) + 6 * sizeof(std::uint32_t) +
+                18 * sizeof(TilePlane));
   MirrorMap map;
   map.joints.resize(2);
   map.unpaired.resize(3);

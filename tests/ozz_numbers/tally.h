@@ -57,6 +57,7 @@ Tally additive_joint_weights_group();
 Tally model_matrices_group();
 Tally model_ranges_group();
 Tally skinning_group();
+Tally skinning_strides_group();
 Tally extraction_group();
 Tally motion_blending_group();
 Tally limb_corrections_group();

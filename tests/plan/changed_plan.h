@@ -20,16 +20,26 @@ inline Plan without_combinations(const Plan& plan) {
   return changed(plan, [](CompiledPlan& copy) {
     for (std::vector<CombinedInfluences>& of_skin : copy.combined) of_skin.clear();
     for (PrimitiveSkinning& skinning : copy.primitive_skinning) {
-      if (skinning.combined != kNone) skinning.tiles = nullptr;
+      if (skinning.combined != kNone) {
+        skinning.tiles = nullptr;
+        skinning.morphs = nullptr;
+      }
       skinning.combined = kNone;
     }
+    copy.layout = {};
+    lay_out_frame(copy);
   });
 }
 
 /// A copy of the plan whose vertices keep the order of the mesh.
 inline Plan without_tiles(const Plan& plan) {
   return changed(plan, [](CompiledPlan& copy) {
-    for (PrimitiveSkinning& skinning : copy.primitive_skinning) skinning.tiles = nullptr;
+    for (PrimitiveSkinning& skinning : copy.primitive_skinning) {
+      skinning.tiles = nullptr;
+      skinning.morphs = nullptr;
+    }
+    copy.layout = {};
+    lay_out_frame(copy);
   });
 }
 

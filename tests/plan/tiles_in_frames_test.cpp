@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
@@ -235,6 +236,102 @@ TEST(tiles_in_frames, show_the_vertices_that_a_skin_without_tiles_shows) {
       expect_near(a.tangents, b.tangents, 4e-5f);
     }
   }
+}
+
+/// A scene whose meshes all win by tiles and have morph targets.
+Scene morphed_scene(std::uint64_t seed, RandomSceneOptions options = {}) {
+  options.triangles = 200;
+  Scene scene = random_scene(seed, options);
+  share_joints_in_stretches(scene, 32);
+  return scene;
+}
+
+/// Moves every 64th vertex only, so that planes of tiles would take much more memory than the deltas.
+void scatter_deltas(Scene& scene) {
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives)
+      for (MorphTarget& target : primitive.morphs.targets) {
+        SparseDeltas<glm::vec3> few;
+        for (std::uint32_t v = 0; v < primitive.vertex_count(); v += 64) {
+          few.vertices.push_back(v);
+          few.deltas.push_back(glm::vec3(0.5f));
+        }
+        target.positions = target.normals = target.tangents = few;
+      }
+}
+
+TEST(tiles_in_frames, of_morphed_meshes_show_the_vertices_that_a_skin_without_tiles_shows) {
+  for (const bool flat : {false, true}) {
+    RandomSceneOptions options;
+    options.flat_normals = flat;
+    const Scene scene = morphed_scene(4, options);
+    const Plan tiled = compile_plan(lend(scene), {}), plain = without_tiles(tiled);
+    ASSERT_EQ(tiled_primitives(tiled), skinned_primitives(tiled));
+    FrameBuffer with(tiled), without(plain), past(tiled);
+    past.write_past_caches(true);
+    for (const double time_s : {0.1, 0.7, 1.3}) {
+      const ClipLayer layer{0, time_s, 1.0f};
+      const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+      const AllocationCounter counter;
+      ASSERT_EQ(run_plan(tiled, input, with), ErrorCode::ok);
+      EXPECT_EQ(counter.count(), 0u);
+      ASSERT_EQ(run_plan(plain, input, without), ErrorCode::ok);
+      ASSERT_EQ(run_plan(tiled, input, past), ErrorCode::ok);
+      EXPECT_EQ(hash_vertices(with.result()), hash_vertices(past.result()));
+      EXPECT_GT(with.result().work.morph_deltas, 0u);
+      EXPECT_EQ(with.result().work.vertices_morphed, without.result().work.vertices_morphed);
+      EXPECT_EQ(with.result().work.vertices_skinned_in_tiles, with.result().work.vertices_skinned_linear);
+      for (std::size_t p = 0; p < with.result().primitives.size(); ++p) {
+        const DeformedPrimitive &a = with.result().primitives[p], &b = without.result().primitives[p];
+        expect_near(a.positions, b.positions, 4e-6f);
+        expect_near(a.normals, b.normals, 2e-4f);
+        expect_near(a.tangents, b.tangents, 2e-4f);
+      }
+    }
+  }
+}
+
+TEST(tiles_in_frames, with_morph_weights_of_zero_show_the_mesh_that_is_not_morphed) {
+  const Scene scene = morphed_scene(4);
+  Scene still = scene;
+  for (Mesh& mesh : still.meshes)
+    for (Primitive& primitive : mesh.primitives)
+      for (MorphTarget& target : primitive.morphs.targets) target = {};
+  const Plan morphed = compile_plan(lend(scene), {}), plain = compile_plan(lend(still), {});
+  const std::vector<float> weights(scene.weight_count(), 0.0f);
+  FrameBuffer a(morphed), b(plain);
+  ASSERT_EQ(run_plan(morphed, {.layers = {}, .weights = weights, .root = {}}, a), ErrorCode::ok);
+  ASSERT_EQ(run_plan(plain, {.layers = {}, .weights = weights, .root = {}}, b), ErrorCode::ok);
+  EXPECT_EQ(a.result().work.vertices_morphed, 0u);
+  for (std::size_t p = 0; p < morphed.primitives().size(); ++p) {
+    if (morphed.compiled()->primitive_skinning[p].tiles == nullptr) continue;
+    const DeformedPrimitive &of_morphed = a.result().primitives[p], &of_plain = b.result().primitives[p];
+    EXPECT_TRUE(std::ranges::equal(of_morphed.positions, of_plain.positions)) << p;
+    EXPECT_TRUE(std::ranges::equal(of_morphed.normals, of_plain.normals)) << p;
+    EXPECT_TRUE(std::ranges::equal(of_morphed.tangents, of_plain.tangents)) << p;
+  }
+}
+
+TEST(tiles_in_frames, of_morphed_meshes_are_those_of_the_plan_beside_if_it_morphs_too) {
+  const Scene scene = morphed_scene(4);
+  Needs fewer;
+  fewer.out.tangents = false;
+  const Plan beside = compile_plan(lend(scene), {}), plan = compile_plan(lend(scene), fewer, beside);
+  ASSERT_GT(tiled_primitives(plan), 0u);
+  for (std::size_t p = 0; p < plan.primitives().size(); ++p) {
+    EXPECT_EQ(plan.compiled()->primitive_skinning[p].tiles, beside.compiled()->primitive_skinning[p].tiles) << p;
+    EXPECT_EQ(plan.compiled()->primitive_skinning[p].morphs, beside.compiled()->primitive_skinning[p].morphs) << p;
+  }
+}
+
+TEST(tiles_in_frames, are_left_out_where_planes_of_targets_take_much_memory_and_for_other_skinning_of_morphs) {
+  Scene scene = morphed_scene(4);
+  Needs rigid;
+  rigid.skin.kind = Skinning::dual_quaternion;
+  EXPECT_EQ(tiled_primitives(compile_plan(lend(scene), rigid)), 0u);
+  ASSERT_GT(tiled_primitives(compile_plan(lend(scene), {})), 0u);
+  scatter_deltas(scene);
+  EXPECT_EQ(tiled_primitives(compile_plan(lend(scene), {})), 0u);
 }
 
 TEST(tiles_in_frames, P19_allocate_nothing_and_write_the_same_bits_past_the_caches) {

@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// A job's tiles and outputs.
+/// A job's tiles, and the attributes that it reads and writes.
 struct TileStreams {
   const VertexTiles& tiles;
+  TiledInput in;
   VertexOutput out;
   bool past_caches;  ///< stores may bypass the caches where they are aligned
 
@@ -42,6 +43,7 @@ inline bool wants_streams(const VertexTiles& tiles, AttributesPresent wanted, bo
 /// Pointers to the planes of a tile.
 struct TileInputs {
   const TilePlane* positions;
+  const TilePlane* weights;
   const TilePlane* normals;
   const TilePlane* tangents;
   const TilePlane* centers;  ///< set for kinds of skinning that read them (kCenters)
@@ -72,21 +74,21 @@ struct KeptVertices {
 ///      kCount    its number of joints at compile time; 0 = known at run time only
 ///      kCenters  true: it reads centers of rotation
 ///      wanted()  the attributes that it skins
-///      skin(weights, lane, tile, out)  skins one vector; returns what mend() needs
+///      skin(lane, tile, out)  skins one vector; returns what mend() needs
 ///      mend(result, run, lane_of_run, tile)  computes the lanes again that lost digits
 template <class Lanes, class Joints>
 HWY_NOINLINE void skin_run(const TileStreams& s, const TileRun& run, const Joints& joints) {
   const Lanes lanes(joints, s, run);
   const AttributesPresent wanted = lanes.wanted();
-  const std::size_t planes = Lanes::kCount > 0 ? 2 + static_cast<std::size_t>(Lanes::kCount) : run.planes_per_tile();
+  const std::size_t weights = Lanes::kCount > 0 ? static_cast<std::size_t>(Lanes::kCount) - 1 : run.weights_per_tile();
   const std::size_t lane_count = run.lane_count, row_lanes = lanes_in_a_row(run);
   const std::uint32_t* vertices = s.vertices_of(run);
   const std::size_t direct_lanes = s.past_caches && s.is_aligned(*vertices) ? 0 : row_lanes;
   const std::uint32_t* fours = &s.tiles.fours[std::size_t{run.first_tile} * VertexTiles::kLanes / 4];
   const VertexOutput out = s.out;  // a copy, which no store can change
-  TileInputs tile{s.tiles.positions.data() + run.first_plane,
-                  wanted.normals ? s.tiles.normals.data() + std::size_t{run.first_tile} * 3 : nullptr,
-                  wanted.tangents ? s.tiles.tangents.data() + std::size_t{run.first_tile} * 4 : nullptr,
+  TileInputs tile{s.in.positions.data() + std::size_t{run.first_tile} * 3, s.tiles.weights.data() + run.first_weight,
+                  wanted.normals ? s.in.normals.data() + std::size_t{run.first_tile} * 3 : nullptr,
+                  wanted.tangents ? s.in.tangents.data() + std::size_t{run.first_tile} * 4 : nullptr,
                   Lanes::kCenters ? s.tiles.centers.data() + std::size_t{run.first_tile} * 3 : nullptr};
   KeptVertices kept;
   for (std::size_t lane = 0, in_tile = 0; lane < lane_count; lane += kTileSize) {
@@ -98,14 +100,15 @@ HWY_NOINLINE void skin_run(const TileStreams& s, const TileRun& run, const Joint
       if (wanted.normals) to.normals = out.normals.data() + first;
       if (wanted.tangents) to.tangents = out.tangents.data() + first;
     }
-    const auto result = lanes.skin(tile.positions + 3, in_tile, tile, to);
+    const auto result = lanes.skin(in_tile, tile, to);
     if (HWY_UNLIKELY(!is_direct))
       kept.store(s, {vertices + lane, fours + lane / 4, lane_count - lane, lane < row_lanes}, wanted);
     lanes.mend(result, run, lane, tile);
     in_tile += kTileSize;
     if (in_tile < VertexTiles::kLanes) continue;
     in_tile = 0;
-    tile.positions += planes;
+    tile.positions += 3;
+    tile.weights += weights;
     if (wanted.normals) tile.normals += 3;
     if (wanted.tangents) tile.tangents += 4;
     if constexpr (Lanes::kCenters) tile.centers += 3;

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "runtime/deform/flat_normals.h"
+#include "runtime/deform/morph_tiles.h"
 #include "runtime/deform/morph_vertices.h"
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
@@ -44,8 +45,10 @@ struct Deformation {
   FrameMemory memory;
   FrameWork& work;
   VertexInput now;
+  TiledInput morphed = {};  ///< vertices in tiles that are morphed but not skinned yet
 
   void morph(std::span<const float> weights) noexcept {
+    if (skinning.morphs != nullptr) return morph_tiles(weights);
     const std::size_t count = primitive.vertex_count();
     const bool in_between = planned.skin.any();
     const VertexOutput out = output_in(memory, planned.morph, in_between ? plan.layout.morphed : blocks, count);
@@ -76,6 +79,18 @@ struct Deformation {
   }
 
  private:
+  void morph_tiles(std::span<const float> weights) noexcept {
+    const TiledBlocks& tiled = plan.layout.morphed_tiles;
+    const std::size_t count = skinning.tiles->tile_count();
+    const TiledOutput out{.positions = memory.of(tiled.positions.part(0, planned.morph.positions ? 3 * count : 0)),
+                          .normals = memory.of(tiled.normals.part(0, planned.morph.normals ? 3 * count : 0)),
+                          .tangents = memory.of(tiled.tangents.part(0, planned.morph.tangents ? 4 * count : 0))};
+    const MorphTilesJob job{
+        .tiles = skinning.tiles.get(), .morphs = skinning.morphs.get(), .weights = weights, .out = out};
+    run_counted(job, work.vertices_morphed, Stage::morph);
+    morphed = {.positions = out.positions, .normals = out.normals, .tangents = out.tangents};
+  }
+
   std::uint32_t skin_index() const noexcept { return plan.scene->instances[planned.instance].skin; }
   std::span<const JointMatrix> palette() const noexcept { return memory.of(plan.layout.palettes[skin_index()]); }
   std::span<const RigidStretch> split() const noexcept { return memory.of(plan.layout.splits[skin_index()]); }
@@ -98,7 +113,8 @@ struct Deformation {
                              .palette = palette(),
                              .out = out,
                              .normal_rule = rule,
-                             .past_caches = past_caches};
+                             .past_caches = past_caches,
+                             .morphed = morphed};
       return run_counted(job, work.vertices_skinned_linear, Stage::skin_linear);
     }
     const bool combined = skinning.combined != kNone;
