@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "runtime/procedures/springs/spring_slots.h"
+
 #include <algorithm>
 
 #include "runtime/procedures/springs/spring_inputs.h"
