@@ -19,6 +19,18 @@ struct Frame {
   Vector<D> along, side;
 };
 
+/// Makes the vectors of two frames unit, with one division for all four lengths.
+template <class D>
+HWY_INLINE void make_unit(D d, Frame<D>& a, Frame<D>& b) {
+  const hn::Vec<D> lengths[] = {hn::Sqrt(dot<D>(a.along, a.along)), hn::Sqrt(dot<D>(a.side, a.side)),
+                                hn::Sqrt(dot<D>(b.along, b.along)), hn::Sqrt(dot<D>(b.side, b.side))};
+  const hn::Vec<D> of_a = hn::Mul(lengths[0], lengths[1]), of_b = hn::Mul(lengths[2], lengths[3]);
+  const hn::Vec<D> per_all = hn::Div(hn::Set(d, 1.0), hn::Mul(of_a, of_b));
+  const hn::Vec<D> per_a = hn::Mul(per_all, of_b), per_b = hn::Mul(per_all, of_a);
+  a = {times<D>(a.along, hn::Mul(per_a, lengths[1])), times<D>(a.side, hn::Mul(per_a, lengths[0]))};
+  b = {times<D>(b.along, hn::Mul(per_b, lengths[3])), times<D>(b.side, hn::Mul(per_b, lengths[2]))};
+}
+
 /// The unit quaternion along q; the identity where q has no direction.
 template <class D>
 HWY_INLINE Rotation<D> unit(D d, const Rotation<D>& q) {
@@ -27,6 +39,12 @@ HWY_INLINE Rotation<D> unit(D d, const Rotation<D>& q) {
   const Rotation<D> u = scaled<D>(q, per_root(d, square));
   return {hn::IfThenElseZero(has_direction, u.x), hn::IfThenElseZero(has_direction, u.y),
           hn::IfThenElseZero(has_direction, u.z), hn::IfThenElse(has_direction, u.w, hn::Set(d, 1.0))};
+}
+/// A quaternion of nearly unit length, nearer to it.
+/// eq   one step of Newton's method for 1 / |q|, without a root or division: |q|^2 - 1 = e becomes 3/4 e^2
+template <class D>
+HWY_INLINE Rotation<D> unit_again(D d, const Rotation<D>& q) {
+  return scaled<D>(q, hn::Sub(hn::Set(d, 1.5), hn::Mul(hn::Set(d, 0.5), dot<D>(q, q))));
 }
 /// On the hemisphere of `reference`.
 template <class D>
