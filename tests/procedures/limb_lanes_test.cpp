@@ -107,7 +107,7 @@ TEST(limb_lanes, common_limbs_need_no_general_solver) {
   EXPECT_LT(left, count / 100);
 }
 
-/// Quaternions near unit length are made unit by lanes. Those farther away are left to the general solver.
+/// Lanes make quaternions of nearly unit length unit. The general solver takes the others.
 TEST(limb_lanes, quaternions_of_any_length_are_made_unit) {
   FixedRandom random(33);
   for (const float length : {1.0f - 4e-4f, 1.0f + 4e-4f, 0.9f, 2.0f}) {
