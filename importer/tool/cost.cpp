@@ -143,7 +143,8 @@ Command cost_command() {
       "cost",
       "Measure what accuracy costs in time, on a file of yours, as a page with charts\n"
       "Ways to interpolate, to store keys, to skin, to morph, to calculate, to retarget, to keep every "
-      "vertex of every frame, and to compute ambient occlusion. Each has its error against double precision "
+      "vertex of every frame, to reach targets, to step springs, and to compute ambient occlusion. Each has its error "
+      "against double precision "
       "(or rays) and its time on this machine. DIR gets report.html (open it in a browser), report.json and "
       "report.csv, and appears complete or not at all.");
   command.argument("FILE", &options->file,

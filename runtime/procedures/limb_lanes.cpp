@@ -20,6 +20,9 @@ using ik::SolvedLimbs;
 /// Limbs that come closer than this to a degenerate case are left to the general solver. Shares of lengths.
 constexpr double kShort = 1e-4, kFolded = 1e-3, kOpposite = -0.99, kCancelled = 1e-3;
 
+/// Limbs with quaternions whose square is farther from 1 are left to it too.
+constexpr double kNearUnit = 1e-3;
+
 /// Reads the lanes that start at lane `i`.
 template <class D>
 HWY_INLINE Vector<D> load(D d, const ik::LimbVectors& from, std::size_t i) {
@@ -68,12 +71,20 @@ HWY_INLINE void bring_to_parent(D d, const PlainLimbs& in, std::size_t i, Hinged
   limb.pole = back(load(d, in.pole, i));
 }
 
+/// A rotation of the pose, made unit. A limb whose quaternion is far from unit is not plain.
+template <class D>
+HWY_INLINE Rotation<D> near_unit(D d, const Rotation<D>& q, hn::Mask<D>& is_plain) {
+  const hn::Vec<D> off = hn::Abs(hn::Sub(dot<D>(q, q), hn::Set(d, 1.0)));
+  is_plain = hn::And(is_plain, hn::Lt(off, hn::Set(d, kNearUnit)));
+  return unit_again<D>(d, unit_again<D>(d, q));
+}
+
 template <class D>
 HWY_INLINE HingedLimb<D> hinged_limb(D d, const PlainLimbs& in, std::size_t i) {
   HingedLimb<D> limb;
   bring_to_parent(d, in, i, limb);
-  limb.root = unit<D>(d, load(d, in.root, i));
-  limb.middle = unit<D>(d, load(d, in.middle, i));
+  limb.root = near_unit(d, load(d, in.root, i), limb.is_plain);
+  limb.middle = near_unit(d, load(d, in.middle, i), limb.is_plain);
   limb.upper = load(d, in.upper, i);
   limb.lower = rotated<D>(limb.middle, load(d, in.lower, i));
   const hn::Vec<D> uu = dot<D>(limb.upper, limb.upper), ll = dot<D>(limb.lower, limb.lower);
@@ -106,10 +117,11 @@ struct Bend {
 };
 
 /// eq   two_bones::corner
+/// in   per_distance  1 / distance
 template <class D>
-HWY_INLINE Bend<D> bend_for(D d, hn::Vec<D> a, hn::Vec<D> b, hn::Vec<D> distance) {
+HWY_INLINE Bend<D> bend_for(D d, hn::Vec<D> a, hn::Vec<D> b, hn::Vec<D> distance, hn::Vec<D> per_distance) {
   const hn::Vec<D> one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), sum = hn::Add(a, b);
-  const hn::Vec<D> r = hn::Min(hn::Max(hn::Div(hn::Sub(a, b), distance), hn::Neg(one)), one);
+  const hn::Vec<D> r = hn::Min(hn::Max(hn::Mul(hn::Sub(a, b), per_distance), hn::Neg(one)), one);
   const hn::Vec<D> x = hn::Mul(half, hn::Add(hn::Mul(sum, r), distance));
   const hn::Vec<D> outer = hn::Mul(hn::Add(sum, distance), hn::Max(hn::Sub(sum, distance), hn::Zero(d)));
   const hn::Vec<D> y = hn::Mul(half, hn::Sqrt(hn::Mul(outer, hn::Mul(hn::Add(one, r), hn::Sub(one, r)))));
@@ -145,8 +157,8 @@ HWY_INLINE Vector<D> side_for(D d, const PlainLimbs& in, std::size_t i, const Ve
 template <class D>
 HWY_INLINE void measure(D d, const HingedLimb<D>& limb, const Rotation<D>& root, const Rotation<D>& middle,
                         std::size_t i, SolvedLimbs& out) {
-  const Rotation<D> bend = product<D>(unit<D>(d, middle), conjugate<D>(limb.middle));
-  const Vector<D> tip = rotated<D>(unit<D>(d, root), plus<D>(limb.upper, rotated<D>(bend, limb.lower)));
+  const Rotation<D> bend = product<D>(unit_again<D>(d, middle), conjugate<D>(limb.middle));
+  const Vector<D> tip = rotated<D>(unit_again<D>(d, root), plus<D>(limb.upper, rotated<D>(bend, limb.lower)));
   const auto length_above = [&](const Vector<D>& v) HWY_ATTR {
     const auto& m = limb.above;
     const Vector<D> model = plus<D>(plus<D>(times<D>(m[0], v.x), times<D>(m[1], v.y)), times<D>(m[2], v.z));
@@ -177,28 +189,26 @@ HWY_INLINE void solve_lanes(D d, const PlainLimbs& in, std::size_t i, bool measu
   limb.is_plain = hn::And(limb.is_plain, hn::Gt(hn::Min(wanted, distance), folded));
 
   // The turn of the middle joint is the difference of the wanted bend and the bend of the pose.
-  const Bend<D> bend = bend_for(d, a, b, distance);
+  const hn::Vec<D> per_both = hn::Div(one, hn::Mul(distance, wanted));  // one division for two lengths
+  const Bend<D> bend = bend_for(d, a, b, distance, hn::Mul(per_both, wanted));
   const hn::Vec<D> cosine_now = dot<D>(limb.upper_across, limb.lower_across),
                    sine_now = dot<D>(limb.axis, cross<D>(limb.upper_across, limb.lower_across));
   const hn::Vec<D> per_square = hn::Div(one, hn::Mul(ab, ab));
   const hn::Vec<D> cosine =
       hn::Mul(per_square, hn::Add(hn::Mul(bend.cosine, cosine_now), hn::Mul(bend.sine, sine_now)));
   const hn::Vec<D> sine = hn::Mul(per_square, hn::Sub(hn::Mul(bend.sine, cosine_now), hn::Mul(bend.cosine, sine_now)));
-  const Rotation<D> middle = unit<D>(d, product<D>(turn_about<D>(d, limb.axis, cosine, sine), limb.middle));
+  const Rotation<D> middle = unit_again<D>(d, product<D>(turn_about<D>(d, limb.axis, cosine, sine), limb.middle));
 
   // The root joint turns the frame of the bent limb onto the wanted frame (ik::Frame).
-  const auto frame = [&](const Vector<D>& tip) HWY_ATTR {
-    const Vector<D> side = cross<D>(tip, limb.axis);
-    return Frame<D>{times<D>(tip, per_root(d, dot<D>(tip, tip))), times<D>(side, per_root(d, dot<D>(side, side)))};
-  };
   const Vector<D> tip = plus<D>(limb.upper, limb.lower);
   const Vector<D> beside = cross<D>(tip, limb.axis);
   limb.is_plain = hn::And(limb.is_plain, hn::Gt(dot<D>(beside, beside), hn::Mul(folded, folded)));
   const Vector<D> turned =
       plus<D>(times<D>(limb.lower_across, cosine), times<D>(cross<D>(limb.axis, limb.lower_across), sine));
-  const Frame<D> before = frame(tip);
-  const Frame<D> after = frame(plus<D>(limb.upper, plus<D>(turned, times<D>(limb.axis, limb.lower_along))));
-  const Vector<D> wish = times<D>(limb.target, hn::Div(one, wanted));
+  const Vector<D> tip_after = plus<D>(limb.upper, plus<D>(turned, times<D>(limb.axis, limb.lower_along)));
+  Frame<D> before{tip, beside}, after{tip_after, cross<D>(tip_after, limb.axis)};
+  make_unit<D>(d, before, after);
+  const Vector<D> wish = times<D>(limb.target, hn::Mul(per_both, distance));
   const Vector<D> side =
       side_for(d, in, i, rotated<D>(limb.root, before.along), rotated<D>(limb.root, before.side), wish, limb);
   const Rotation<D> root = turn_between<D>(d, after, Frame<D>{wish, side});

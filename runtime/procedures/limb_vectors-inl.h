@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors, frames and rotations in double precision, one per lane of any vector type. Included once per SIMD target, so
-// without `#pragma once`. Multiplications and additions are never fused, so all targets give the same bits.
+// Frames and rotations of limbs, one per lane of any vector type. Included once per SIMD target, so without
+// `#pragma once`.
 #if defined(SINEW_LIMB_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LIMB_VECTORS_INL_H
 #undef SINEW_LIMB_VECTORS_INL_H
@@ -8,82 +8,29 @@
 #define SINEW_LIMB_VECTORS_INL_H
 #endif
 
-#include <hwy/highway.h>
+#include "runtime/math/lane_vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-template <class D>
-struct Vector {
-  hn::Vec<D> x, y, z;
-};
-template <class D>
-struct Rotation {
-  hn::Vec<D> x, y, z, w;
-};
 /// Unit and perpendicular vectors, as ik::Frame.
 template <class D>
 struct Frame {
   Vector<D> along, side;
 };
 
+/// Makes the vectors of two frames unit, with one division for all four lengths.
 template <class D>
-HWY_INLINE hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-template <class D>
-HWY_INLINE Vector<D> cross(const Vector<D>& a, const Vector<D>& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
-template <class D>
-HWY_INLINE Vector<D> times(const Vector<D>& a, hn::Vec<D> s) {
-  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
-}
-template <class D>
-HWY_INLINE Vector<D> plus(const Vector<D>& a, const Vector<D>& b) {
-  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Vector<D> minus(const Vector<D>& a, const Vector<D>& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <class D>
-HWY_INLINE Vector<D> either(hn::Mask<D> mask, const Vector<D>& yes, const Vector<D>& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
-/// eq   1 / sqrt(square)
-template <class D>
-HWY_INLINE hn::Vec<D> per_root(D d, hn::Vec<D> square) {
-  return hn::Div(hn::Set(d, 1.0), hn::Sqrt(square));
+HWY_INLINE void make_unit(D d, Frame<D>& a, Frame<D>& b) {
+  const hn::Vec<D> lengths[] = {hn::Sqrt(dot<D>(a.along, a.along)), hn::Sqrt(dot<D>(a.side, a.side)),
+                                hn::Sqrt(dot<D>(b.along, b.along)), hn::Sqrt(dot<D>(b.side, b.side))};
+  const hn::Vec<D> of_a = hn::Mul(lengths[0], lengths[1]), of_b = hn::Mul(lengths[2], lengths[3]);
+  const hn::Vec<D> per_all = hn::Div(hn::Set(d, 1.0), hn::Mul(of_a, of_b));
+  const hn::Vec<D> per_a = hn::Mul(per_all, of_b), per_b = hn::Mul(per_all, of_a);
+  a = {times<D>(a.along, hn::Mul(per_a, lengths[1])), times<D>(a.side, hn::Mul(per_a, lengths[0]))};
+  b = {times<D>(b.along, hn::Mul(per_b, lengths[3])), times<D>(b.side, hn::Mul(per_b, lengths[2]))};
 }
 
-/// eq   sinew::rotate_vector, for a unit quaternion
-template <class D>
-HWY_INLINE Vector<D> rotated(const Rotation<D>& q, const Vector<D>& p) {
-  const Vector<D> v{q.x, q.y, q.z}, once = cross<D>(v, p), twice = plus<D>(once, once);
-  return plus<D>(plus<D>(p, times<D>(twice, q.w)), cross<D>(v, twice));
-}
-template <class D>
-HWY_INLINE Rotation<D> conjugate(const Rotation<D>& q) {
-  return {hn::Neg(q.x), hn::Neg(q.y), hn::Neg(q.z), q.w};
-}
-/// eq   a b: b is applied first
-template <class D>
-HWY_INLINE Rotation<D> product(const Rotation<D>& a, const Rotation<D>& b) {
-  const Vector<D> u{a.x, a.y, a.z}, v{b.x, b.y, b.z};
-  const Vector<D> sum = plus<D>(plus<D>(times<D>(v, a.w), times<D>(u, b.w)), cross<D>(u, v));
-  return {sum.x, sum.y, sum.z, hn::Sub(hn::Mul(a.w, b.w), dot<D>(u, v))};
-}
-template <class D>
-HWY_INLINE hn::Vec<D> dot(const Rotation<D>& a, const Rotation<D>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Add(hn::Mul(a.z, b.z), hn::Mul(a.w, b.w)));
-}
-template <class D>
-HWY_INLINE Rotation<D> scaled(const Rotation<D>& q, hn::Vec<D> s) {
-  return {hn::Mul(q.x, s), hn::Mul(q.y, s), hn::Mul(q.z, s), hn::Mul(q.w, s)};
-}
 /// The unit quaternion along q; the identity where q has no direction.
 template <class D>
 HWY_INLINE Rotation<D> unit(D d, const Rotation<D>& q) {
@@ -92,6 +39,12 @@ HWY_INLINE Rotation<D> unit(D d, const Rotation<D>& q) {
   const Rotation<D> u = scaled<D>(q, per_root(d, square));
   return {hn::IfThenElseZero(has_direction, u.x), hn::IfThenElseZero(has_direction, u.y),
           hn::IfThenElseZero(has_direction, u.z), hn::IfThenElse(has_direction, u.w, hn::Set(d, 1.0))};
+}
+/// A quaternion of nearly unit length, nearer to it.
+/// eq   one step of Newton's method for 1 / |q|, without a root or division: |q|^2 - 1 = e becomes 3/4 e^2
+template <class D>
+HWY_INLINE Rotation<D> unit_again(D d, const Rotation<D>& q) {
+  return scaled<D>(q, hn::Sub(hn::Set(d, 1.5), hn::Mul(hn::Set(d, 0.5), dot<D>(q, q))));
 }
 /// On the hemisphere of `reference`.
 template <class D>

@@ -90,7 +90,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"nlohmann/", {"importer", "importer/graph", "importer/tool", "tests"}},
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
-      "runtime/transition", "runtime/procedures", "importer", "importer/tool", "tests"}},
+      "runtime/transition", "runtime/procedures", "runtime/procedures/springs", "importer", "importer/tool", "tests"}},
     {"zstd",
      {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/ktx2", "importer/tool",
       "tests"}},

@@ -390,7 +390,8 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
   }
   EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
   EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing",
-                                            "arithmetic", "retargeting", "geometry_cache", "occlusion"}));
+                                            "arithmetic", "retargeting", "geometry_cache", "inverse kinematics",
+                                            "springs", "occlusion"}));
 }
 
 TEST_F(CostCommand, says_what_it_looked_at_and_how_to_look_again) {

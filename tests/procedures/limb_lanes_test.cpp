@@ -107,6 +107,20 @@ TEST(limb_lanes, common_limbs_need_no_general_solver) {
   EXPECT_LT(left, count / 100);
 }
 
+/// Lanes make quaternions of nearly unit length unit. The general solver takes the others.
+TEST(limb_lanes, quaternions_of_any_length_are_made_unit) {
+  FixedRandom random(33);
+  for (const float length : {1.0f - 4e-4f, 1.0f + 4e-4f, 0.9f, 2.0f}) {
+    Limb unit = random_limb(random, {1, 1, 1}), scaled = unit;
+    const TwoBoneGoal goal = unit.goal(reachable(unit, random));
+    for (const std::uint32_t joint : {goal.root, goal.middle})
+      scaled.pose.span().set_rotation(joint, scaled.pose.span().get(joint).rotation * length);
+    ASSERT_EQ(run(TwoBoneIkJob{&unit.skeleton, unit.pose.span(), goal}), ErrorCode::ok);
+    ASSERT_EQ(run(TwoBoneIkJob{&scaled.skeleton, scaled.pose.span(), goal}), ErrorCode::ok);
+    EXPECT_LT(largest_turn_deg(unit.pose.span(), scaled.pose.span()), 1e-4) << length;
+  }
+}
+
 TEST(limb_lanes, one_limb_that_is_refused_stops_all) {
   ManyLimbs many(20);
   many.jobs[13].goal.target.x = std::nan("");

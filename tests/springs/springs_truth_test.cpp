@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "tests/springs/spring_stage.h"
 #include "tests/springs/spring_truth.h"
 #include "tests/support/fixed_random.h"
+#include "tests/support/simd_targets.h"
 
 namespace sinew {
 namespace {
@@ -26,10 +29,21 @@ struct Character {
   SpringSetup setup;
 };
 
-/// A tree with swinging and carried joints, colliders of every kind and a group with a centre.
-Character random_character(std::uint64_t seed, bool sheared) {
+/// Two chains.
+const std::vector<std::uint32_t> kChains{kNone, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+
+/// Joints of one depth fill vectors of lanes, and some lanes are left. Parents are random, so chains branch.
+std::vector<std::uint32_t> bush(std::uint64_t seed) {
   test::FixedRandom random(seed);
-  std::vector<std::uint32_t> parents{kNone, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  std::vector<std::uint32_t> parents{kNone, 0, 0};
+  for (std::uint32_t j = 3; j < 60; ++j)
+    parents.push_back(j < 14 ? j % 3 : 3 + static_cast<std::uint32_t>(random.in(0.0, 1.0) * (j - 3)));
+  return parents;
+}
+
+/// A tree with swinging and carried joints, colliders of every kind and a group with a centre.
+Character random_character(const std::vector<std::uint32_t>& parents, std::uint64_t seed, bool sheared) {
+  test::FixedRandom random(seed);
   Character out{test::skeleton_of(parents), {}};
   for (std::size_t j = 1; j < parents.size(); ++j) {
     Transform& rest = out.skeleton.rest[j];
@@ -53,15 +67,14 @@ Character random_character(std::uint64_t seed, bool sheared) {
   return out;
 }
 
-/// Moves root and pose at random for two seconds, and compares at every tick.
-void expect_job_is_the_truth(std::uint64_t seed, bool sheared, double tolerance_m) {
-  const Character character = random_character(seed, sheared);
+/// Moves root and pose at random, and compares at every tick.
+void expect_job_is_the_truth(const Character& character, std::uint64_t seed, int frames, double tolerance_m) {
   SpringSettings settings;
   settings.sleep_rad_per_s = 0.0;
   SpringStage stage(character.skeleton, character.setup, settings);
   SpringTruth truth(character.skeleton, character.setup);
   test::FixedRandom random(seed + 1);
-  for (int frame = 0; frame <= 120; ++frame) {
+  for (int frame = 0; frame <= frames; ++frame) {
     stage.move_root(test::figure_of_eight(frame / 60.0));
     for (Transform& local : stage.pose) local.rotation = normalised(local.rotation + random_turn(random) * 0.02f);
     truth.pose.clear();
@@ -79,11 +92,40 @@ void expect_job_is_the_truth(std::uint64_t seed, bool sheared, double tolerance_
 }
 
 TEST(springs_truth, job_agrees_at_the_tick_rate) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_job_is_the_truth(seed, false, 1e-9);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    expect_job_is_the_truth(random_character(kChains, seed, false), seed, 120, 1e-9);
 }
 
 TEST(springs_truth, job_agrees_under_shear_and_mirroring) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_job_is_the_truth(seed, true, 1e-9);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    expect_job_is_the_truth(random_character(kChains, seed, true), seed, 120, 1e-9);
+}
+
+TEST(springs_truth, job_agrees_where_chains_branch_and_lanes_are_left) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    expect_job_is_the_truth(random_character(bush(seed), seed, seed % 3 == 0), seed, 30, 1e-9);
+}
+
+TEST(springs_truth, every_instruction_set_gives_the_same_bits) {
+  for (const bool sheared : {false, true}) {
+    const Character character = random_character(bush(1), 1, sheared);
+    std::vector<std::uint64_t> first;
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::OnlyTarget only(target);
+      SpringStage stage(character.skeleton, character.setup);
+      for (int frame = 0; frame <= 40; ++frame) {
+        stage.move_root(test::figure_of_eight(frame / 50.0));
+        stage.frame(1.0 / 50.0);
+      }
+      std::vector<std::uint64_t> bits;
+      for (const Vec& tail : stage.tails)
+        for (int i = 0; i < 3; ++i) bits.push_back(std::bit_cast<std::uint64_t>(tail[i]));
+      for (std::size_t j = 0; j < character.skeleton.joint_count(); ++j)
+        for (int i = 0; i < 4; ++i) bits.push_back(std::bit_cast<std::uint32_t>(stage.rotation(j)[i]));
+      if (first.empty()) first = bits;
+      EXPECT_EQ(bits, first) << test::simd_name(target);
+    }
+  }
 }
 
 }  // namespace

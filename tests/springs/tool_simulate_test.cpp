@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/importer/tiny_gltf.h"
@@ -113,6 +115,87 @@ TEST_F(ToolSimulate, eyes_look_at_a_place_in_the_world) {
   ASSERT_EQ(run_tool(look).status, 0);
   EXPECT_NEAR(result()["frames"].back()["gaze"]["left"].get<double>(), 6.0, 1e-5) << "the file says 12";
   EXPECT_EQ(result()["frames"].back()["gaze"]["right"], 0.0);
+}
+
+/// Two legs with slightly bent knees, without VRM data. The left foot is at x = 0.1.
+std::string legs() {
+  TinyGltf file;
+  file.root["nodes"] = Json::parse(R"([{"name": "Hips", "children": [1, 4], "translation": [0, 0.9, 0]},
+    {"name": "LeftUpLeg", "children": [2], "translation": [0.1, 0, 0]},
+    {"name": "LeftLeg", "children": [3], "translation": [0, -0.42, 0.05]},
+    {"name": "LeftFoot", "translation": [0, -0.4, -0.05]},
+    {"name": "RightUpLeg", "children": [5], "translation": [-0.1, 0, 0]},
+    {"name": "RightLeg", "children": [6], "translation": [0, -0.42, 0.05]},
+    {"name": "RightFoot", "translation": [0, -0.4, -0.05]}])");
+  file.root["scenes"] = Json::parse(R"([{"nodes": [0]}])");
+  return file.text();
+}
+
+class ToolSimulateFeet : public ToolSimulate {
+ protected:
+  ToolSimulateFeet() { write_file(path("legs.gltf"), legs()); }
+
+  CommandOutcome stand(const std::string& ground, double z = 0.0) {
+    write_file(path("path.json"), Json{{"times", {0}}, {"translations", {{0, 0, z}}}}.dump());
+    return run_tool({"simulate", path("legs.gltf"), "-o", path("out.json"), "--for", "2", "--ground", ground, "--root",
+                     path("path.json")});
+  }
+
+  /// Heights of the left and the right ankle after two seconds.
+  std::pair<double, double> ankles(const std::string& ground, double z = 0.0) {
+    const CommandOutcome outcome = stand(ground, z);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Json frame = result()["frames"].back();
+    for (const Json& foot : frame["feet"]) {
+      EXPECT_NEAR(foot["tip"].get<double>(), 0.0, 2e-3) << ground;
+      EXPECT_EQ(foot["locked"], true) << ground;
+    }
+    return {frame["tail"][3][1].get<double>(), frame["tail"][6][1].get<double>()};
+  }
+};
+
+TEST_F(ToolSimulateFeet, stand_on_flat_ground_slopes_and_steps) {
+  const auto near = [](double left, double right) {
+    return testing::Pair(testing::DoubleNear(left, 2e-3), testing::DoubleNear(right, 2e-3));
+  };
+  EXPECT_THAT(ankles("0"), near(0.08, 0.08));
+  EXPECT_EQ(result()["joints"],
+            Json::parse(R"(["Hips", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg", "RightLeg", "RightFoot"])"));
+  EXPECT_THAT(ankles("-3"), near(-2.92, -2.92));
+  EXPECT_THAT(ankles("steps=0.2x0.4", 0.6), near(0.28, 0.28)) << "on the first step";
+  EXPECT_THAT(ankles("slope=-20", 1.0).first, testing::DoubleNear(0.08 - std::tan(std::numbers::pi / 9.0), 0.01));
+  write_file(path("ground.json"), R"({"distances": [-1, 0], "heights": [0, 0.12], "direction": [2, 0]})");
+  EXPECT_THAT(ankles(path("ground.json")), near(0.2, 0.08));
+  write_file(path("ground.json"),
+             R"({"distances": [-1, 1], "heights": [-0.5, 0.5], "steps": false, "direction": [1, 0]})");
+  const double across = 0.05 + 0.08 * std::cos(std::atan(0.5));  // soles turn with the slope
+  EXPECT_THAT(ankles(path("ground.json")), near(across, across - 0.1));
+}
+
+TEST_F(ToolSimulateFeet, says_what_is_wrong_with_the_ground) {
+  const auto expect = [&](const std::string& ground, const char* text) {
+    const CommandOutcome outcome = stand(ground);
+    EXPECT_EQ(outcome.status, 1) << ground;
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  };
+  for (const char* text : {"nan", "1e9", "slope=90", "slope=", "steps=0.2", "steps=0.2x0", "steps=0.2x-1", "1,2"})
+    expect(text, "is neither a height, slope=DEGREES, steps=RISExTREAD nor a file");
+  const std::pair<const char*, const char*> files[] = {
+      {"[]", "is no JSON of the form"},
+      {R"({"distances": [0, "a"], "heights": [0, 1]})", "is no JSON of the form"},
+      {R"({"distances": [], "heights": []})", "/distances: is empty"},
+      {R"({"distances": [0, 1], "heights": [0]})", "/heights: has 1 entries for 2 distances"},
+      {R"({"distances": [0, 0], "heights": [0, 1]})", "/distances/1: is not beyond the distance before"},
+      {R"({"distances": [0], "heights": [0], "steps": 1})", "/steps: is neither true nor false"},
+      {R"({"distances": [0], "heights": [0], "direction": [1, 0, 0]})", "/direction: is no list of two numbers"},
+      {R"({"distances": [0], "heights": [0], "direction": [0, 0]})", "/direction: has no length"}};
+  for (const auto& [content, text] : files) {
+    write_file(path("ground.json"), content);
+    expect(path("ground.json"), text);
+  }
+  const CommandOutcome hair = simulate({"--ground", "0"});
+  EXPECT_EQ(hair.status, 1);
+  EXPECT_THAT(hair.err, HasSubstr("hair.gltf: it has no left leg from hips to foot"));
 }
 
 TEST_F(ToolSimulate, one_frame_rate_is_like_another) {

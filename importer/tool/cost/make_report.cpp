@@ -68,9 +68,11 @@ Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, cons
     Study (*study)(const Subject&);
     const Subject& subject;
   };
-  const Look looks[] = {{study_rotation, moving},    {study_storage, moving},          {study_influences, skinned},
-                        {study_skinning, skinned},   {study_skinned_normals, skinned}, {study_morphing, morphed},
-                        {study_arithmetic, skinned}, {study_retargeting, moving},      {study_geometry, moving}};
+  const Look looks[] = {
+      {study_rotation, moving},           {study_storage, moving},          {study_influences, skinned},
+      {study_skinning, skinned},          {study_skinned_normals, skinned}, {study_morphing, morphed},
+      {study_arithmetic, skinned},        {study_retargeting, moving},      {study_geometry, moving},
+      {study_inverse_kinematics, moving}, {study_springs, moving}};
   std::vector<Study> studies;
   for (const Look& look : looks) {
     progress("errors", kShareOfErrors * static_cast<double>(studies.size()) / static_cast<double>(std::size(looks)));

@@ -17,6 +17,8 @@ Study study_morphing(const Subject& subject);
 Study study_arithmetic(const Subject& subject);
 Study study_retargeting(const Subject& subject);
 Study study_geometry(const Subject& subject);
+Study study_inverse_kinematics(const Subject& subject);
+Study study_springs(const Subject& subject);
 
 /// Studies the storage of the positions of a take, over as many frames as `effort` has key intervals.
 /// in   budget_m  of the cache that other formats are compared with

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "importer/tool/json.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/simulate/ground_profile.h"
 #include "importer/tool/simulate/root_path.h"
 #include "importer/tool/simulate/simulation.h"
 #include "importer/visible_text.h"
@@ -29,7 +31,7 @@ namespace {
 
 struct SimulateOptions {
   std::string file, output;
-  std::optional<std::string> clip, root, look_at;
+  std::optional<std::string> clip, root, look_at, ground;
   double fps = 60.0, seconds = 1.0;
 };
 
@@ -42,6 +44,15 @@ std::string text_of(double x, double y, double z) { return fmt::format("[{},{},{
 std::string text_of(const Gaze& gaze) {
   return fmt::format(R"(,"gaze":{{"yaw":{},"pitch":{},"left":{},"right":{},"up":{},"down":{}}})", gaze.yaw_rad,
                      gaze.pitch_rad, gaze.left, gaze.right, gaze.up, gaze.down);
+}
+
+/// Left and right foot; nothing without ground.
+std::string text_of(std::span<const FootResult> feet) {
+  std::string all;
+  for (const FootResult& foot : feet)
+    all += fmt::format("{}{{\"locked\":{},\"tip\":{},\"heel\":{}}}", all.empty() ? "" : ",", foot.is_locked,
+                       foot.tip_above_ground_m, foot.heel_above_ground_m);
+  return all.empty() ? "" : fmt::format(",\"feet\":[{}]", all);
 }
 
 /// Reads "0,1.6,3".
@@ -68,7 +79,7 @@ class FrameWriter {
                            joints.dump()));
   }
 
-  void write(double time_s, const std::vector<SimulatedJoint>& joints, const std::optional<Gaze>& gaze) {
+  void write(double time_s, const std::vector<SimulatedJoint>& joints, const Simulation& simulation) {
     std::string q, tails;
     for (const SimulatedJoint& joint : joints) {
       const auto& r = joint.rotation;
@@ -76,8 +87,9 @@ class FrameWriter {
       q += fmt::format("{}[{},{},{},{}]", comma, r.x, r.y, r.z, r.w);
       tails += fmt::format("{}{}", comma, text_of(joint.tail.x, joint.tail.y, joint.tail.z));
     }
-    out_.write(fmt::format("{}{{\"t\":{},\"q\":[{}],\"tail\":[{}]{}}}", is_first_ ? "\n" : ",\n", time_s, q, tails,
-                           gaze ? text_of(*gaze) : ""));
+    const std::optional<Gaze>& gaze = simulation.gaze();
+    out_.write(fmt::format("{}{{\"t\":{},\"q\":[{}],\"tail\":[{}]{}{}}}", is_first_ ? "\n" : ",\n", time_s, q, tails,
+                           gaze ? text_of(*gaze) : "", text_of(simulation.feet())));
     is_first_ = false;
   }
 
@@ -98,7 +110,7 @@ ExitCode write_frames(const SimulateOptions& options, const RootPath& path, Simu
   const auto frames = static_cast<std::uint64_t>(std::llround(options.fps * options.seconds));
   for (std::uint64_t frame = 1; frame <= frames; ++frame) {
     const double time_s = static_cast<double>(frame) / options.fps;
-    writer.write(time_s, simulation.step(time_s, 1.0 / options.fps, path.at(time_s)), simulation.gaze());
+    writer.write(time_s, simulation.step(time_s, 1.0 / options.fps, path.at(time_s)), simulation);
   }
   writer.end();
   if (!out.finish())
@@ -125,6 +137,13 @@ ExitCode simulate(const SimulateOptions& options) {
     path = *std::move(read);
     inputs.emplace_back(*options.root);
   }
+  std::optional<GroundProfile> ground;
+  if (options.ground) {
+    auto read = read_ground(*options.ground);
+    if (!read) return fail_with(ExitCode::input_at_fault, "--ground " + visible_text(read.error()));
+    ground = *std::move(read);
+    if (std::filesystem::is_regular_file(*options.ground)) inputs.emplace_back(*options.ground);
+  }
   ImportOptions import;
   import.decode_images = false;
   const auto file = load_file(options.file, import);
@@ -137,7 +156,7 @@ ExitCode simulate(const SimulateOptions& options) {
     if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
     clip = chosen->front();
   }
-  auto simulation = Simulation::make(*file, clip, look_at);
+  auto simulation = Simulation::make(*file, clip, look_at, ground);
   if (!simulation)
     return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", visible_text(options.file), simulation.error()));
   for (const std::string& what : simulation->left_out())
@@ -151,7 +170,7 @@ Command simulate_command() {
   auto options = std::make_shared<SimulateOptions>();
   Command command(
       "simulate",
-      "Step eyes, constraints and springs of a VRM character, and write its joints\n"
+      "Step feet, eyes, constraints and springs of a character, and write its joints\n"
       "Springs step 60 times a second, whatever --fps is: frames between two steps are interpolated. They start at "
       "rest "
       "at time 0; the first frame is at 1/fps.\n"
@@ -161,7 +180,9 @@ Command simulate_command() {
       "the world, in metres. A joint without a spring, such as one with a constraint, has its own place as tail. With "
       "--look-at, frames also have \"gaze\": {\"yaw\", \"pitch\"} of the target in radians, > 0 to the left and down, "
       "and "
-      "the weights \"left\", \"right\", \"up\", \"down\" of expressions.");
+      "the weights \"left\", \"right\", \"up\", \"down\" of expressions. With --ground, joints include pelvis and "
+      "legs, and frames have \"feet\", left and right: \"locked\", and the metres of \"tip\" and \"heel\" above the "
+      "ground.");
   command.argument("FILE", &options->file, "A .vrm, .gltf or .glb file; - is the standard input").required();
   command
       .option("-o,--output", "OUT.json", &options->output,
@@ -175,6 +196,10 @@ Command simulate_command() {
       "in seconds and metres, linear between times (default: it stays)");
   command.option("--look-at", "X,Y,Z", &options->look_at,
                  "A place in the world that the eyes look at, in metres (default: they look at nothing)");
+  command.option("--ground", "HEIGHT|slope=DEGREES|steps=RISExTREAD|GROUND.json", &options->ground,
+                 "Ground under the feet of a humanoid, in metres; slopes and steps rise along +z from the origin. "
+                 "GROUND.json: {\"distances\": [0, 1], \"heights\": [0, 0.2], \"steps\": true, \"direction\": [0, 1]} "
+                 "(x, z). The root is above the ground by its path (default: no ground)");
   command.option("--clip", "INDEX|NAME|none", &options->clip,
                  "Plays this clip, in a loop (default: none, the rest pose)");
   command.run = [options] { return simulate(*options); };

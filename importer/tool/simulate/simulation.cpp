@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "importer/tool/messages.h"
+#include "importer/tool/simulate/standing_feet.h"
 #include "importer/vrm_look_at.h"
 #include "importer/vrm_springs.h"
 #include "runtime/plan/run_plan.h"
@@ -24,11 +25,12 @@ namespace {
 
 /// The eyes of a character, or none if it does not have to look.
 /// err   a sentence for the user
-tl::expected<std::optional<Eyes>, std::string> eyes_that_look(const ImportedFile& file, bool looks) {
+tl::expected<std::optional<Eyes>, std::string> eyes_that_look(const VrmCharacter& vrm, const Skeleton& skeleton,
+                                                              bool looks) {
   if (!looks) return std::nullopt;
-  const std::optional<EyesSetup> setup = eyes_of(*file.vrm);
+  const std::optional<EyesSetup> setup = eyes_of(vrm);
   if (!setup) return tl::unexpected<std::string>("its VRM data do not say how it looks at things (lookAt)");
-  const auto eyes = prepare_eyes(file.scene.skeleton, *setup);
+  const auto eyes = prepare_eyes(skeleton, *setup);
   if (!eyes) return tl::unexpected(fmt::format("its eyes cannot be used: {}", describe(eyes.error())));
   return *eyes;
 }
@@ -65,7 +67,13 @@ struct Simulation::Parts {
     sample(time_s);
     Affined world;
     for (int r = 0; r < 3; ++r) world.row[r].w = root[r];
-    if (eyes) run_unchecked(LookAtJob{&scene.skeleton, pose.span(), &*eyes, look_at - root, 1.0f, &gaze.emplace()});
+    if (feet) {
+      world.row[1].w += feet->ground().body_height(root);
+      feet->run(scene.skeleton, pose.span(), world, dt_s, event == SpringEvent::reset);
+    }
+    if (eyes)
+      run_unchecked(
+          LookAtJob{&scene.skeleton, pose.span(), &*eyes, look_at - translation_of(world), 1.0f, &gaze.emplace()});
     run_unchecked(NodeConstraintsJob{&constraints, &scene.skeleton, pose.span()});
     const SpringsJob job{.springs = &springs,
                          .skeleton = &scene.skeleton,
@@ -112,37 +120,48 @@ struct Simulation::Parts {
   std::optional<Eyes> eyes;
   Vec3<double> look_at{0.0};
   std::optional<Gaze> gaze;
+  std::unique_ptr<StandingFeet> feet;
   std::vector<std::uint64_t> state, scratch;
   std::vector<Vec3<double>> tails;
-  std::vector<std::uint32_t> joints;  ///< those that swing, those with a constraint, eyes
+  std::vector<std::uint32_t> joints;  ///< those that swing, those with a constraint, eyes, legs
   std::vector<std::string> names, left_out;
   std::vector<SimulatedJoint> result;
 };
 
 tl::expected<Simulation, std::string> Simulation::make(const ImportedFile& file, std::uint32_t clip,
-                                                       const std::optional<Vec3<double>>& look_at) {
-  if (!file.vrm) return tl::unexpected<std::string>("it has none of VRM, VRMC_springBone and VRMC_node_constraint");
+                                                       const std::optional<Vec3<double>>& look_at,
+                                                       const std::optional<GroundProfile>& ground) {
+  if (!file.vrm && !ground)
+    return tl::unexpected<std::string>("it has none of VRM, VRMC_springBone and VRMC_node_constraint");
   const Skeleton& skeleton = file.scene.skeleton;
-  VrmSprings from = spring_setup_of(*file.vrm, skeleton);
+  const VrmCharacter none, &vrm = file.vrm ? *file.vrm : none;
+  VrmSprings from = spring_setup_of(vrm, skeleton);
   auto springs = compile_springs(skeleton, from.setup);
   if (!springs) return tl::unexpected<std::string>("its springs cannot be used: " + springs.error().text);
-  auto constraints = sort_constraints(skeleton, node_constraints_of(*file.vrm));
+  auto constraints = sort_constraints(skeleton, node_constraints_of(vrm));
   if (!constraints) return tl::unexpected<std::string>("its constraints cannot be used: " + constraints.error().text);
-  const auto eyes = eyes_that_look(file, look_at.has_value());
+  const auto eyes = eyes_that_look(vrm, skeleton, look_at.has_value());
   if (!eyes) return tl::unexpected(eyes.error());
-  if (from.setup.joints.empty() && constraints->ordered().empty() && !*eyes)
+  if (from.setup.joints.empty() && constraints->ordered().empty() && !*eyes && !ground)
     return tl::unexpected<std::string>("it has no joint with a spring or constraint");
   auto parts = std::make_unique<Parts>(file.scene, clip, *std::move(springs), *std::move(constraints));
+  const auto add = [&](std::uint32_t joint) {
+    if (joint != kNone && std::find(parts->joints.begin(), parts->joints.end(), joint) == parts->joints.end())
+      parts->joints.push_back(joint);
+  };
   for (const SpringJoint& joint : from.setup.joints) parts->joints.push_back(joint.joint);
-  for (const NodeConstraint& constraint : parts->constraints.ordered())
-    if (std::find(parts->joints.begin(), parts->joints.end(), constraint.joint) == parts->joints.end())
-      parts->joints.push_back(constraint.joint);
+  for (const NodeConstraint& constraint : parts->constraints.ordered()) add(constraint.joint);
   if (*eyes) {
     parts->eyes = *eyes;
     parts->look_at = *look_at;
-    for (const std::uint32_t eye : {parts->eyes->left.joint, parts->eyes->right.joint})
-      if (eye != kNone && std::find(parts->joints.begin(), parts->joints.end(), eye) == parts->joints.end())
-        parts->joints.push_back(eye);
+    add(parts->eyes->left.joint);
+    add(parts->eyes->right.joint);
+  }
+  if (ground) {
+    auto feet = StandingFeet::make(file, *ground);
+    if (!feet) return tl::unexpected(feet.error());
+    parts->feet = *std::move(feet);
+    for (const std::uint32_t joint : parts->feet->joints()) add(joint);
   }
   for (const std::uint32_t joint : parts->joints) parts->names.push_back(joint_name_of(skeleton, joint));
   parts->left_out = std::move(from.left_out);
@@ -158,6 +177,11 @@ const std::vector<std::string>& Simulation::joints() const noexcept { return par
 const std::vector<std::string>& Simulation::left_out() const noexcept { return parts_->left_out; }
 
 const std::optional<Gaze>& Simulation::gaze() const noexcept { return parts_->gaze; }
+
+std::span<const FootResult> Simulation::feet() const noexcept {
+  if (!parts_->feet) return {};
+  return parts_->feet->results();
+}
 
 void Simulation::reset(double time_s, const Vec3<double>& root) { parts_->run(time_s, 0.0, root, SpringEvent::reset); }
 

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "importer/import_gltf.h"
+#include "importer/tool/simulate/ground_profile.h"
 #include "importer/tool/simulate/root_path.h"
 #include "runtime/procedures/look_at/look_at.h"
 
@@ -21,25 +23,29 @@ struct SimulatedJoint {
   Vec3<double> tail{0.0};  ///< World position of the bone's end; of the joint itself if it has no spring.
 };
 
-/// The eyes, constraints and springs of a character, stepped frame by frame while a clip plays.
+/// The feet, eyes, constraints and springs of a character, stepped frame by frame while a clip plays.
 class Simulation {
  public:
-  /// in    clip   index, or kNone for the rest pose;   look_at  place in the world that the eyes look at.
-  ///       The file must outlive the simulation.
+  /// in    clip   index, or kNone for the rest pose;   look_at  place in the world that the eyes look at;   ground
+  ///       under the feet of a humanoid. The file must outlive the simulation.
   /// err   a sentence for the user: the file has nothing to simulate, or something that cannot be used
   static tl::expected<Simulation, std::string> make(const ImportedFile& file, std::uint32_t clip,
-                                                    const std::optional<Vec3<double>>& look_at);
+                                                    const std::optional<Vec3<double>>& look_at,
+                                                    const std::optional<GroundProfile>& ground);
 
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Names of the joints that step() returns: joints with springs first, then joints with constraints alone,
-  /// then eyes.
+  /// Names of the joints that step() returns: first those with springs, then those with constraints alone, then eyes.
+  /// With ground, pelvis and legs follow.
   const std::vector<std::string>& joints() const noexcept;
   const std::vector<std::string>& left_out() const noexcept;
 
   /// Where the character looked in the last step; nothing if it looks at nothing.
   const std::optional<Gaze>& gaze() const noexcept;
+
+  /// Left and right foot in the last step; empty without ground.
+  std::span<const FootResult> feet() const noexcept;
 
   /// Puts springs at rest with the character in its pose at `time_s`.
   void reset(double time_s, const Vec3<double>& root);

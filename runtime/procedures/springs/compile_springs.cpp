@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "runtime/pose/pose.h"
 #include "runtime/procedures/springs/spring_memory.h"
 #include "runtime/procedures/springs/springs.h"
 
@@ -61,6 +62,8 @@ class SpringsCompiler {
     add_records();
     add_groups();
     add_ancestors();
+    add_runs();
+    springs::add_slots(skeleton_, out_);
     return std::move(made_);
   }
 
@@ -151,12 +154,7 @@ class SpringsCompiler {
       if (!listed[j]) continue;
       record_of_[j] = static_cast<std::uint32_t>(out_.records.size());
       out_.records.push_back(record_for(j, setup_of[j]));
-      const SpringRecord& record = out_.records.back();
-      const Transform& rest = skeleton_.rest[j];
-      out_.has_carried |= record.group == kNone;
-      out_.is_rest_uniform &= springs::scales_evenly(rest);
-      out_.rest.push_back(rest);
-      out_.rest_inputs.push_back(springs::joint_input(record, rest));
+      out_.is_rest_uniform &= springs::scales_evenly(skeleton_.rest[j]);
     }
   }
 
@@ -226,6 +224,22 @@ class SpringsCompiler {
     }
     for (const auto& [joint, frame] : frame_of_)
       if (joint != kNone) out_.frames[frame].ancestor = ancestor_of[joint];
+  }
+
+  /// Finds runs of joints, and their rest transforms as a pose stores them.
+  void add_runs() {
+    const std::size_t count = out_.records.size();
+    out_.rest.resize(PoseSpan::plane_count * count);
+    const PoseSpan rest{out_.rest.data(), count, count};
+    for (std::size_t r = 0; r < count; ++r) {
+      const SpringRecord& record = out_.records[r];
+      rest.set(r, skeleton_.rest[record.joint]);
+      const bool reads = record.goal == SpringGoal::pose, writes = record.setup != kNone;
+      if (out_.runs.empty() || out_.runs.back().joint + out_.runs.back().count != record.joint ||
+          out_.runs.back().reads_rotations != reads || out_.runs.back().writes_rotations != writes)
+        out_.runs.push_back({record.joint, r, 0, reads, writes});
+      ++out_.runs.back().count;
+    }
   }
 
   const Skeleton& skeleton_;

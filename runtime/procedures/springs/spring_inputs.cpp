@@ -37,6 +37,21 @@ InputFrame interpolated(const InputFrame& earlier, const InputFrame& before, con
   return out;
 }
 
+void place(const InputFrame& from, bool is_uniform, const Planes<double>& frames, std::size_t slot) noexcept {
+  const auto write = [&](std::size_t first, const Vec& v) {
+    for (int i = 0; i < 3; ++i) frames.at(first + static_cast<std::size_t>(i), slot) = v[i];
+  };
+  write(0, from.at);
+  if (!is_uniform) {
+    const Mat linear = matrix_of(from).linear;
+    for (int c = 0; c < 3; ++c) write(3 + 3 * static_cast<std::size_t>(c), linear[c]);
+    return;
+  }
+  write(3, {from.rotation.x, from.rotation.y, from.rotation.z});
+  frames.at(6, slot) = from.rotation.w;
+  frames.at(7, slot) = (from.shape[0].x + from.shape[1].y + from.shape[2].z) * (1.0 / 3.0);
+}
+
 bool is_uniform(const InputFrame& frame) noexcept {
   const Mat& m = frame.shape;
   const double scale = (m[0].x + m[1].y + m[2].z) * (1.0 / 3.0);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "runtime/animation/skeleton.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/transform.h"
 #include "runtime/procedures/springs/spring_frames.h"
@@ -55,11 +56,23 @@ InputFrame interpolated(const InputFrame& earlier, const InputFrame& before, con
 /// True if the frame scales all directions equally, up to rounding of float.
 bool is_uniform(const InputFrame& frame) noexcept;
 
-inline void place(const InputFrame& from, UniformFrame& out) noexcept {
-  out = {from.at, from.rotation, (from.shape[0].x + from.shape[1].y + from.shape[2].z) * (1.0 / 3.0)};
+/// Writes a frame to its slot: a rotation and a scale, or the columns of a matrix.
+void place(const InputFrame& from, bool is_uniform, const Planes<double>& frames, std::size_t slot) noexcept;
+
+inline MatrixFrame matrix_of(const InputFrame& from) noexcept {
+  return {from.at, matrix_from_unit_quat(from.rotation) * from.shape};
 }
-inline void place(const InputFrame& from, MatrixFrame& out) noexcept {
-  out = {from.at, matrix_from_unit_quat(from.rotation) * from.shape};
+
+/// Writes the numbers of a joint to its slot.
+inline void place(const JointInput& from, double* planes, std::size_t stride, std::size_t slot) noexcept {
+  const double all[input::count] = {
+      from.translation.x, from.translation.y, from.translation.z, from.goal.x,  from.goal.y, from.goal.z,
+      from.goal.w,        from.scale.x,       from.scale.y,       from.scale.z, from.bone.x, from.bone.y,
+      from.bone.z,        from.axis.x,        from.axis.y,        from.axis.z,  from.length};
+  for (std::size_t p = 0; p < input::count; ++p) planes[p * stride + slot] = all[p];
 }
+
+/// Numbers the joints of a definition by slots. Everything but SpringTables::slots is there.
+void add_slots(const Skeleton& skeleton, SpringTables& tables);
 
 }  // namespace sinew::springs

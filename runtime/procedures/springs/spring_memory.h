@@ -22,17 +22,6 @@ struct Clock {
   Affined root;               ///< root transform of the last frame
 };
 
-/// Place of a tail now and a tick ago, in the space of its centre.
-struct Tail {
-  Vec now, before;
-  Vec end;  ///< current end of the bone, in the space of the frame above the chain
-};
-
-/// A tail after the next tick: values for Tail::now and Tail::end.
-struct NextTail {
-  Vec now, end;
-};
-
 /// A collider in the world.
 struct WorldShape {
   SpringCollider::Kind kind;
@@ -47,24 +36,23 @@ struct WorldShape {
 
 namespace sinew {
 
-static_assert(sizeof(springs::UniformFrame) <= sizeof(springs::MatrixFrame));  // memory is sized for MatrixFrame
-
 /// Divides a character's state and the working memory into arrays. All element types are trivially copyable.
 struct SpringMemory {
   springs::Clock* clock = nullptr;
   std::span<springs::InputFrame> before;   ///< [frames] of the frame before
   std::span<springs::InputFrame> earlier;  ///< [frames] of the frame before that
-  std::span<springs::Tail> tails;          ///< [records]
-  std::span<springs::Rot> shown;           ///< [records] rotations that the last frame wrote
+  springs::Planes<double> tails;           ///< tail::Plane by slots
+  std::span<float> written;                ///< [4][records] rotations that the last frame wrote
   std::span<Transform> read;               ///< [records] local transforms that the last frame read
 
-  std::span<Affined> ancestors;            ///< [ancestors]
-  std::span<springs::InputFrame> now;      ///< [frames] of this frame
-  std::span<springs::MatrixFrame> frames;  ///< [frames] input frames, interpolated to the time of a tick
-  std::span<springs::MatrixFrame> joints;  ///< [records] transforms of the joints at the time of a tick
-  std::span<springs::WorldShape> shapes;   ///< [colliders]
-  std::span<springs::JointInput> inputs;   ///< [records]
-  std::span<springs::NextTail> next;       ///< [records] tails after a tick
+  std::span<Affined> ancestors;              ///< [ancestors]
+  std::span<springs::InputFrame> now;        ///< [frames] of this frame
+  std::span<springs::MatrixFrame> matrices;  ///< [frames] for colliders, at the time of a tick
+  std::span<springs::WorldShape> shapes;     ///< [colliders]
+  springs::Planes<double> frames;            ///< transforms of input frames and joints by slots, at the time of a tick
+  springs::Planes<double> inputs;            ///< input::Plane by slots
+  springs::Planes<double> next;              ///< tail::now and tail::end after a tick, by slots
+  springs::Planes<double> shown;             ///< shown::Plane by slots
 
   SpringMemory(const SpringTables& tables, std::byte* state, std::byte* scratch) noexcept {
     Cutter keep{state}, work{scratch};
@@ -98,21 +86,26 @@ struct SpringMemory {
     return {keep.used, work.used};
   }
 
+  static springs::Planes<double> planes(Cutter& from, const SpringTables& tables, std::size_t count) noexcept {
+    return {from.take<double>(count * tables.slots.stride).data(), tables.slots.stride};
+  }
+
   void cut(const SpringTables& tables, Cutter& keep, Cutter& work) noexcept {
     const std::size_t frame_count = tables.frames.size(), records = tables.records.size();
     clock = keep.take<springs::Clock>(1).data();
     before = keep.take<springs::InputFrame>(frame_count);
     earlier = keep.take<springs::InputFrame>(frame_count);
-    tails = keep.take<springs::Tail>(records);
-    shown = keep.take<springs::Rot>(records);
+    tails = planes(keep, tables, springs::tail::count);
+    written = keep.take<float>(4 * records);
     read = keep.take<Transform>(records);
     ancestors = work.take<Affined>(tables.ancestors.size());
     now = work.take<springs::InputFrame>(frame_count);
-    frames = work.take<springs::MatrixFrame>(frame_count);
-    joints = work.take<springs::MatrixFrame>(records);
+    matrices = work.take<springs::MatrixFrame>(frame_count);
     shapes = work.take<springs::WorldShape>(tables.colliders.size());
-    inputs = work.take<springs::JointInput>(records);
-    next = work.take<springs::NextTail>(records);
+    frames = planes(work, tables, springs::kFramePlanes);
+    inputs = planes(work, tables, springs::input::count);
+    next = planes(work, tables, springs::tail::count - springs::tail::now);
+    shown = planes(work, tables, springs::shown::count);
   }
 };
 

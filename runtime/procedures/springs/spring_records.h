@@ -8,6 +8,7 @@
 #include "runtime/math/quaternion.h"
 #include "runtime/math/transform.h"
 #include "runtime/procedures/springs/spring_setup.h"
+#include "runtime/procedures/springs/spring_slots.h"
 
 namespace sinew {
 
@@ -64,6 +65,13 @@ struct SpringColliderRecord {
   std::uint32_t frame = 0;  ///< into SpringTables::frames
 };
 
+/// Records whose joints follow each other in the skeleton, so that planes of a pose are compared and copied at once.
+struct SpringRun {
+  std::size_t joint = 0, record = 0, count = 0;
+  bool reads_rotations = false;   ///< SpringGoal::pose
+  bool writes_rotations = false;  ///< the joints are those of the setup
+};
+
 /// All data of a definition that SpringsJob reads, in the order of the skeleton.
 struct SpringTables {
   std::vector<SpringRecord> records;
@@ -72,10 +80,10 @@ struct SpringTables {
   std::vector<SpringGroupRecord> groups;
   std::vector<SpringColliderRecord> colliders;  ///< colliders that some group uses
   std::vector<std::uint32_t> collider_lists;
-  bool has_carried = false;                      ///< some records are carried along
-  std::vector<Transform> rest;                   ///< [records]
-  std::vector<springs::JointInput> rest_inputs;  ///< [records] inputs of the joints at rest
-  bool is_rest_uniform = true;                   ///< no scale at rest shears joints
+  std::vector<SpringRun> runs;  ///< all records
+  std::vector<float> rest;      ///< [PoseSpan::plane_count][records] rest transforms as a pose stores them
+  bool is_rest_uniform = true;  ///< no scale at rest shears joints
+  springs::SpringSlots slots;
 };
 
 }  // namespace sinew

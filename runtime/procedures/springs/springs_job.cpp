@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/pose/exact_joint.h"
@@ -36,10 +37,7 @@ class SpringsFrame {
     }
     if (clock_.asleep != 0 && (changed || job_.event != SpringEvent::none)) wake();
     if (clock_.asleep == 0 || !job_.tails.empty()) {
-      if (is_uniform_)
-        step<UniformFrame>(changed);
-      else
-        step<MatrixFrame>(changed);
+      step(changed);
     }
     write();
     std::copy(memory_.before.begin(), memory_.before.end(), memory_.earlier.begin());
@@ -56,7 +54,7 @@ class SpringsFrame {
     const bool was_at_rest = clock_.at_rest != 0;
     clock_.at_rest = is_at_rest() ? 1 : 0;
     if (clock_.at_rest != 0) {
-      inputs_ = tables_.rest_inputs;
+      inputs_ = {tables_.slots.rest_inputs.data(), tables_.slots.stride};
       is_uniform_ = tables_.is_rest_uniform;
       return !was_at_rest;
     }
@@ -68,21 +66,22 @@ class SpringsFrame {
       changed |= !same_bits(local, memory_.read[r]);
       memory_.read[r] = local;
       is_uniform_ &= scales_evenly(local);
-      memory_.inputs[r] = joint_input(record, local);
+      place(joint_input(record, local), memory_.inputs.data, memory_.inputs.stride, tables_.slots.slot[r]);
     }
-    inputs_ = memory_.inputs;
+    inputs_ = {memory_.inputs.data, memory_.inputs.stride};
     return changed;
   }
 
-  /// True if all joints have their rest transforms. Rotations that springs ignore do not count.
+  /// True if all joints have the bits of their rest transforms. Rotations that springs ignore do not count.
   bool is_at_rest() const noexcept {
-    for (std::size_t r = 0; r < tables_.records.size(); ++r) {
-      const SpringRecord& record = tables_.records[r];
-      const Transform local = job_.pose.get(record.joint);
-      const Transform& rest = tables_.rest[r];
-      if (local.translation != rest.translation || local.scale != rest.scale) return false;
-      if (record.goal == SpringGoal::pose && local.rotation != rest.rotation) return false;
-    }
+    const std::size_t records = tables_.records.size();
+    for (const SpringRun& run : tables_.runs)
+      for (std::size_t p = 0; p < PoseSpan::plane_count; ++p) {
+        if (p >= PoseSpan::rx && p <= PoseSpan::rw && !run.reads_rotations) continue;
+        if (std::memcmp(job_.pose.planes + p * job_.pose.stride + run.joint, &tables_.rest[p * records + run.record],
+                        run.count * sizeof(float)) != 0)
+          return false;
+      }
     return true;
   }
 
@@ -126,8 +125,14 @@ class SpringsFrame {
       if (record.group == kNone || tables_.groups[record.group].center != kNone) continue;
       const InputFrame &from = memory_.before[record.frame], &to = memory_.now[record.frame];
       const Rot turn = to.rotation * quat_conjugate(from.rotation);
-      for (Vec* tail : {&memory_.tails[r].now, &memory_.tails[r].before})
-        *tail = to.at + rotate_vector(turn, *tail - from.at);
+      for (const std::size_t plane : {tail::now, tail::before}) {
+        double* x = &memory_.tails.at(plane, tables_.slots.slot[r]);
+        const std::size_t y = memory_.tails.stride, z = 2 * y;
+        const Vec moved = to.at + rotate_vector(turn, Vec(x[0], x[y], x[z]) - from.at);
+        x[0] = moved.x;
+        x[y] = moved.y;
+        x[z] = moved.z;
+      }
     }
     std::copy(memory_.now.begin(), memory_.now.end(), memory_.before.begin());
   }
@@ -137,31 +142,36 @@ class SpringsFrame {
     clock_.quiet_ticks = 0;
   }
 
-  template <class Frame>
   void step(bool changed) noexcept {
     const bool was_asleep = clock_.asleep != 0;
     const double h = settings_.tick_s, quiet = settings_.sleep_rad_per_s * h;
-    Ticks<Frame> ticks(tables_, memory_, inputs_, quiet * quiet);
+    const Ticks ticks{tables_, memory_, inputs_, is_uniform_};
     if (starts_) {
-      ticks.place_inputs({});
-      ticks.reset();
+      place_inputs(ticks, {});
+      reset_tails(ticks);
     } else if (clock_.asleep == 0) {
-      advance(ticks, changed);
+      advance(ticks, quiet * quiet, changed);
     }
-    if (is_shown_) return;
+    if (!is_shown_) show(ticks);
+    if (!was_asleep) keep_rotations();
+    if (!job_.tails.empty()) write_tails();
+  }
+
+  /// Shows the time at the end of the frame, which may lie between two ticks.
+  void show(const Ticks& ticks) noexcept {
+    const double h = settings_.tick_s;
     const double left = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
     if (left > 0.0) {  // the frame lies between two ticks: computes the next tick to interpolate
       const double ahead = job_.dt_s > 0.0 ? (std::min)((h - left) / job_.dt_s, kFarthest) : 0.0;
-      ticks.place_inputs(weights_at(1.0 + ahead, job_.dt_s, 0.0));
-      ticks.template tick<false>();
+      place_inputs(ticks, weights_at(1.0 + ahead, job_.dt_s, 0.0));
+      run_tick(ticks, 0.0, false);
       count_tick();
     }
-    ticks.place_inputs({});
-    ticks.show(left / h, job_.tails, !was_asleep);
+    place_inputs(ticks, {});
+    show_tails(ticks, left / h);
   }
 
-  template <class Frame>
-  void advance(Ticks<Frame>& ticks, bool changed) noexcept {
+  void advance(const Ticks& ticks, double threshold, bool changed) noexcept {
     const double h = settings_.tick_s;
     clock_.left_s += job_.dt_s;
     const double due = std::floor(clock_.left_s / h + kRounding), most = settings_.max_ticks;
@@ -174,10 +184,10 @@ class SpringsFrame {
       clock_.left_s -= h;
       const double after = clock_.left_s > h * kRounding ? clock_.left_s : 0.0;
       const double fraction = job_.dt_s > 0.0 ? (std::max)(1.0 - after / job_.dt_s, 0.0) : 1.0;
-      ticks.place_inputs(weights_at(fraction, job_.dt_s, clock_.before_s));
+      place_inputs(ticks, weights_at(fraction, job_.dt_s, clock_.before_s));
       is_shown_ = after == 0.0 && left == 1.0;  // this last tick ends with the frame and also writes the rotations
-      const bool moves = is_shown_ ? ticks.template tick<true>(job_.tails) : ticks.template tick<false>();
-      ticks.commit();
+      const bool moves = run_tick(ticks, threshold, is_shown_);
+      commit_tick(ticks);
       count_tick();
       clock_.quiet_ticks = moves || changed ? 0 : clock_.quiet_ticks + 1;
       if (settings_.sleep_rad_per_s > 0.0 && clock_.quiet_ticks >= settings_.sleep_ticks) fall_asleep();
@@ -188,7 +198,7 @@ class SpringsFrame {
     clock_.asleep = 1;
     clock_.left_s = 0.0;
     ++clock_.sleeps;
-    for (Tail& tail : memory_.tails) tail.before = tail.now;
+    std::copy_n(memory_.tails.plane(tail::now), 3 * memory_.tails.stride, memory_.tails.plane(tail::before));
   }
 
   void count_tick() noexcept {
@@ -196,18 +206,46 @@ class SpringsFrame {
     counts_.joints += static_cast<std::uint32_t>(tables_.records.size());
   }
 
-  void write() const noexcept {
-    for (std::size_t r = 0; r < tables_.records.size(); ++r) {
-      const SpringRecord& record = tables_.records[r];
-      if (record.setup == kNone) continue;
-      Rot rotation = memory_.shown[r];
-      if (job_.weight != 1.0f) {
-        const Rot pose = quat_cast<double>(job_.pose.get(record.joint).rotation);
-        const double weight = static_cast<double>(job_.weight);
-        rotation = normalised_or(pose * (1.0 - weight) + aligned_with(pose, rotation) * weight, pose);
-      }
-      job_.pose.set_rotation(record.joint, quat_cast<float>(rotation));
+  /// Brings the rotations of the last tick from slots to the order of the skeleton. Sleeping springs keep these bits.
+  void keep_rotations() noexcept {
+    const std::size_t records = tables_.records.size();
+    for (std::size_t p = 0; p < 4; ++p) {
+      const double* shown = memory_.shown.plane(shown::rotation + p);
+      float* written = &memory_.written[p * records];
+      for (std::size_t r = 0; r < records; ++r) written[r] = static_cast<float>(shown[tables_.slots.slot[r]]);
     }
+  }
+
+  void write_tails() const noexcept {
+    for (std::size_t r = 0; r < tables_.records.size(); ++r) {
+      const std::size_t slot = tables_.slots.slot[r];
+      const auto at = [&](std::size_t axis) { return memory_.shown.at(shown::end + axis, slot); };
+      if (tables_.records[r].setup != kNone) job_.tails[tables_.records[r].setup] = {at(0), at(1), at(2)};
+    }
+  }
+
+  void write() const noexcept {
+    for (const SpringRun& run : tables_.runs) {
+      if (!run.writes_rotations) continue;
+      if (job_.weight != 1.0f) {
+        for (std::size_t i = 0; i < run.count; ++i) mix(run.joint + i, run.record + i);
+        continue;
+      }
+      for (std::size_t p = 0; p < 4; ++p)
+        std::copy_n(&memory_.written[p * tables_.records.size() + run.record], run.count,
+                    job_.pose.planes + (PoseSpan::rx + p) * job_.pose.stride + run.joint);
+    }
+  }
+
+  /// Turns a joint a part of the way from the pose to its spring.
+  void mix(std::size_t joint, std::size_t record) const noexcept {
+    const auto at = [&](std::size_t p) {
+      return static_cast<double>(memory_.written[p * tables_.records.size() + record]);
+    };
+    const double weight = static_cast<double>(job_.weight);
+    const Rot pose = quat_cast<double>(job_.pose.get(joint).rotation);
+    const Rot rotation = aligned_with(pose, quat_xyzw(at(0), at(1), at(2), at(3)));
+    job_.pose.set_rotation(joint, quat_cast<float>(normalised_or(pose * (1.0 - weight) + rotation * weight, pose)));
   }
 
   const SpringsJob& job_;
@@ -215,7 +253,7 @@ class SpringsFrame {
   const SpringSettings& settings_;
   SpringMemory memory_;
   Clock& clock_;
-  std::span<const JointInput> inputs_;  ///< [records] in scratch, or SpringTables::rest_inputs
+  Planes<const double> inputs_;  ///< in scratch, or SpringSlots::rest_inputs
   SpringCounts counts_;
   bool is_uniform_ = true, starts_ = false, is_shown_ = false;
 };
