@@ -6,6 +6,7 @@
 #include "runtime/c/cut_frame.h"
 #include "runtime/c/detail_map.h"
 #include "runtime/c/frame.h"
+#include "runtime/c/graph/carry.h"
 #include "runtime/c/graph/graph.h"
 #include "runtime/c/jobs.h"
 #include "runtime/c/library.h"

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "importer/graph/compile_formulas.h"
+#include "importer/graph/compile_masks.h"
 #include "importer/graph/graph_text.h"
 #include "importer/graph/json_path.h"
 #include "runtime/graph/fade_curve.h"
@@ -44,11 +45,7 @@ class GraphCompiler {
       const JsonPath here(&beats, name);
       if (!beat.mirror.empty()) find(d_.beats, beat.mirror, {&here, "mirror"}, "beat");
     }
-    for (const auto& [name, joints] : d_.masks) {
-      t.masks.push_back({text(name), size_of(t.mask_joints), size_of(joints)});
-      for (const Document::MaskJoint& joint : joints)
-        t.mask_joints.push_back({text(joint.joint), joint.weight, joint.below});
-    }
+    if (const auto mask_fault = compile_masks(d_, t)) return fail(*mask_fault);
     for (const auto& [name, node] : d_.nodes) compile(node, text(name), {&nodes, name});
     t.root = node_index(d_.root, {&root, "root"});
     if (!failed)

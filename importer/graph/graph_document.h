@@ -87,9 +87,10 @@ struct GraphDocument {
     Names parameters, clips;
   };
 
-  /// An entry of a mask. One of weight 1 that counts with all below it is written as the name alone.
+  /// An entry of a mask. A joint of weight 1 that counts with all below it is written as the name alone.
   struct MaskJoint {
     std::string joint;
+    std::string mask;  ///< instead of `joint`: another mask, whose entries stand here
     float weight = 1.0f;
     bool below = true;
   };

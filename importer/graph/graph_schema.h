@@ -120,7 +120,8 @@ void describe(V& v, D& d, const GraphDocument::Node*) {
 
 template <class V, class D>
 void describe(V& v, D& d, const GraphDocument::MaskJoint*) {
-  v.required("joint", d.joint, "its name");
+  v.optional("joint", d.joint, "its name");
+  v.optional("mask", d.mask, "instead of a joint: a mask whose entries stand here, with their weights times this one");
   v.optional("weight", d.weight, "share; later entries win, so 0 takes joints out again");
   v.optional("below", d.below, "also all joints below it");
 }

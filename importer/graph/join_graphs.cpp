@@ -35,7 +35,8 @@ class GraphJoin {
     for (const auto& [name, parameter] : from_.document.parameters) join_parameter(name, parameter);
     for (const auto& [name, beat] : from_.document.beats) join_beat(name, beat);
     for (const auto& [name, joints] : from_.document.masks) {
-      to_.document.masks[prefixed(name)] = joints;
+      for (GraphDocument::MaskJoint& entry : to_.document.masks[prefixed(name)] = joints)
+        if (!entry.mask.empty()) entry.mask = prefixed(entry.mask);
       set_origin("masks", prefixed(name), name);
     }
     for (const auto& [name, clips] : from_.document.variations) join_variation(name, clips);

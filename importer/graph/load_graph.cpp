@@ -50,6 +50,11 @@ std::string place_of_clip(const GraphDocument& document, const std::string& vari
   return nodes.text();
 }
 
+GraphTextFault joint_fault(const std::string& mask, std::size_t entry, const std::string& joint) {
+  const JsonPath root, masks(&root, "masks"), here(&masks, mask);
+  return {JsonPath(&here, std::to_string(entry)).text(), "the model has no joint " + quoted(joint)};
+}
+
 /// Checks the names of the document that compile_graph does not: joints, and clips of variations.
 std::optional<GraphTextFault> find_name_fault(const GraphDocument& document, const Scene& scene) {
   const JsonPath root, beats(&root, "beats"), variations(&root, "variations");
@@ -58,10 +63,10 @@ std::optional<GraphTextFault> find_name_fault(const GraphDocument& document, con
       const JsonPath here(&beats, name);
       return GraphTextFault{JsonPath(&here, "foot").text(), "the model has no joint " + quoted(beat.foot)};
     }
-  std::map<std::string, std::vector<std::string>> masks;
-  for (const auto& [mask, joints] : document.masks)
-    for (const GraphDocument::MaskJoint& joint : joints) masks[mask].push_back(joint.joint);
-  if (const auto fault = find_mask_fault(masks, scene.skeleton)) return fault;
+  for (const auto& [mask, entries] : document.masks)
+    for (std::size_t e = 0; e < entries.size(); ++e)
+      if (entries[e].mask.empty() && !scene.skeleton.find(entries[e].joint))
+        return joint_fault(mask, e, entries[e].joint);
   for (const auto& [name, clips] : document.variations)
     for (const auto& [old, clip] : clips) {
       const JsonPath variation(&variations, name), here(&variation, old);
@@ -127,13 +132,9 @@ std::optional<GraphTextFault> bind_clips(GraphOfModel& loaded, const Scene& scen
 
 std::optional<GraphTextFault> find_mask_fault(const std::map<std::string, std::vector<std::string>>& masks,
                                               const Skeleton& skeleton) {
-  const JsonPath root, all(&root, "masks");
-  for (const auto& [name, joints] : masks) {
-    const JsonPath mask(&all, name);
+  for (const auto& [name, joints] : masks)
     for (std::size_t j = 0; j < joints.size(); ++j)
-      if (!skeleton.find(joints[j]))
-        return GraphTextFault{JsonPath(&mask, std::to_string(j)).text(), "the model has no joint " + quoted(joints[j])};
-  }
+      if (!skeleton.find(joints[j])) return joint_fault(name, j, joints[j]);
   return std::nullopt;
 }
 

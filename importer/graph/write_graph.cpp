@@ -79,7 +79,7 @@ requires std::is_class_v<Object> Ordered written(const Object& object) {
   graph_schema::describe(all, object, static_cast<const Object*>(nullptr));
   graph_schema::describe(standard, defaults, static_cast<const Object*>(nullptr));
   if constexpr (std::is_same_v<Object, GraphDocument::MaskJoint>)
-    if (object.weight == defaults.weight && object.below == defaults.below) return object.joint;
+    if (object.mask.empty() && object.weight == defaults.weight && object.below == defaults.below) return object.joint;
   Ordered to = Ordered::object();
   for (std::size_t i = 0; i < all.members.size(); ++i)
     if (all.is_required[i] || all.members[i].second != standard.members[i].second)

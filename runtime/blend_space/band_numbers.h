@@ -4,6 +4,12 @@
 
 namespace sinew {
 
+/// Precomputed numbers of the cartesian form for a pair of points: the way from the first point to the second, divided
+/// by its squared length. A longer pair is that of a nearer point. The pairs of a point are sorted, the longest first.
+struct CartesianPair {
+  double x = 0.0, y = 0.0, length = 0.0;
+};
+
 /// Precomputed numbers of the directional form for a pair of points. The share of the way from the first point to the
 /// second is a sum: angle * turn + |angle| * turn_of_opposite + (speed - speed of the first) * rise. All are 0 if a
 /// point is the origin, or if both are at the same place. Internal to blend_space/

@@ -37,7 +37,7 @@ SINEW_API std::size_t blend_space_numbers(BlendSpaceKind kind, std::size_t point
 /// in   points  [1, kMostBlendPoints]
 /// err  size_mismatch (no points, too many, wrong length of `numbers`), not_finite, too_large (above 1e9),
 ///      not_a_fraction (angle_factor <= 0)
-/// cost O(points^2), radial O(points^3) and allocates
+/// cost O(points^2), radial O(points^3); cartesian and radial allocate
 SINEW_API ErrorCode prepare_blend_space(BlendSpaceKind kind, std::span<const glm::vec2> points, float angle_factor,
                                         std::span<double> numbers);
 

@@ -36,11 +36,15 @@ void weigh_line(std::span<const glm::vec2> points, float x, Influences& h) noexc
 
 void weigh_cartesian(const BlendSpace& space, double x, double y, Influences& h) noexcept {
   const std::size_t count = space.points.size();
-  const double* pair = space.numbers.data();
-  for (std::size_t i = 0; i < count; ++i) {
+  const double* pairs = space.numbers.data();
+  constexpr double kRounding = 1.0 + 1e-12;
+  for (std::size_t i = 0; i < count; ++i, pairs += 3 * count) {
     const double dx = x - double{space.points[i].x}, dy = y - double{space.points[i].y};
+    const double reach = std::sqrt(dx * dx + dy * dy) * kRounding;
     double most = 0.0;  // largest share of the way to another point
-    for (std::size_t j = 0; j < count; ++j, pair += 2) most = std::max(most, dx * pair[0] + dy * pair[1]);
+    // No later pair has a larger share. The last pair is that of the point with itself, whose length is 0.
+    for (const double* pair = pairs; most < 1.0 && reach * pair[2] > most; pair += 3)
+      most = std::max(most, dx * pair[0] + dy * pair[1]);
     h[i] = std::max(1.0 - most, 0.0);
   }
 }

@@ -16,15 +16,21 @@ double distance(const glm::vec2& a, const glm::vec2& b) noexcept {
   return std::hypot(double{a.x} - double{b.x}, double{a.y} - double{b.y});
 }
 
-void prepare_cartesian(Points points, std::span<double> numbers) noexcept {
+void prepare_cartesian(Points points, std::span<double> numbers) {
   double* to = numbers.data();
-  for (const glm::vec2& from : points)
-    for (const glm::vec2& other : points) {
+  std::vector<CartesianPair> pairs(points.size());
+  for (const glm::vec2& from : points) {
+    std::transform(points.begin(), points.end(), pairs.begin(), [&](const glm::vec2& other) -> CartesianPair {
       const double dx = double{other.x} - double{from.x}, dy = double{other.y} - double{from.y};
       const double length2 = dx * dx + dy * dy;
-      *to++ = length2 > 0.0 ? dx / length2 : 0.0;
-      *to++ = length2 > 0.0 ? dy / length2 : 0.0;
-    }
+      if (!(length2 > 0.0)) return {};
+      return {dx / length2, dy / length2, std::hypot(dx / length2, dy / length2)};
+    });
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const CartesianPair& a, const CartesianPair& b) { return a.length > b.length; });
+    for (const CartesianPair& pair : pairs)
+      for (const double number : {pair.x, pair.y, pair.length}) *to++ = number;
+  }
 }
 
 BandPair directional_pair(const BandPoint& from, const BandPoint& to, double factor) noexcept {
@@ -98,7 +104,7 @@ void prepare_radial(Points points, std::span<double> numbers) {
 
 std::size_t blend_space_numbers(BlendSpaceKind kind, std::size_t points) noexcept {
   switch (kind) {
-    case BlendSpaceKind::cartesian: return 2 * points * points;
+    case BlendSpaceKind::cartesian: return 3 * points * points;
     case BlendSpaceKind::directional: return 1 + 2 * points + 3 * points * points;
     case BlendSpaceKind::radial: return points * (points + 1);
     default: return 0;

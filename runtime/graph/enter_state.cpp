@@ -141,7 +141,7 @@ void take_transition(const LiveGraph& live, const LiveMachine& machine, const Ne
   auto kind = GraphTransitionKind::cross_fade;
   if (next.transition != kNoGraphIndex) {
     const GraphTransition& transition = t.transitions[next.transition];
-    duration = ticks_of(decimal_of(transition.duration_s));
+    duration = live.graph().duration_of(next.transition);
     sync = transition.sync;
     kind = live.kind_of(transition);
     for (std::size_t c = 0; c < transition.condition_count; ++c) {

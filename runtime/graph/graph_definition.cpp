@@ -104,6 +104,8 @@ tl::expected<GraphDefinition, GraphFault> GraphDefinition::make(GraphTables tabl
   graph.offsets_ = std::move(layout.offsets);
   graph.largest_states_ = std::move(layout.largest_states);
   graph.slot_bytes_ = std::move(layout.slot_bytes);
+  for (const GraphTransition& transition : tables.transitions)
+    graph.durations_.push_back(ticks_of(decimal_of(transition.duration_s)));
   graph.tables_ = std::move(tables);
   std::size_t space = 0;
   if (const ErrorCode code = graph.prepare_spaces(space); code != ErrorCode::ok)

@@ -12,6 +12,7 @@
 #include "runtime/base/api.h"
 #include "runtime/graph/graph_machine.h"
 #include "runtime/graph/graph_nodes.h"
+#include "runtime/graph/graph_time.h"
 #include "runtime/pose_program/pose_program.h"
 
 namespace sinew {
@@ -101,7 +102,6 @@ class SINEW_API GraphDefinition {
 
   /// Bytes of a character's state, a multiple of 8.
   std::size_t state_bytes() const noexcept { return state_bytes_; }
-
   /// Upper limit of the room that the pose programs of this graph need.
   const PoseProgramRoom& room() const noexcept { return room_; }
 
@@ -122,6 +122,7 @@ class SINEW_API GraphDefinition {
   std::uint32_t largest_state(GraphIndex machine) const noexcept { return largest_states_[machine]; }
   /// Bytes of a machine's slot. A slot holds a state that plays or fades.
   std::uint32_t slot_bytes(GraphIndex machine) const noexcept { return slot_bytes_[machine]; }
+  GraphTicks duration_of(GraphIndex transition) const noexcept { return durations_[transition]; }
 
   /// True if a formula computes the parameter, so that callers do not set it.
   bool is_computed(GraphIndex parameter) const noexcept;
@@ -138,6 +139,7 @@ class SINEW_API GraphDefinition {
   GraphTables tables_;
   std::vector<std::uint32_t> offsets_, largest_states_, slot_bytes_;
   std::size_t state_bytes_ = 0;
+  std::vector<GraphTicks> durations_;       // [transitions]
   std::vector<glm::vec2> places_;           // [points]
   std::vector<double> numbers_;             // of all spaces
   std::vector<std::size_t> first_numbers_;  // [spaces]

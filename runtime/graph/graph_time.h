@@ -13,10 +13,24 @@ inline constexpr GraphTicks kTicksPerSecond = 705'600'000;
 /// The time of events that never occur: later than any real time.
 inline constexpr GraphTicks kNever = std::int64_t{1} << 62;
 
+/// eq   the nearest whole number; halves are rounded away from 0, as std::llround does by a call
+/// in   |x| < 2^63
+inline std::int64_t nearest_whole(double x) noexcept {
+  const auto whole = static_cast<std::int64_t>(x);
+  const double rest = x - static_cast<double>(whole);  // exact
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
+/// eq   floor(x), in the range of nearest_whole
+inline double whole_below(double x) noexcept {
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return whole > x ? whole - 1.0 : whole;
+}
+
 /// Converts seconds to the nearest tick.
 /// in   time_s  finite, below 10^9 s
 inline GraphTicks ticks_of(double time_s) noexcept {
-  return static_cast<GraphTicks>(std::llround(time_s * static_cast<double>(kTicksPerSecond)));
+  return nearest_whole(time_s * static_cast<double>(kTicksPerSecond));
 }
 /// The decimal number that an author meant by a float: 0.1 for 0.1f. It is a multiple of 0.00001. If no such multiple
 /// lies within the precision of float, the float itself is returned.

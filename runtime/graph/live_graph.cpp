@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -19,7 +20,7 @@ constexpr float kLeastShare = 1e-6f;
 void LiveGraph::clear() noexcept {
   motion_count_ = sample_count_ = machine_count_ = root_samples_ = 0;
   plays_in_step_ = has_segments_ = has_root_cuts_ = false;
-  moves_root_ = true;
+  moves_root_ = is_fresh_ = true;
 }
 
 void LiveGraph::open() noexcept { open_only(tables_.root, state_); }
@@ -76,7 +77,7 @@ std::uint16_t LiveGraph::open_clip(GraphIndex node, std::byte* base) noexcept {
   LiveMotion& motion = motions_[motion_count_];
   motion.state = &block_at<MotionState>(base + graph_.offset_of(node));
   motion.period = entry.period;
-  motion.own_step = entry.period > 0 ? std::llround(speed / kTicksOfClip) : 0;
+  motion.own_step = entry.period > 0 ? nearest_whole(speed / kTicksOfClip) : 0;
   motion.step = motion.own_step;
   motion.length =
       motion.own_step != 0 ? static_cast<double>(entry.period) / std::fabs(static_cast<double>(motion.own_step)) : 0.0;
@@ -114,15 +115,14 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
     const double speed = speed_of(clip), weight = static_cast<double>(weights[i]);
     if (entry.period == 0 || speed == 0.0) continue;
     sample.length = static_cast<double>(entry.period) * kTicksOfClip / std::fabs(speed);
-    const double rounds = segments == 0 ? 1.0 : std::round(bounds[segments] - bounds[0]);
-    length += weight * sample.length * rounds;
+    length += weight * sample.length * clips_.space_beats().rounds(point);
     moving += weight;
     direction += weight * speed;
   }
   motion.sample_count = static_cast<std::uint16_t>(sample_count_ - motion.first_sample);
   motion.state = &block_at<MotionState>(base + graph_.offset_of(node));
   motion.length = moving > 0.0 ? std::max(length / moving, kShortestRound) : 0.0;
-  motion.own_step = moving > 0.0 ? std::llround(static_cast<double>(kPhasePeriod) / motion.length) : 0;
+  motion.own_step = moving > 0.0 ? nearest_whole(static_cast<double>(kPhasePeriod) / motion.length) : 0;
   if (direction < 0.0) motion.own_step = -motion.own_step;
   motion.step = motion.own_step;
   motion.period = kPhasePeriod;
@@ -148,13 +148,13 @@ void LiveGraph::follow_segment(LiveMotion& motion, bool backwards) noexcept {
     moving += static_cast<double>(sample.share);
   }
   const double ticks = std::max(length / moving, kShortestRound) * static_cast<double>(motion.segments);
-  const std::int64_t step = std::llround(static_cast<double>(kPhasePeriod) / ticks);
+  const std::int64_t step = nearest_whole(static_cast<double>(kPhasePeriod) / ticks);
   motion.own_step = motion.own_step < 0 ? -step : step;
   motion.step = motion.own_step;
 }
 
 void LiveGraph::follow_segments(bool backwards) noexcept {
-  if (!has_segments_) return;
+  if (!has_segments_ || (std::exchange(is_fresh_, false) && !backwards)) return;
   for (LiveMotion& motion : motions()) follow_segment(motion, backwards);
 }
 

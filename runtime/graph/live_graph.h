@@ -43,7 +43,8 @@ class LiveGraph {
   /// out  the main motion of the node, or kNoMotion
   std::uint16_t open_only(GraphIndex node, std::byte* base) noexcept;
   void open_slots(GraphIndex node, std::byte* base, std::size_t end) noexcept;
-  /// Sets the steps of motions with segments to those of the segments in which they move on.
+  /// Sets the steps of motions with segments to those of the segments in which they move on. Lists that have just been
+  /// opened are set for the way forwards.
   void follow_segments(bool backwards) noexcept;
   /// Computes the weights that all motions have `ahead` ticks from now.
   void weigh(GraphTicks ahead) noexcept;
@@ -84,9 +85,7 @@ class LiveGraph {
   /// The first slot of [0, end) that plays. It is the uppermost cut: all slots below it are frozen.
   std::size_t first_playing(const MachineSlots& slots, std::size_t end) const noexcept;
   /// Duration of the fade or transition by which a slot was entered.
-  GraphTicks duration_of(const SlotState& slot) const noexcept {
-    return ticks_of(decimal_of(tables_.transitions[slot.transition].duration_s));
-  }
+  GraphTicks duration_of(const SlotState& slot) const noexcept { return graph_.duration_of(slot.transition); }
   /// Share of the slot's state in the mix with the slots below it.
   float fade_of(const SlotState& slot, GraphTicks ahead) const noexcept;
   /// Share that the states above the cut in slot `first`, and above all cuts below it, have in root motion. The frozen
@@ -115,7 +114,7 @@ class LiveGraph {
   std::size_t weighed_ = 0, weighed_machines_ = 0;  // weighed so far by the current weigh()
   GraphTicks ahead_ = 0;                            // argument of the current weigh()
   std::size_t root_samples_ = 0;
-  bool plays_in_step_ = false, has_segments_ = false, has_root_cuts_ = false, moves_root_ = true;
+  bool plays_in_step_ = false, has_segments_ = false, has_root_cuts_ = false, moves_root_ = true, is_fresh_ = true;
   // Only the entries below the counts are initialised.
   std::array<LiveMotion, kMostPoseOps> motions_;
   std::array<LiveSample, kMostPoseOps> samples_;

@@ -10,10 +10,6 @@
 namespace sinew {
 namespace {
 
-GraphTicks duration_of(const GraphTransition& transition) noexcept {
-  return ticks_of(decimal_of(transition.duration_s));
-}
-
 /// Ticks until a motion has played this many rounds since it started.
 GraphTicks until_played(const LiveMotion& motion, double rounds, GraphTicks horizon) noexcept {
   if (motion.period == 0) return 0;
@@ -42,7 +38,7 @@ GraphTicks until_phase(const LiveMotion& motion, double phase, GraphTicks earlie
   if (motion.period == 0 || motion.step == 0 || earliest > horizon) return kNever;
   const std::int64_t sign = motion.step < 0 ? -1 : 1, step = motion.step * sign;
   const std::int64_t place = motion.state->position * sign;
-  std::int64_t target = std::llround(phase * static_cast<double>(motion.period)) * sign;
+  std::int64_t target = nearest_whole(phase * static_cast<double>(motion.period)) * sign;
   const std::int64_t before = place + step * (earliest - 1);
   if (motion.loop)
     target += (divided_down(before - target, motion.period) + 1) * motion.period;
@@ -188,14 +184,14 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
   any.may_enter_itself = true;
   if (depth > 1 && top.whole == 0) {
     const GraphTransition& current = live.tables().transitions[top.transition];
-    const GraphTicks left = duration_of(current) - top.time;
+    const GraphTicks left = live.duration_of(top) - top.time;
     const GraphInterruption by = current.interruption;
     const bool from_source = by == GraphInterruption::source || by == GraphInterruption::source_then_target ||
                              by == GraphInterruption::target_then_source;
     if (by == GraphInterruption::none) any.earliest = std::max(any.earliest, left);
     if (by == GraphInterruption::none || by == GraphInterruption::source) own.earliest = std::max(own.earliest, left);
     if (by == GraphInterruption::source_then_target) own.rank = 2;
-    choice.consider(any);
+    if (any.count > 0) choice.consider(any);
     std::size_t below = depth - 1;  // slot of the source state, plus one
     while (below > machine.first && machine.slots.slot(below - 1).state != top.from) --below;
     if (from_source && below > machine.first) {
@@ -204,7 +200,7 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
       GraphTicks seen = left;  // ticks until a fade above the source ends and hides it
       for (std::size_t i = below; i < depth; ++i)
         if (const SlotState& slot = machine.slots.slot(i); slot.whole == 0)
-          seen = std::min(seen, duration_of(live.tables().transitions[slot.transition]) - slot.time);
+          seen = std::min(seen, live.duration_of(slot) - slot.time);
       Choice::List list{source.first_transition,
                         source.transition_count,
                         &machine.slots.slot(below - 1),
@@ -216,10 +212,10 @@ NextTransition next_transition(const LiveGraph& live, std::span<const LiveMotion
       if (current.ordered) list.before = &current;
       choice.consider(list);
     }
-  } else {
+  } else if (any.count > 0) {
     choice.consider(any);
   }
-  choice.consider(own);
+  if (own.count > 0) choice.consider(own);
   return choice.next();
 }
 

@@ -24,6 +24,8 @@ class Passage {
     step_ = step * sign_;
     from_ = motion.state->position * sign_;
     to_ = from_ + step_ * ticks_;
+    has_started_ = motion.state->started != 0;
+    first_ = has_started_ ? from_ + 1 : from_;
   }
 
   std::int64_t end() const noexcept { return to_ * sign_; }
@@ -44,20 +46,20 @@ class Passage {
  private:
   std::int64_t place_of(std::int64_t event, const GraphClipSet::Entry& entry) const noexcept {
     if (!motion_.is_space) return event;
-    return std::llround(static_cast<double>(event) / static_cast<double>(entry.period) *
-                        static_cast<double>(kPhasePeriod));
+    return nearest_whole(static_cast<double>(event) / static_cast<double>(entry.period) *
+                         static_cast<double>(kPhasePeriod));
   }
 
   void tell(const LiveSample& sample, std::uint32_t event, std::int64_t place) noexcept {
     const std::int64_t period = motion_.period, mirrored = place * sign_;
-    const std::int64_t first_allowed = motion_.state->started != 0 ? from_ + 1 : from_;
     if (!motion_.loop) {
-      if (mirrored >= first_allowed && mirrored <= to_) add(sample, event, mirrored);
+      if (mirrored >= first_ && mirrored <= to_) add(sample, event, mirrored);
       return;
     }
-    std::int64_t round = divided_up(first_allowed - mirrored, period);
+    if (has_started_ && first_pass(mirrored) > to_) return;
+    std::int64_t round = divided_up(first_ - mirrored, period);
     // A motion that starts at 0 does not report events at the end of the previous round.
-    if (motion_.state->started == 0 && mirrored + round * period == from_ && place == period && sign_ > 0) ++round;
+    if (!has_started_ && mirrored + round * period == from_ && place == period && sign_ > 0) ++round;
     std::int64_t last = divided_down(to_ - mirrored, period);
     if (last - round >= kMostRoundsOfEvents) {
       log_.leave_out(static_cast<std::uint64_t>(last - round + 1 - kMostRoundsOfEvents));
@@ -65,6 +67,13 @@ class Passage {
     }
     for (; round <= last && !log_.is_full(); ++round) add(sample, event, mirrored + round * period);
     if (round <= last) log_.leave_out(static_cast<std::uint64_t>(last - round + 1));
+  }
+
+  /// The first position of an event that a motion which has started may report. It is found without a division, since
+  /// the motion lies within its first period.
+  std::int64_t first_pass(std::int64_t mirrored) const noexcept {
+    while (mirrored < first_) mirrored += motion_.period;
+    return mirrored;
   }
 
   void add(const LiveSample& sample, std::uint32_t event, std::int64_t place) noexcept {
@@ -85,6 +94,8 @@ class Passage {
   GraphEventLog& log_;
   GraphTicks ticks_;
   std::int64_t clock_, sign_ = 1, step_ = 0, from_ = 0, to_ = 0;
+  std::int64_t first_ = 0;  ///< first position whose events count
+  bool has_started_ = false;
   GraphTicks weighed_at_ = -1;
 };
 
@@ -122,13 +133,18 @@ void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcep
   if (log.count() > first + 1) log.sort_from(first, ticks < 0);
 }
 
-GraphTicks longest_piece(LiveGraph& live, bool backwards) noexcept {
-  GraphTicks longest = kNever;
+GraphTicks longest_piece(LiveGraph& live, GraphTicks most, bool backwards) noexcept {
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
   for (const LiveMotion& motion : live.motions()) {
     if (motion.step == 0) continue;
-    longest = std::min({longest, (std::int64_t{1} << 61) / std::abs(motion.step), motion.to_segment_end(backwards)});
+    const std::int64_t step = std::abs(motion.step);
+    // Divisions take long, so they are only made where a limit is near.
+    if (static_cast<double>(step) * static_cast<double>(most) > 0.5 * static_cast<double>(kFarthest))
+      most = std::min(most, kFarthest / step);
+    const std::int64_t way = motion.to_segment_end(backwards);
+    if (way < step * most) most = divided_up(way, step);
   }
-  return longest;
+  return most;
 }
 
 }  // namespace sinew

@@ -31,7 +31,8 @@ class GraphEventLog {
 /// in   ticks  not 0; negative plays backwards. |ticks * step| of each motion stays below 2^61
 void play_motions(LiveGraph& live, GraphTicks ticks, GraphEventLog& log) noexcept;
 
-/// Longest piece of a step, in ticks, that play_motions accepts: no motion leaves its segment.
-GraphTicks longest_piece(LiveGraph& live, bool backwards) noexcept;
+/// Longest piece of a step that play_motions accepts: no motion leaves its segment.
+/// in   most  ticks.     out  at most `most`
+GraphTicks longest_piece(LiveGraph& live, GraphTicks most, bool backwards) noexcept;
 
 }  // namespace sinew

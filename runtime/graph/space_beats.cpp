@@ -93,11 +93,11 @@ void SpaceBeats::add_point(std::size_t point, const SpaceClip& clip, std::span<c
   made.first_event = static_cast<std::uint32_t>(events_.size());
   bounds_.insert(bounds_.end(), bounds.begin(), bounds.end());
   const std::size_t segments = bounds.size() - 1;
-  const double rounds = std::round(bounds.back() - bounds.front());
+  made.rounds = std::round(bounds.back() - bounds.front());
   for (std::uint32_t e = 0; e < clip.event_phases.size(); ++e) {
     // The event's first time at or after the start of the common cycle.
     double phase = clip.event_phases[e] + std::ceil(bounds.front() - clip.event_phases[e]);
-    for (double round = 0.0; round < rounds; ++round, phase += 1.0) {
+    for (double round = 0.0; round < made.rounds; ++round, phase += 1.0) {
       std::size_t k = 0;
       while (k + 1 < segments && bounds[k + 1] <= phase) ++k;
       const double share = std::clamp((phase - bounds[k]) / (bounds[k + 1] - bounds[k]), 0.0, 1.0);

@@ -48,6 +48,8 @@ class SINEW_API SpaceBeats {
   }
   /// [segments + 1] own phases of a point's clip at the boundaries of segments.
   const double* bounds(std::size_t point) const noexcept { return bounds_.data() + points_[point].first_bound; }
+  /// Rounds of a point's clip in the common cycle.
+  double rounds(std::size_t point) const noexcept { return points_[point].rounds; }
   std::span<const SpaceEvent> events(std::size_t point) const noexcept {
     return std::span(events_).subspan(points_[point].first_event, points_[point].event_count);
   }
@@ -58,6 +60,7 @@ class SINEW_API SpaceBeats {
   };
   struct Point {
     std::uint32_t first_bound = 0, first_event = 0, event_count = 0;
+    double rounds = 1.0;
   };
 
   ErrorCode add_space(const GraphBlendSpace& space, std::span<const SpaceClip> clips);

@@ -31,7 +31,7 @@ class GraphUpdate {
     const double due_s = dt_s + header.rest_s;
     const GraphTicks ticks = ticks_of(due_s);
     header.rest_s = due_s - seconds_of(ticks);
-    follow_choices(live_, live_.tables().root, live_.state());
+    if (!live_.tables().selects.empty()) follow_choices(live_, live_.tables().root, live_.state());
     live_.open();
     if (ticks < 0)
       play_backwards(-ticks);
@@ -55,7 +55,7 @@ class GraphUpdate {
     const GraphTicks now = live_.header().now;
     live_.follow_segments(backwards);
     if (live_.plays_in_step()) live_.match_lengths(to_cell_middle(now, backwards));
-    GraphTicks piece = std::min(left, longest_piece(live_, backwards));
+    GraphTicks piece = longest_piece(live_, left, backwards);
     if (needs_cells()) piece = std::min(piece, to_cell_end(now, backwards));
     return piece;
   }

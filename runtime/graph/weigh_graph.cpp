@@ -114,7 +114,7 @@ void LiveGraph::match_lengths(GraphTicks ahead) noexcept {
       if (end == first + 1) continue;
       for (std::size_t i = first; i < end; ++i) {
         LiveMotion& motion = motions_[live.driver[i]];
-        motion.step = std::llround(static_cast<double>(motion.own_step) * (motion.length / length));
+        motion.step = nearest_whole(static_cast<double>(motion.own_step) * (motion.length / length));
       }
     }
   }

@@ -65,8 +65,9 @@ class ProgramWriter {
 
   std::size_t write_motion(float weight) noexcept {
     const LiveMotion& motion = live_.motions()[motion_++];
+    const LiveMotion::Place place = motion.place_at(motion.position_at(ahead_));
     for (const LiveSample& sample : live_.samples_of(motion))
-      out_.push({motion.time_s(sample, motion.position_at(ahead_)), weight * sample.share,
+      out_.push({motion.time_s(sample, place), weight * sample.share,
                  static_cast<std::uint16_t>(std::min<std::uint32_t>(sample.entry->clip, 0xFFFF)), PoseOp::kNoMask,
                  sample.mirror ? PoseOpKind::sample_mirrored : PoseOpKind::sample});
     return motion.sample_count;
@@ -178,9 +179,9 @@ class ProgramWriter {
 }  // namespace
 
 void write_program(LiveGraph& live, PoseProgram& program) noexcept {
-  program.clear();
   OpList list;
   ProgramWriter(live, list, 0).write_pose(live.tables().root, live.state(), 1.0f, PoseOp::kNoMask);
+  program.clear();
   for (std::size_t i = 0; i < list.count; ++i) program.push(list.ops[i]);
 }
 

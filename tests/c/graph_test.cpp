@@ -127,6 +127,27 @@ TEST_F(CGraph, a_copy_of_the_state_plays_again) {
   EXPECT_EQ(std::memcmp(walker.get(), saved.get(), sizeof(engine_walker)), 0);
 }
 
+TEST_F(CGraph, carries_a_character_into_another_version) {
+  auto walker = std::make_unique<engine_walker>(), other = std::make_unique<engine_walker>();
+  ASSERT_EQ(engine_start_walker(graph, clips, walker.get()), SINEW_OK);
+  ASSERT_EQ(engine_start_walker(graph, clips, other.get()), SINEW_OK);
+  ASSERT_EQ(engine_move_walker(graph, clips, 0.7, walker.get()), SINEW_OK);
+  const auto carry = [&](std::size_t from_bytes) {
+    return sinew_graph_carry(graph, walker->state.bytes, from_bytes, graph, clips, walker->parameters, 2,
+                             other->state.bytes, engine_state_bytes);
+  };
+  EXPECT_EQ(carry(8), SINEW_SIZE_MISMATCH);
+  EXPECT_EQ(carry(engine_state_bytes), SINEW_OK);
+  ASSERT_EQ(engine_move_walker(graph, clips, 0.1, walker.get()), SINEW_OK);
+  ASSERT_EQ(engine_move_walker(graph, clips, 0.1, other.get()), SINEW_OK);
+  ASSERT_EQ(walker->op_count, other->op_count);
+  EXPECT_EQ(std::memcmp(walker->ops, other->ops, walker->op_count * sizeof(sinew_pose_op)), 0);
+  std::memset(walker->state.bytes, 0, engine_state_bytes);
+  EXPECT_EQ(carry(engine_state_bytes), SINEW_WRONG_PLAN);
+  EXPECT_EQ(sinew_graph_carry(graph, nullptr, 0, graph, clips, nullptr, 0, other->state.bytes, engine_state_bytes),
+            SINEW_NULL_ARGUMENT);
+}
+
 TEST_F(CGraph, tells_its_names_sizes_and_masks) {
   const auto name = [&](std::uint32_t thing, std::uint32_t index) {
     const sinew_string found = sinew_graph_name(graph, thing, index);

@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "importer/graph/graph_text.h"
+#include "importer/graph/join_graphs.h"
 #include "runtime/base/checksum.h"
 #include "runtime/graph/graph_bytes.h"
 #include "runtime/graph/update_graph.h"
@@ -42,6 +44,28 @@ void check_text(const GraphDocument& document) {
   require(write_graph(*again) == text, "a graph keeps its text");
   require(compare_graphs(document, *again).empty(), "a graph equals itself");
   require(!draw_graph(document).empty(), "a graph has a picture");
+}
+
+/// The graph that all references of an input stand for.
+const JoinedGraph& other_graph() {
+  static const JoinedGraph other{
+      *read_graph(R"({"graph":1,"root":"all","parameters":{"pace":{"kind":"number","initial":0.5}},
+"masks":{"arm":["a"],"most":[{"mask":"arm"},"b"]},"beats":{"left":{"event":"l"}},"variations":{"hurt":{"A":"C"}},
+"nodes":{"all":{"kind":"layers","base":"gait","layers":[{"node":"over","mask":"most"}]},
+"gait":{"kind":"blend_space","x":"pace","points":[{"x":0,"node":"slow"},{"x":1,"node":"fast"}]},
+"slow":{"kind":"clip","clip":"A"},"fast":{"kind":"clip","clip":"B"},"over":{"kind":"clip","clip":"C"}}})"),
+      {}};
+  return other;
+}
+
+/// Joins the references of a document with the other graph.
+std::optional<GraphTextFault> join_references(JoinedGraph& joined) {
+  std::vector<std::string> names;
+  for (const auto& [name, node] : joined.document.nodes)
+    if (node.kind == GraphDocument::NodeKind::graph) names.push_back(name);
+  for (const std::string& name : names)
+    if (auto fault = join_graph(joined, name, other_graph(), "other.json")) return fault;
+  return std::nullopt;
 }
 
 void check_bytes(const GraphDefinition& graph) {
@@ -149,7 +173,10 @@ void play_graphs(Bytes input) {
   const auto document = read_graph({reinterpret_cast<const char*>(input.data()), input.size()});
   if (!document) return require(!document.error().sentence.empty(), "an error says what is wrong");
   check_text(*document);
-  const auto graph = compile_graph(*document);
+  JoinedGraph joined{*document, {}};
+  if (const auto fault = join_references(joined))
+    return require(!fault->sentence.empty(), "an error says what is wrong");
+  const auto graph = compile_graph(joined.document);
   if (!graph) return require(!graph.error().sentence.empty(), "an error says what is wrong");
   check_bytes(*graph);
   Player(*graph, Choices(checksum(input))).play();

@@ -279,6 +279,7 @@ std::vector<Seed> own_seeds() {
   out.push_back({"poses", blob(kPoses)});
   out.push_back({"motion", blob(kMotion)});
   out.push_back({"graphs", blob(kGraphSeed)});
+  out.push_back({"graphs", blob(kReferenceSeed)});
   if (const auto document = read_graph(kGraphSeed))
     if (const auto graph = compile_graph(*document)) out.push_back({"graph_bytes", write_graph_bytes(graph->tables())});
   return out;

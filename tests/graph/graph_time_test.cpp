@@ -23,6 +23,15 @@ std::vector<GraphEvent> clip_events(const GraphPlayer& player) {
   return events;
 }
 
+TEST(graph_time, whole_numbers_are_those_of_the_library) {
+  const double below_half = std::nextafter(0.5, 0.0), large = 0x1p52 - 0.5;
+  for (const double x : {0.0, below_half, 0.5, 1.5, 2.5, 1.0 - 0x1p-53, 7.0, 1e9 + 0.5, large, 0x1p52 + 1.0, 0x1p62})
+    for (const double signed_x : {x, -x}) {
+      EXPECT_EQ(nearest_whole(signed_x), std::llround(signed_x)) << signed_x;
+      EXPECT_EQ(whole_below(signed_x), std::floor(signed_x)) << signed_x;
+    }
+}
+
 TEST(graph_time, ten_seconds_of_a_short_clip_tell_every_event) {
   GraphBuilder b;
   const GraphIndex root = b.clip("step");

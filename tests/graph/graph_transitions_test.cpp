@@ -10,6 +10,7 @@
 
 #include "runtime/math/axis_angle.h"
 #include "runtime/math/quat_log_exp.h"
+#include "runtime/playback/root_track.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose_program/run_pose_program.h"
 #include "tests/graph/graph_player.h"
@@ -22,16 +23,22 @@ namespace {
 constexpr std::size_t kJoints = 3;
 constexpr double kStep_s = 0.0005;
 
+/// How the root joint of a body moves: not at all, or by metres, on the spot (baked out) or in the pose.
+enum class Walk { stands, on_the_spot, in_pose };
+constexpr Walk kWalks[] = {Walk::stands, Walk::on_the_spot, Walk::in_pose};
+
 /// Clips of one second in which each joint turns steadily; they do not close.
 struct Body {
+  Walk walk;
   Skeleton skeleton;
   std::vector<Clip> clips;
+  std::vector<RootTrack> tracks;
   PoseMemory rest{kJoints}, result{kJoints};
   PoseProgramAssets assets;
   std::unique_ptr<std::byte[], decltype(&std::free)> block{nullptr, std::free};
   std::size_t bytes = 0;
 
-  Body() {
+  explicit Body(Walk how = Walk::stands) : walk(how) {
     skeleton = chain_skeleton(kJoints);
     for (std::size_t j = 0; j < kJoints; ++j) rest.span().set(j, skeleton.rest[j]);
     for (int c = 0; c < 3; ++c) {
@@ -44,12 +51,27 @@ struct Body {
                          {0.0f, 1.0f},
                          {quat_cast<float>(quat_from_axis_angle(axis, 0.3 * c - 0.2 * j)),
                           quat_cast<float>(quat_from_axis_angle(axis, 0.3 * c - 0.2 * j + 0.9 - 0.5 * c))}};
+        if (walk != Walk::stands && j == 0) {
+          const auto way = static_cast<float>(1 + 2 * c);
+          bone.translation = {Interpolation::linear, {0.0f, 1.0f}, {{0, 1, 0}, {0.3f * way, 0.9f, way}}};
+          tracks.push_back(RootTrack::make(bone, skeleton.rest[0], {}, 1e-6));
+          if (walk == Walk::on_the_spot) bone = bake_out_root(bone, skeleton.rest[0], tracks.back(), 1e-6);
+          bone.joint = j;
+        }
         animation.bones.push_back(bone);
       }
       animation.duration_s = 1.0f;
       clips.push_back(compile_clip(animation, skeleton, {}, {}));
     }
     assets = {.skeleton = &skeleton, .clips = clips, .rest = rest.span()};
+  }
+
+  /// Place of the root joint in the world, for the last pose.
+  Vec3<double> place_of(const GraphPlayer& player) {
+    const Transform root = result.span().get(0);
+    const DualQuatd local =
+        dual_quat_from(normalised(quat_cast<double>(root.rotation)), Vec3<double>(root.translation));
+    return translation_of(player.root() * dual_quat_conjugate(player.step().root_place) * local);
   }
 
   std::vector<Quat<double>> pose_of(const GraphPlayer& player) {
@@ -80,6 +102,14 @@ struct Ring {
                    {when_triggered(go)});
   }
   GraphPlayer player() const { return GraphPlayer(b, machine, {{0, 1.0}, {1, 1.0}, {2, 1.0}}); }
+  GraphPlayer player(const Body& body) const {
+    if (body.tracks.empty()) return player();
+    std::vector<GraphClip> clips;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      clips.push_back(
+          {.clip = c, .duration_s = 1.0, .root = &body.tracks[c], .root_in_pose = body.walk == Walk::in_pose});
+    return GraphPlayer(b, machine, clips);
+  }
 };
 
 double largest_turn(const std::vector<Quat<double>>& a, const std::vector<Quat<double>>& b) {
@@ -105,53 +135,77 @@ std::vector<Vec3<double>> velocities(const Poses& at, const Poses& one, const Po
 
 constexpr GraphTransitionKind kKinds[] = {GraphTransitionKind::inertialize, GraphTransitionKind::dead_blend};
 
+/// The speed of the character in the ground plane, in a step of the clock.
+double speed_of(const GraphPlayer& player, double step_s) {
+  return glm::length(translation_of(player.step().root_motion)) / step_s;
+}
+
+/// Begins a transition, and compares pose and velocity before and after.
+void expect_no_jump(Body& body, GraphPlayer& player, GraphIndex go, double at_s) {
+  player.advance(at_s);
+  const Poses two_before = body.pose_of(player);
+  player.advance(kStep_s);
+  const Poses before = body.pose_of(player);
+  player.advance(kStep_s);
+  const Poses at = body.pose_of(player);
+  const Vec3<double> place = body.place_of(player);
+  player.trigger(go);
+  player.advance(0.0);
+  EXPECT_LT(largest_turn(at, body.pose_of(player)), 1e-5) << at_s;
+  EXPECT_LT(glm::length(body.place_of(player) - place), 1e-5) << at_s;
+  EXPECT_EQ(player.log().size(), 1u);
+  player.advance(kStep_s);
+  const Poses after = body.pose_of(player);
+  player.advance(kStep_s);
+  const auto left = velocities(at, before, two_before, -kStep_s);
+  const auto right = velocities(at, after, body.pose_of(player), kStep_s);
+  double jump = 0.0, side = 0.0;
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    jump = std::max(jump, glm::length(left[j] - right[j]));
+    side = std::max({side, glm::length(left[j]), glm::length(right[j])});
+  }
+  EXPECT_LT(jump, 0.01 * side) << at_s;
+}
+
 TEST(graph_transitions, begin_without_a_jump_at_240_phases) {
-  Body body;
-  for (const GraphTransitionKind kind : kKinds) {
-    const Ring ring(kind);
-    for (int phase = 1; phase <= 240; ++phase) {
-      GraphPlayer player = ring.player();
-      player.advance(phase / 242.0);
-      const Poses two_before = body.pose_of(player);
-      player.advance(kStep_s);
-      const Poses before = body.pose_of(player);
-      player.advance(kStep_s);
-      const Poses at = body.pose_of(player);
-      player.trigger(ring.go);
-      player.advance(0.0);
-      EXPECT_LT(largest_turn(at, body.pose_of(player)), 1e-5) << phase;
-      EXPECT_EQ(player.log().size(), 1u);
-      player.advance(kStep_s);
-      const Poses after = body.pose_of(player);
-      player.advance(kStep_s);
-      const auto left = velocities(at, before, two_before, -kStep_s);
-      const auto right = velocities(at, after, body.pose_of(player), kStep_s);
-      double jump = 0.0, side = 0.0;
-      for (std::size_t j = 0; j < kJoints; ++j) {
-        jump = std::max(jump, glm::length(left[j] - right[j]));
-        side = std::max({side, glm::length(left[j]), glm::length(right[j])});
+  for (const Walk walk : kWalks) {
+    Body body(walk);
+    for (const GraphTransitionKind kind : kKinds) {
+      const Ring ring(kind);
+      for (int phase = 1; phase <= 240; ++phase) {
+        GraphPlayer player = ring.player(body);
+        expect_no_jump(body, player, ring.go, phase / 242.0);
       }
-      EXPECT_LT(jump, 0.01 * side) << phase;
     }
   }
 }
 
 TEST(graph_transitions, interrupt_each_other_20_times_a_second) {
-  Body body;
-  for (const GraphTransitionKind kind : kKinds) {
-    const Ring ring(kind);
-    GraphPlayer player = ring.player();
-    player.advance(0.013);
-    for (int i = 0; i < 100; ++i) {
-      const auto at = body.pose_of(player);
-      player.trigger(ring.go);
-      player.advance(0.0);
-      EXPECT_LT(largest_turn(at, body.pose_of(player)), 1e-5) << i;
-      player.advance(0.05);
+  for (const Walk walk : kWalks) {
+    Body body(walk);
+    for (const GraphTransitionKind kind : kKinds) {
+      const Ring ring(kind);
+      GraphPlayer player = ring.player(body);
+      player.advance(0.013);
+      double speed = 0.0;
+      for (int i = 0; i < 100; ++i) {
+        const auto at = body.pose_of(player);
+        const Vec3<double> place = body.place_of(player);
+        player.trigger(ring.go);
+        player.advance(0.0);
+        EXPECT_LT(largest_turn(at, body.pose_of(player)), 1e-5) << i;
+        EXPECT_LT(glm::length(body.place_of(player) - place), 1e-5) << i;
+        for (int frame = 0; frame < 5; ++frame) {
+          player.advance(0.01);
+          const double now = speed_of(player, 0.01);
+          EXPECT_LT(i + frame == 0 ? 0.0 : std::fabs(now - speed), 1.0) << i;
+          speed = now;
+        }
+      }
+      EXPECT_EQ(player.log().size(), 100u);
+      player.advance(1.0);
+      EXPECT_EQ(player.ops().size(), 1u) << "in the end the target alone";
     }
-    EXPECT_EQ(player.log().size(), 100u);
-    player.advance(1.0);
-    EXPECT_EQ(player.ops().size(), 1u) << "in the end the target alone";
   }
 }
 

@@ -90,6 +90,40 @@ TEST(graph_text, faults_have_a_place_and_a_sentence) {
   EXPECT_EQ(fault_of(std::string(100'000, '[')), ": is nested more than 64 deep");
 }
 
+TEST(graph_text, masks_within_masks_stand_in_their_place) {
+  const auto with_masks = [](const std::string& masks) {
+    return replaced(kText, R"({"arms": ["Arm.L", "Arm.R"]})", masks);
+  };
+  const auto document = read_graph(with_masks(R"({"arms": ["L", {"joint": "R", "weight": 0.5, "below": false}],
+    "top": ["Spine", {"mask": "arms", "weight": 0.5}, {"mask": "arms"}, "Head"]})"));
+  ASSERT_TRUE(document);
+  const auto graph = compile_graph(*document);
+  ASSERT_TRUE(graph) << graph.error().sentence;
+  const GraphTables& t = graph->tables();
+  std::string found;
+  for (std::size_t j = 0; j < t.masks[1].joint_count; ++j) {
+    const GraphMaskJoint& joint = t.mask_joints[t.masks[1].first_joint + j];
+    found += std::string(t.name_at(joint.name)) + (joint.below ? "*" : "") + std::to_string(joint.weight).substr(0, 4);
+  }
+  EXPECT_EQ(found, "Spine*1.00L*0.50R0.25L*1.00R0.50Head*1.00");
+  EXPECT_EQ(write_graph(*read_graph(write_graph(*document))), write_graph(*document));
+  EXPECT_EQ(fault_of(with_masks(R"({"arms": ["A", {}]})")), "/masks/arms/1: names either a joint or a mask");
+  EXPECT_EQ(fault_of(with_masks(R"({"arms": [{"mask": "legs"}]})")), "/masks/arms/0/mask: there is no mask \"legs\"");
+  EXPECT_EQ(fault_of(with_masks(R"({"arms": [{"mask": "b"}], "b": ["x", {"mask": "arms"}]})")),
+            "/masks/b/1/mask: the mask lies within itself");
+  EXPECT_EQ(fault_of(with_masks(R"({"arms": [{"mask": "b", "weight": 2}], "b": []})")),
+            "/masks/arms/0/weight: lies in [0, 1]");
+  std::string doubling = R"({"arms": [{"mask": "n0"}, {"mask": "n0"}])", chain = R"({"arms": [{"mask": "n0"}])";
+  for (int n = 0; n < 20; ++n) {
+    const std::string next = R"({"mask": "n)" + std::to_string(n + 1) + "\"}",
+                      key = ", \"n" + std::to_string(n) + "\": [";
+    chain += key + next + "]";
+    if (n < 14) doubling += key + next + "," + next + "," + next + "]";
+  }
+  EXPECT_THAT(fault_of(with_masks(doubling + R"(, "n14": []})")), HasSubstr("more than 65534 entries of masks"));
+  EXPECT_THAT(fault_of(with_masks(chain + R"(, "n20": []})")), HasSubstr("it lies more than 16 deep"));
+}
+
 TEST(graph_text, a_machine_below_itself_is_a_cycle) {
   std::string text = replaced(kText, R"("base": "body")", R"("base": "spare")");
   text = replaced(text, R"("ragdoll": {"kind")", R"("spare": {"kind": "clip", "clip": "Idle"}, "ragdoll": {"kind")");

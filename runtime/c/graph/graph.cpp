@@ -14,9 +14,11 @@
 #include "runtime/c/glue/convert.h"
 #include "runtime/c/glue/struct_versions.h"
 #include "runtime/c/glue/write_messages.h"
+#include "runtime/c/graph/carry.h"
 #include "runtime/c/graph/graph_handles.h"
 #include "runtime/c/handles.h"
 #include "runtime/c/program_room.h"
+#include "runtime/graph/carry_state.h"
 #include "runtime/graph/graph_bytes.h"
 #include "runtime/graph/graph_masks.h"
 #include "runtime/graph/update_graph.h"
@@ -201,6 +203,19 @@ sinew_error sinew_graph_start(const sinew_graph* graph, const sinew_graph_clips*
   return c::call(c::given(graph, clips, state, c::Array{parameters, parameter_count}), [&] {
     return run(
         StartGraphJob{&graph->definition, &clips->set, {parameters, parameter_count}, bytes_of(state, state_bytes)});
+  });
+}
+
+sinew_error sinew_graph_carry(const sinew_graph* from, const void* from_state, std::size_t from_bytes,
+                              const sinew_graph* graph, const sinew_graph_clips* clips, const float* parameters,
+                              std::size_t parameter_count, void* state, std::size_t state_bytes) {
+  return c::call(c::given(from, from_state, graph, clips, state, c::Array{parameters, parameter_count}), [&] {
+    return run(CarryStateJob{.from = &from->definition,
+                             .from_state = {static_cast<const std::byte*>(from_state), from_bytes},
+                             .graph = &graph->definition,
+                             .clips = &clips->set,
+                             .parameters = {parameters, parameter_count},
+                             .state = bytes_of(state, state_bytes)});
   });
 }
 
