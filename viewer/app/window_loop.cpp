@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 #include <utility>
 
 #include "viewer/app/headless_run.h"
@@ -70,7 +69,7 @@ void WindowLoop::place_camera() {
   const LoadedScene& loaded = loaded_scenes_[scene_index_];
   const auto placed = options_.camera ? options_.camera : loaded.camera;
   camera_ = FramedCamera();
-  camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
+  camera_.orbit = opening_camera(loaded, options_);
   camera_is_framed_ = false;
   if (placed && settings_.framing == Framing::clip)
     camera_.orbit.place(placed->eye, placed->target);
