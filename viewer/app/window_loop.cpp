@@ -8,6 +8,7 @@
 #include "viewer/app/headless_run.h"
 #include "viewer/app/inspect/pick.h"
 #include "viewer/app/log_line.h"
+#include "viewer/app/panel/joint_labels.h"
 #include "viewer/app/panel/scene_facts.h"
 #include "viewer/app/pictures/screenshot.h"
 #include "viewer/app/validation_outcome.h"
@@ -172,6 +173,7 @@ void WindowLoop::draw() {
   const View view = this->view();
   const RenderOptions look = render_options(settings_, shown_->loaded().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
+    if (settings_.skeleton) lay_out_joint_labels(shown_->loaded().scene, shown_->newest().model, view);
     const PanelRequests requests = lay_out_panel(facts(), settings_, shown_->playback());
     const bool room_changed = requests.free != free_;
     free_ = requests.free;
