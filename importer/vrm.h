@@ -86,6 +86,7 @@ struct VrmConstraint {
 struct VrmCharacter {
   std::string version;  ///< version of the specification: "0.0" or "1.0"
   std::string name, authors;
+  std::string licence;        ///< VRM 0: the name of the licence; VRM 1: its address
   bool is_animation = false;  ///< VRMC_vrm_animation: `bones` are the targets of the clips
   std::vector<NamedBone> bones;
   std::vector<VrmExpression> expressions;

@@ -20,6 +20,7 @@ class VrmReader {
   void read_character(const ExtensionFields& vrm) {
     out_.version = vrm.text("specVersion");
     out_.name = vrm.object("meta").text("name");
+    out_.licence = vrm.object("meta").text("licenseUrl");
     read_bones(vrm);
     for (const bool preset : {true, false})
       for (const auto& [name, expression] : vrm.object("expressions").object(preset ? "preset" : "custom").members())

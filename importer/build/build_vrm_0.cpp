@@ -62,6 +62,7 @@ class Vrm0Reader {
     if (out_.version.empty()) out_.version = "0.0";
     out_.name = meta.text("title");
     out_.authors = meta.text("author");
+    out_.licence = meta.text("licenseName");
     for (const auto& bone : vrm.object("humanoid").list("humanBones")) add_bone(bone);
     for (const auto& group : vrm.object("blendShapeMaster").list("blendShapeGroups")) add_expression(group);
     read_look_at(vrm.object("firstPerson"));

@@ -26,12 +26,15 @@ constexpr std::string_view kRead[] = {
     "KHR_texture_basisu",
     "KHR_texture_transform",
     "KHR_materials_emissive_strength",
+    "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
+    "KHR_materials_iridescence",
     "KHR_materials_ior",
     "KHR_materials_sheen",
     "KHR_materials_specular",
     "KHR_materials_transmission",
     "KHR_materials_unlit",
+    "KHR_materials_volume",
     "KHR_node_visibility",
     "KHR_materials_pbrSpecularGlossiness",
     "EXT_mesh_gpu_instancing",
@@ -47,17 +50,10 @@ constexpr std::string_view kRead[] = {
 /// Ignored extensions. They refine reflection, offer alternative images, or hold metadata and application behaviour;
 /// poses do not depend on them.
 constexpr std::string_view kReadPast[] = {
-    "KHR_materials_anisotropy",
-    "KHR_materials_dispersion",
-    "KHR_materials_iridescence",
-    "KHR_materials_volume",
-    "KHR_materials_diffuse_transmission",
-    "MSFT_texture_dds",
-    "KHR_interactivity",
-    "KHR_node_hoverability",
-    "KHR_node_selectability",
-    "KHR_xmp_json_ld",
-    "KHR_xmp",
+    "KHR_materials_dispersion", "KHR_materials_diffuse_transmission",
+    "MSFT_texture_dds",         "KHR_interactivity",
+    "KHR_node_hoverability",    "KHR_node_selectability",
+    "KHR_xmp_json_ld",          "KHR_xmp",
     "KHR_virtual_joints",
 };
 

@@ -51,6 +51,31 @@ Sheen read_sheen(const ExtensionFields& extension, std::size_t textures) {
   return out;
 }
 
+Iridescence read_iridescence(const ExtensionFields& extension, std::size_t textures) {
+  Iridescence out;
+  out.factor = share(extension, "iridescenceFactor", 0.0);
+  out.texture = read_texture_use(extension, "iridescenceTexture", textures);
+  out.ior = static_cast<float>(extension.number("iridescenceIor", 1.3, 1.0));
+  out.thinnest_nm = static_cast<float>(extension.number("iridescenceThicknessMinimum", 100.0, 0.0));
+  out.thickest_nm = static_cast<float>(extension.number("iridescenceThicknessMaximum", 400.0, 0.0));
+  out.thickness_texture = read_texture_use(extension, "iridescenceThicknessTexture", textures);
+  return out;
+}
+
+Anisotropy read_anisotropy(const ExtensionFields& extension, std::size_t textures) {
+  return {share(extension, "anisotropyStrength", 0.0), static_cast<float>(extension.number("anisotropyRotation", 0.0)),
+          read_texture_use(extension, "anisotropyTexture", textures)};
+}
+
+Volume read_volume(const ExtensionFields& extension, std::size_t textures) {
+  Volume out;
+  out.thickness_m = static_cast<float>(extension.number("thicknessFactor", 0.0, 0.0));
+  out.texture = read_texture_use(extension, "thicknessTexture", textures);
+  out.attenuation_distance_m = static_cast<float>(extension.number("attenuationDistance", 0.0, 0.0));
+  extension.numbers("attenuationColor", &out.attenuation_color.x, 3, 0.0, 1.0);
+  return out;
+}
+
 }  // namespace
 
 void read_material_layers(const gltf::Json& extensions, const std::string& place, std::size_t textures,
@@ -59,6 +84,9 @@ void read_material_layers(const gltf::Json& extensions, const std::string& place
   material.specular = read_specular(of("KHR_materials_ior"), of("KHR_materials_specular"), textures);
   material.clearcoat = read_clearcoat(of("KHR_materials_clearcoat"), textures);
   material.sheen = read_sheen(of("KHR_materials_sheen"), textures);
+  material.iridescence = read_iridescence(of("KHR_materials_iridescence"), textures);
+  material.anisotropy = read_anisotropy(of("KHR_materials_anisotropy"), textures);
+  material.volume = read_volume(of("KHR_materials_volume"), textures);
   const ExtensionFields transmission = of("KHR_materials_transmission");
   material.transmission = {share(transmission, "transmissionFactor", 0.0),
                            read_texture_use(transmission, "transmissionTexture", textures)};

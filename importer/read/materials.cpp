@@ -9,7 +9,6 @@
 #include "importer/import_gltf.h"
 #include "importer/read/extension_fields.h"
 #include "importer/read/material_layers.h"
-#include "importer/read/specular_glossiness.h"
 #include "importer/read/textures.h"
 
 namespace sinew {
@@ -26,8 +25,8 @@ class MaterialReader {
     read_surface();
     read_alpha();
     read_emission();
-    read_specular_glossiness();
     read_material_layers(source_.extensions, place_, document_.textures.size(), out_, log_);
+    read_specular_glossiness();
     out_.unlit = static_cast<bool>(ExtensionFields(source_.extensions, place_, "KHR_materials_unlit", log_));
     return std::move(out_);
   }
@@ -82,26 +81,22 @@ class MaterialReader {
            surface_.metallicRoughnessTexture.index != gltf::kAbsent;
   }
 
+  /// Diffuse light loses the reflected part once, by Fresnel. The archived text takes the specular colour off as well,
+  /// which darkens the diffuse part by up to that colour (4 % for plain dielectrics).
   void read_specular_glossiness() {
     const ExtensionFields extension(source_.extensions, place_, "KHR_materials_pbrSpecularGlossiness", log_);
     if (!extension) return;
     if (has_metallic_roughness()) return;
-    glm::vec4 diffuse(1.0f);
-    glm::vec3 specular(1.0f);
-    extension.numbers("diffuseFactor", &diffuse.x, 4, 0.0, 1.0);
-    extension.numbers("specularFactor", &specular.x, 3, 0.0, 1.0);
-    const double glossiness = extension.number("glossinessFactor", 1.0, 0.0, 1.0);
+    // A dielectric whose specular colour is the whole reflectance along the normal: ior 0 means that it has no other.
+    out_.metallic = 0.0f;
+    extension.numbers("diffuseFactor", &out_.base_color.x, 4, 0.0, 1.0);
     out_.base_color_texture = read_texture_use(extension, "diffuseTexture", document_.textures.size());
-
-    const bool textured_specular = extension.has("specularGlossinessTexture");
-    const MetallicRoughness surface = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), glossiness});
-    // If the specular colour is in a texture, the factors do not describe the surface. Most such surfaces are not
-    // metallic.
-    out_.base_color = textured_specular ? diffuse : glm::vec4(glm::vec3(surface.base_color), diffuse.a);
-    out_.metallic = textured_specular ? 0.0f : static_cast<float>(surface.metallic);
-    out_.roughness = static_cast<float>(surface.roughness);
-    log_.report(Rule::material_approximated, extension.place(),
-                textured_specular ? "its specular-glossiness texture is left out" : "converted by its factors");
+    out_.roughness = 1.0f - static_cast<float>(extension.number("glossinessFactor", 1.0, 0.0, 1.0));
+    Specular specular{.ior = 0.0f};
+    extension.numbers("specularFactor", &specular.color.x, 3, 0.0, 1.0);
+    specular.color_texture = read_texture_use(extension, "specularGlossinessTexture", document_.textures.size());
+    specular.has_glossiness = specular.color_texture.used();
+    out_.specular = specular;
   }
 
   TextureUse texture(TextureSlot slot, const std::string& place) {

@@ -68,15 +68,63 @@ Object written(const Transmission& t, tinygltf::Model& model) {
   return out;
 }
 
+Object written(const Iridescence& i, tinygltf::Model& model) {
+  Object out;
+  if (i.factor != 0.0f) out["iridescenceFactor"] = number(i.factor);
+  if (i.ior != 1.3f) out["iridescenceIor"] = number(i.ior);
+  if (i.thinnest_nm != 100.0f) out["iridescenceThicknessMinimum"] = number(i.thinnest_nm);
+  if (i.thickest_nm != 400.0f) out["iridescenceThicknessMaximum"] = number(i.thickest_nm);
+  add_texture(out, "iridescenceTexture", i.texture, model);
+  add_texture(out, "iridescenceThicknessTexture", i.thickness_texture, model);
+  return out;
+}
+
+Object written(const Anisotropy& a, tinygltf::Model& model) {
+  Object out;
+  if (a.strength != 0.0f) out["anisotropyStrength"] = number(a.strength);
+  if (a.rotation_rad != 0.0f) out["anisotropyRotation"] = number(a.rotation_rad);
+  add_texture(out, "anisotropyTexture", a.texture, model);
+  return out;
+}
+
+Object written(const Volume& v, tinygltf::Model& model) {
+  Object out;
+  if (v.thickness_m != 0.0f) out["thicknessFactor"] = number(v.thickness_m);
+  if (v.attenuation_distance_m != 0.0f) out["attenuationDistance"] = number(v.attenuation_distance_m);
+  if (v.attenuation_color != glm::vec3(1.0f)) out["attenuationColor"] = color(v.attenuation_color);
+  add_texture(out, "thicknessTexture", v.texture, model);
+  return out;
+}
+
+/// Writes the surface as specular-glossiness, in place of metallic-roughness. No other extension has glossiness in the
+/// alpha of a specular colour.
+void write_specular_glossiness(const Material& m, tinygltf::Model& model, tinygltf::Material& out) {
+  Object extension{{"diffuseFactor", tinygltf::Value(Array{number(m.base_color.x), number(m.base_color.y),
+                                                           number(m.base_color.z), number(m.base_color.w)})},
+                   {"specularFactor", color(m.specular.color)},
+                   {"glossinessFactor", number(1.0f - m.roughness)}};
+  add_texture(extension, "diffuseTexture", m.base_color_texture, model);
+  add_texture(extension, "specularGlossinessTexture", m.specular.color_texture, model);
+  out.pbrMetallicRoughness = {};
+  add("KHR_materials_pbrSpecularGlossiness", std::move(extension), model, out);
+}
+
 }  // namespace
 
 void write_material_layers(const Material& material, tinygltf::Model& model, tinygltf::Material& out) {
-  if (material.specular.ior != 1.5f)
-    add("KHR_materials_ior", Object{{"ior", number(material.specular.ior)}}, model, out);
-  add("KHR_materials_specular", written(material.specular, model), model, out);
+  if (material.specular.has_glossiness) {
+    write_specular_glossiness(material, model, out);
+  } else {
+    if (material.specular.ior != 1.5f)
+      add("KHR_materials_ior", Object{{"ior", number(material.specular.ior)}}, model, out);
+    add("KHR_materials_specular", written(material.specular, model), model, out);
+  }
   add("KHR_materials_clearcoat", written(material.clearcoat, model), model, out);
   add("KHR_materials_sheen", written(material.sheen, model), model, out);
   add("KHR_materials_transmission", written(material.transmission, model), model, out);
+  add("KHR_materials_iridescence", written(material.iridescence, model), model, out);
+  add("KHR_materials_anisotropy", written(material.anisotropy, model), model, out);
+  add("KHR_materials_volume", written(material.volume, model), model, out);
 }
 
 }  // namespace sinew::write

@@ -21,7 +21,7 @@ bool has_transform(const TextureUse& use) noexcept;
 /// Makes the object of KHR_texture_transform and declares the extension.
 tinygltf::Value transform_of(const TextureUse& use, tinygltf::Model& model);
 
-/// Writes specular, clearcoat, sheen and transmission as extensions, if they differ from the defaults.
+/// Writes the layers of a material as extensions, if they differ from the defaults.
 void write_material_layers(const Material& material, tinygltf::Model& model, tinygltf::Material& out);
 
 /// The parts of export_glb() in the order in which they run. Each appends to `model` and `buffer`.

@@ -113,7 +113,7 @@ class SINEW_API AssetFile {
 SINEW_API bool looks_like_asset_file(std::span<const std::byte> start) noexcept;
 
 inline constexpr std::uint32_t kAssetFileVersion = 1;
-inline constexpr std::uint32_t kAssetBlockVersion = 2;  ///< same for all kinds
+inline constexpr std::uint32_t kAssetBlockVersion = 3;  ///< same for all kinds
 inline constexpr std::size_t kAssetHead = 32, kAssetEntry = 64, kAssetAlignment = 64;
 /// Unpacked known blocks may take at most this much memory: kAssetMadeBytes plus kAssetMadeTimes the size of the file.
 inline constexpr std::uint64_t kAssetMadeBytes = std::uint64_t{16} << 20, kAssetMadeTimes = 64;

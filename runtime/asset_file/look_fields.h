@@ -26,8 +26,8 @@ auto fields(Is<TextureUse> auto& u) {
 }
 
 auto fields(Is<Specular> auto& s) {
-  auto& [ior, factor, texture, color, color_texture] = s;
-  return std::tie(ior, factor, texture, color, color_texture);
+  auto& [ior, factor, texture, color, color_texture, has_glossiness] = s;
+  return std::tie(ior, factor, texture, color, color_texture, has_glossiness);
 }
 
 auto fields(Is<Clearcoat> auto& c) {
@@ -45,13 +45,30 @@ auto fields(Is<Transmission> auto& t) {
   return std::tie(factor, texture);
 }
 
+auto fields(Is<Iridescence> auto& i) {
+  auto& [factor, texture, ior, thinnest_nm, thickest_nm, thickness_texture] = i;
+  return std::tie(factor, texture, ior, thinnest_nm, thickest_nm, thickness_texture);
+}
+
+auto fields(Is<Anisotropy> auto& a) {
+  auto& [strength, rotation_rad, texture] = a;
+  return std::tie(strength, rotation_rad, texture);
+}
+
+auto fields(Is<Volume> auto& v) {
+  auto& [thickness_m, texture, attenuation_distance_m, attenuation_color] = v;
+  return std::tie(thickness_m, texture, attenuation_distance_m, attenuation_color);
+}
+
 auto fields(Is<Material> auto& m) {
   auto& [name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
          normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture, alpha_mode,
-         alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission] = m;
+         alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission, iridescence, anisotropy, volume] =
+      m;
   return std::tie(name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
                   normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture,
-                  alpha_mode, alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission);
+                  alpha_mode, alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission, iridescence,
+                  anisotropy, volume);
 }
 
 auto fields(Is<Camera> auto& c) {

@@ -146,6 +146,12 @@ void check_material(const Material& m, const Scene& scene, Findings& f) noexcept
             ErrorCode::not_finite);
   const Specular& s = m.specular;
   const Clearcoat& c = m.clearcoat;
+  const Iridescence& i = m.iridescence;
+  const Volume& v = m.volume;
+  f.require(are_finite({i.factor, i.ior, i.thinnest_nm, i.thickest_nm, m.anisotropy.strength, m.anisotropy.rotation_rad,
+                        v.thickness_m, v.attenuation_distance_m, v.attenuation_color.x, v.attenuation_color.y,
+                        v.attenuation_color.z}),
+            ErrorCode::not_finite);
   f.require(are_finite({s.ior, s.factor, s.color.x, s.color.y, s.color.z, c.factor, c.roughness, c.normal_scale,
                         m.sheen.color.x, m.sheen.color.y, m.sheen.color.z, m.sheen.roughness, m.transmission.factor}),
             ErrorCode::not_finite);

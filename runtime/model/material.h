@@ -1,56 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "runtime/animation/skeleton.h"
+#include "runtime/model/texture.h"
 
 namespace sinew {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-enum class Filter : std::uint8_t { nearest, linear };
-enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
-
-struct Sampler {
-  Filter magnify = Filter::linear;
-  Filter minify = Filter::linear;
-  Filter mipmap = Filter::linear;
-  bool use_mipmaps = true;
-  Wrap wrap_u = Wrap::repeat;
-  Wrap wrap_v = Wrap::repeat;
-};
-
-/// Decoded pixels, or the reason why the image is missing or unreadable. A missing image does not fail the import; a
-/// visible placeholder is drawn instead.
-struct Image {
-  std::string name;
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty if only the header was read
-  std::string missing_reason;      ///< not empty = the image is missing, so the placeholder is drawn
-  std::string mime_type;           ///< from the content, such as "image/png"; empty if missing
-  std::uint64_t encoded_size = 0;  ///< bytes in the file
-  std::vector<std::byte> encoded;  ///< the bytes of the file, if the importer was asked to keep them
-};
-
-struct Texture {
-  std::uint32_t image = kNone;
-  Sampler sampler;
-};
-
-/// A texture as a material uses it.
-/// eq   uv' = T(offset) * R(rotation) * S(scale) * uv   (KHR_texture_transform)
-struct TextureUse {
-  std::uint32_t texture = kNone;
-  std::uint32_t texcoord = 0;
-  glm::vec2 offset{0.0f};
-  float rotation_rad = 0.0f;
-  glm::vec2 scale{1.0f};
-
-  bool used() const noexcept { return texture != kNone; }
-};
 
 /// Specular reflection of dielectric (non-metal) surfaces (KHR_materials_ior, KHR_materials_specular).
 /// eq   f0 = min(((ior - 1) / (ior + 1))^2 * color, 1) * factor along the normal; `factor` at grazing angles
@@ -60,6 +18,8 @@ struct Specular {
   TextureUse texture;     ///< channel A, linear; multiplies the factor
   glm::vec3 color{1.0f};  ///< may exceed 1
   TextureUse color_texture;
+  /// Channel A of color_texture multiplies 1 - roughness (KHR_materials_pbrSpecularGlossiness).
+  bool has_glossiness = false;
 
   bool has_effect() const noexcept {
     return ior != 1.5f || factor != 1.0f || color != glm::vec3(1.0f) || texture.used() || color_texture.used();
@@ -90,6 +50,30 @@ struct Transmission {
   TextureUse texture;  ///< channel R, linear; multiplies the factor
 };
 
+/// A thin film over the surface whose reflections interfere (KHR_materials_iridescence); none if the factor is 0.
+struct Iridescence {
+  float factor = 0.0f;
+  TextureUse texture;  ///< channel R, linear; multiplies the factor
+  float ior = 1.3f;
+  float thinnest_nm = 100.0f, thickest_nm = 400.0f;
+  TextureUse thickness_texture;  ///< channel G, linear: from thinnest to thickest; unused = thickest
+};
+
+/// A highlight stretched along a direction of the surface (KHR_materials_anisotropy); none if the strength is 0.
+struct Anisotropy {
+  float strength = 0.0f;
+  float rotation_rad = 0.0f;  ///< from the tangent towards the bitangent
+  TextureUse texture;         ///< channels R and G: direction in tangent space, B: multiplies the strength; linear
+};
+
+/// The medium behind a surface that transmits (KHR_materials_volume); the surface is thin if the thickness is 0.
+struct Volume {
+  float thickness_m = 0.0f;             ///< in the space of the mesh
+  TextureUse texture;                   ///< channel G, linear; multiplies the thickness
+  float attenuation_distance_m = 0.0f;  ///< where attenuation_color is left of white light; 0 = light is not absorbed
+  glm::vec3 attenuation_color{1.0f};
+};
+
 /// glTF 2.0 metallic-roughness material; factors are linear, colour textures are sRGB.
 struct Material {
   std::string name;
@@ -113,16 +97,36 @@ struct Material {
   Clearcoat clearcoat;
   Sheen sheen;
   Transmission transmission;
+  Iridescence iridescence;
+  Anisotropy anisotropy;
+  Volume volume;
+
+  /// True if shading reads tangents of the mesh.
+  bool reads_tangents() const noexcept {
+    return normal_texture.used() || clearcoat.normal_texture.used() || anisotropy.strength != 0.0f;
+  }
 };
 
 /// Pointers to all texture uses of a material; pointers to const if the material is const.
 template <class M>
 auto texture_uses(M& m) noexcept {
-  return std::array{&m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,
-                    &m.occlusion_texture,        &m.emissive_texture,           &m.specular.texture,
-                    &m.specular.color_texture,   &m.clearcoat.texture,          &m.clearcoat.roughness_texture,
-                    &m.clearcoat.normal_texture, &m.sheen.color_texture,        &m.sheen.roughness_texture,
-                    &m.transmission.texture};
+  return std::array{&m.base_color_texture,
+                    &m.metallic_roughness_texture,
+                    &m.normal_texture,
+                    &m.occlusion_texture,
+                    &m.emissive_texture,
+                    &m.specular.texture,
+                    &m.specular.color_texture,
+                    &m.clearcoat.texture,
+                    &m.clearcoat.roughness_texture,
+                    &m.clearcoat.normal_texture,
+                    &m.sheen.color_texture,
+                    &m.sheen.roughness_texture,
+                    &m.transmission.texture,
+                    &m.iridescence.texture,
+                    &m.iridescence.thickness_texture,
+                    &m.anisotropy.texture,
+                    &m.volume.texture};
 }
 
 }  // namespace sinew

@@ -30,16 +30,16 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
   return moved;
 }
 
-/// True if a material of the primitive, in any variant, has a normal map. True without a material: the consumer may
-/// light such primitives with its own normal map.
+/// True if a material of the primitive, in any variant, reads tangents. True without a material: the consumer may light
+/// such primitives with its own normal map.
 bool shows_tangents(const Scene& scene, const Primitive& primitive) noexcept {
-  const auto has_normal_map = [&](std::uint32_t material) {
-    return material != kNone && scene.materials[material].normal_texture.used();
+  const auto reads_tangents = [&](std::uint32_t material) {
+    return material != kNone && scene.materials[material].reads_tangents();
   };
   const auto& others = primitive.variant_materials;
-  return (primitive.material == kNone && others.empty()) || has_normal_map(primitive.material) ||
+  return (primitive.material == kNone && others.empty()) || reads_tangents(primitive.material) ||
          std::any_of(others.begin(), others.end(),
-                     [&](const VariantMaterial& v) { return has_normal_map(v.material); });
+                     [&](const VariantMaterial& v) { return reads_tangents(v.material); });
 }
 
 /// Plans morph and skin for each attribute that the primitive has, that the needs ask for, and that something moves.

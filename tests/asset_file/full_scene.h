@@ -11,10 +11,13 @@ inline Scene full_scene(std::uint64_t seed) {
   scene.materials[0] = {.name = "cloth", .metallic = 0.25f, .alpha_mode = AlphaMode::blend, .unlit = true};
   scene.materials[0].base_color_texture = {0, 1, {0.5f, 0.25f}, 1.5f, {2.0f, 3.0f}};
   scene.materials[1].emissive_texture.texture = 1;
-  scene.materials[1].specular = {1.25f, 0.5f, {0, 1}, {2.0f, 0.5f, 1.0f}, {1, 0}};
+  scene.materials[1].specular = {1.25f, 0.5f, {0, 1}, {2.0f, 0.5f, 1.0f}, {1, 0}, true};
   scene.materials[1].clearcoat = {0.75f, {0, 0}, 0.25f, {1, 1}, {0, 1, {0.5f, 0.0f}}, -2.0f};
   scene.materials[1].sheen = {{0.5f, 0.25f, 1.0f}, {1, 1}, 0.625f, {0, 0}};
   scene.materials[1].transmission = {0.375f, {1, 0}};
+  scene.materials[1].iridescence = {0.5f, {1, 0}, 1.75f, 50.0f, 300.0f, {0, 1}};
+  scene.materials[1].anisotropy = {0.25f, 1.5f, {1, 1}};
+  scene.materials[1].volume = {0.125f, {0, 0}, 2.0f, {0.5f, 1.0f, 0.25f}};
   scene.textures = {{0, {.minify = Filter::nearest, .use_mipmaps = false, .wrap_v = Wrap::mirrored_repeat}}, {1, {}}};
   scene.images.resize(2);
   scene.images[0] = {"pixels", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, "", "image/png", 77, {std::byte{9}, std::byte{8}}};

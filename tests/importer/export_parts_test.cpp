@@ -67,6 +67,13 @@ TEST(export_parts, each_setting_of_a_material_alone) {
                               [](Material& m) {
                                 m.specular.color = {0.5f, 0.25f, 2.0f};
                               },
+                              [](Material& m) {
+                                m.metallic = 0.0f;
+                                m.roughness = 0.25f;
+                                m.base_color = {0.5f, 0.25f, 1.0f, 0.75f};
+                                m.specular = {.ior = 0.0f, .color = {0.5f, 0.25f, 0.75f}, .has_glossiness = true};
+                                m.specular.color_texture.texture = m.base_color_texture.texture = 0;
+                              },
                               [](Material& m) { m.clearcoat.factor = 0.5f; },
                               [](Material& m) { m.clearcoat.roughness = 0.5f; },
                               [](Material& m) {
@@ -77,7 +84,18 @@ TEST(export_parts, each_setting_of_a_material_alone) {
                                 m.sheen.color = {0.5f, 0.25f, 0.75f};
                               },
                               [](Material& m) { m.sheen.roughness = 0.5f; },
-                              [](Material& m) { m.transmission.factor = 0.5f; }};
+                              [](Material& m) { m.transmission.factor = 0.5f; },
+                              [](Material& m) { m.iridescence.factor = 0.5f; },
+                              [](Material& m) { m.iridescence.ior = 1.5f; },
+                              [](Material& m) { m.iridescence.thinnest_nm = 50.0f; },
+                              [](Material& m) { m.iridescence.thickest_nm = 500.0f; },
+                              [](Material& m) { m.anisotropy.strength = 0.5f; },
+                              [](Material& m) { m.anisotropy.rotation_rad = 0.5f; },
+                              [](Material& m) { m.volume.thickness_m = 0.5f; },
+                              [](Material& m) { m.volume.attenuation_distance_m = 0.5f; },
+                              [](Material& m) {
+                                m.volume.attenuation_color = {0.5f, 1.0f, 0.25f};
+                              }};
   const std::function<void(TextureUse&)> uses[] = {[](TextureUse&) {}, [](TextureUse& use) { use.texcoord = 1; },
                                                    [](TextureUse& use) {
                                                      use.offset = {0.5f, 0.25f};

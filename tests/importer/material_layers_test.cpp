@@ -2,6 +2,8 @@
 #include "importer/read/material_layers.h"
 
 #include <gmock/gmock.h>
+#include <array>
+
 #include <gtest/gtest.h>
 
 namespace sinew {
@@ -88,12 +90,35 @@ TEST(material_layers, keep_every_value_of_sheen_and_transmission) {
   expect_use(m.transmission.texture, 6, 1);
 }
 
+TEST(material_layers, keep_every_value_of_iridescence_anisotropy_and_volume) {
+  const auto [m, warnings] = read_layers(R"({"KHR_materials_iridescence": {"iridescenceFactor": 0.5,
+        "iridescenceTexture": {"index": 1}, "iridescenceIor": 1.75, "iridescenceThicknessMinimum": 50,
+        "iridescenceThicknessMaximum": 300, "iridescenceThicknessTexture": {"index": 2, "texCoord": 1}},
+      "KHR_materials_anisotropy": {"anisotropyStrength": 0.25, "anisotropyRotation": 1.5,
+        "anisotropyTexture": {"index": 3}},
+      "KHR_materials_volume": {"thicknessFactor": 0.125, "thicknessTexture": {"index": 4, "texCoord": 1},
+        "attenuationDistance": 2, "attenuationColor": [0.5, 1, 0.25]}})");
+  EXPECT_THAT(warnings, IsEmpty());
+  const Iridescence& i = m.iridescence;
+  EXPECT_THAT((std::array{i.factor, i.ior, i.thinnest_nm, i.thickest_nm}),
+              testing::ElementsAre(0.5f, 1.75f, 50.0f, 300.0f));
+  EXPECT_THAT((std::array{m.anisotropy.strength, m.anisotropy.rotation_rad}), testing::ElementsAre(0.25f, 1.5f));
+  EXPECT_THAT((std::array{m.volume.thickness_m, m.volume.attenuation_distance_m}), testing::ElementsAre(0.125f, 2.0f));
+  EXPECT_EQ(m.volume.attenuation_color, glm::vec3(0.5f, 1.0f, 0.25f));
+  expect_use(i.texture, 1, 0);
+  expect_use(i.thickness_texture, 2, 1);
+  expect_use(m.anisotropy.texture, 3, 0);
+  expect_use(m.volume.texture, 4, 1);
+}
+
 TEST(material_layers, outside_their_range_take_the_default_and_are_named) {
   const auto [m, warnings] = read_layers(R"({"KHR_materials_ior": {"ior": 0.5},
       "KHR_materials_specular": {"specularFactor": 2, "specularColorFactor": [1, -1, 1], "specularTexture": {"index": 8}},
       "KHR_materials_clearcoat": {"clearcoatFactor": -1, "clearcoatRoughnessFactor": 1.5},
       "KHR_materials_sheen": {"sheenColorFactor": [2, 0, 0], "sheenRoughnessFactor": "rough"},
-      "KHR_materials_transmission": {"transmissionFactor": 1.25}})");
+      "KHR_materials_transmission": {"transmissionFactor": 1.25},
+      "KHR_materials_iridescence": {"iridescenceIor": 0.5, "iridescenceThicknessMaximum": -1},
+      "KHR_materials_anisotropy": {"anisotropyStrength": 2}, "KHR_materials_volume": {"thicknessFactor": -1}})");
   EXPECT_EQ(m.specular.ior, 1.5f);
   EXPECT_FALSE(m.specular.has_effect());
   EXPECT_EQ(m.clearcoat.factor, 0.0f);
@@ -103,7 +128,9 @@ TEST(material_layers, outside_their_range_take_the_default_and_are_named) {
                             at + "ior/ior", at + "specular/specularFactor", at + "specular/specularColorFactor",
                             at + "specular/specularTexture/index", at + "clearcoat/clearcoatFactor",
                             at + "clearcoat/clearcoatRoughnessFactor", at + "sheen/sheenColorFactor",
-                            at + "sheen/sheenRoughnessFactor", at + "transmission/transmissionFactor"));
+                            at + "sheen/sheenRoughnessFactor", at + "transmission/transmissionFactor",
+                            at + "iridescence/iridescenceIor", at + "iridescence/iridescenceThicknessMaximum",
+                            at + "anisotropy/anisotropyStrength", at + "volume/thicknessFactor"));
 }
 
 TEST(material_layers, index_of_refraction_0_and_1_are_kept) {

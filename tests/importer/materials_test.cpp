@@ -6,7 +6,6 @@
 
 #include <functional>
 
-#include "importer/read/specular_glossiness.h"
 #include "importer/read/textures.h"
 
 namespace sinew {
@@ -169,30 +168,33 @@ TEST(read_materials, multiply_emission_by_its_strength) {
   EXPECT_TRUE(m.unlit);
 }
 
-TEST(read_materials, approximate_specular_glossiness_with_a_warning) {
+TEST(read_materials, keep_every_value_of_specular_glossiness) {
   gltf::Material source;
   source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 0.125, 0.75],
-      "specularFactor": [0.04, 0.04, 0.04], "glossinessFactor": 0.75, "diffuseTexture": {"index": 1, "texCoord": 2}}})");
+      "specularFactor": [0.5, 0.25, 1], "glossinessFactor": 0.75, "diffuseTexture": {"index": 1, "texCoord": 2},
+      "specularGlossinessTexture": {"index": 0, "texCoord": 1}}})");
   const auto [m, warnings] = read_one(source, 2);
-  EXPECT_THAT(warnings, testing::ElementsAre(
-                            "material-approximated at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness"));
-  EXPECT_NEAR(m.metallic, 0.0f, 1e-6f);
-  EXPECT_EQ(m.roughness, 0.25f);
-  EXPECT_NEAR(m.base_color.r, 0.5f, 1e-6f);
-  EXPECT_NEAR(m.base_color.b, 0.125f, 1e-6f);
-  EXPECT_EQ(m.base_color.a, 0.75f);
-  EXPECT_EQ(m.base_color_texture.texture, 1u);
-  EXPECT_EQ(m.base_color_texture.texcoord, 2u);
-}
-
-TEST(read_materials, take_a_surface_whose_specular_colour_is_in_a_texture_for_no_metal) {
-  gltf::Material source;
-  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 0.125, 0.75],
-      "glossinessFactor": 0.75, "specularGlossinessTexture": {"index": 0}}})");
-  const auto [m, warnings] = read_one(source, 1);
+  EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(m.metallic, 0.0f);
   EXPECT_EQ(m.roughness, 0.25f);
   EXPECT_EQ(m.base_color, glm::vec4(0.5f, 0.25f, 0.125f, 0.75f));
+  EXPECT_EQ(m.base_color_texture.texture, 1u);
+  EXPECT_EQ(m.base_color_texture.texcoord, 2u);
+  EXPECT_EQ(m.specular.ior, 0.0f) << "the colour is all of the reflectance";
+  EXPECT_EQ(m.specular.color, glm::vec3(0.5f, 0.25f, 1.0f));
+  EXPECT_EQ(m.specular.color_texture.texture, 0u);
+  EXPECT_EQ(m.specular.color_texture.texcoord, 1u);
+  EXPECT_TRUE(m.specular.has_glossiness);
+}
+
+TEST(read_materials, without_a_texture_specular_glossiness_is_a_plain_specular_colour) {
+  gltf::Material source;
+  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {}})");
+  const auto [m, warnings] = read_one(source);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.roughness, 0.0f);
+  EXPECT_EQ(m.specular.color, glm::vec3(1.0f));
+  EXPECT_FALSE(m.specular.has_glossiness);
 }
 
 TEST(read_materials, prefer_the_files_own_metallic_roughness_version) {
@@ -232,28 +234,6 @@ TEST(read_materials, refuse_a_specular_glossiness_texture_that_is_not_there) {
           "extension-value at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"));
 }
 
-/// A grey metallic-roughness surface is written as specular-glossiness; converting it back must give the same surface.
-TEST(to_metallic_roughness, finds_grey_surfaces_again) {
-  for (const double grey : {0.2, 0.5, 0.9})
-    for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
-      const double specular = 0.04 + (grey - 0.04) * metallic;
-      const double diffuse = grey * 0.96 * (1 - metallic) / (1 - specular);
-      const auto out = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), 0.3});
-      EXPECT_NEAR(out.metallic, metallic, 1e-9) << grey;
-      EXPECT_NEAR(out.base_color.g, grey, 1e-6) << metallic;
-      EXPECT_NEAR(out.roughness, 0.7, 1e-12);
-    }
-}
-
-TEST(to_metallic_roughness, stays_in_range_at_the_corners) {
-  for (const double d : {0.0, 1.0})
-    for (const double s : {0.0, 0.04, 1.0}) {
-      const auto out = to_metallic_roughness({glm::dvec3(d), glm::dvec3(s), 1.0});
-      EXPECT_TRUE(out.metallic >= 0 && out.metallic <= 1);
-      for (int c = 0; c < 3; ++c) EXPECT_TRUE(out.base_color[c] >= 0 && out.base_color[c] <= 1);
-    }
-}
-
 tinygltf::Sampler sampler(int magnify, int minify, int wrap_s, int wrap_t) {
   tinygltf::Sampler out;
   out.magFilter = magnify;
@@ -271,10 +251,11 @@ gltf::Texture texture(int source, int sampler) {
 }
 
 TEST(read_materials, name_each_extension_that_is_not_read_once_at_its_first_place) {
-  const char* extensions[] = {R"({"KHR_materials_clearcoat": {}, "KHR_materials_sheen": {}, "KHR_materials_ior": {}})",
-                              R"({"KHR_materials_volume": {}, "KHR_materials_transmission": {}})",
-                              R"({"KHR_materials_volume": {}, "A/B_wet": {}, "KHR_materials_iridescence": {}})",
-                              R"({"KHR_materials_volume": {}})"};
+  const char* extensions[] = {
+      R"({"KHR_materials_clearcoat": {}, "KHR_materials_sheen": {}, "KHR_materials_ior": {}})",
+      R"({"KHR_materials_diffuse_transmission": {}, "KHR_materials_transmission": {}})",
+      R"({"KHR_materials_diffuse_transmission": {}, "A/B_wet": {}, "KHR_materials_dispersion": {}})",
+      R"({"KHR_materials_diffuse_transmission": {}})"};
   gltf::Document document;
   for (const char* text : extensions) document.materials.emplace_back().extensions = Json::parse(text);
   IssueLog log;
@@ -285,10 +266,10 @@ TEST(read_materials, name_each_extension_that_is_not_read_once_at_its_first_plac
     said.push_back(warning.json_pointer + ": " + warning.detail);
   }
   const std::string is = " is not read; materials that have it: ", at = "/extensions/KHR_materials_";
-  EXPECT_THAT(
-      said, testing::UnorderedElementsAre("/materials/1" + at + "volume: \"KHR_materials_volume\"" + is + "3",
-                                          "/materials/2" + at + "iridescence: \"KHR_materials_iridescence\"" + is + "1",
-                                          "/materials/2/extensions/A~1B_wet: \"A/B_wet\"" + is + "1"));
+  EXPECT_THAT(said, testing::UnorderedElementsAre(
+                        "/materials/1" + at + "diffuse_transmission: \"KHR_materials_diffuse_transmission\"" + is + "3",
+                        "/materials/2" + at + "dispersion: \"KHR_materials_dispersion\"" + is + "1",
+                        "/materials/2/extensions/A~1B_wet: \"A/B_wet\"" + is + "1"));
 }
 
 TEST(read_textures, have_the_samplers_of_the_file_and_defaults_elsewhere) {

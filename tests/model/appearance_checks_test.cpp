@@ -48,6 +48,22 @@ TEST(asset_checks, each_number_of_a_material_has_to_be_finite) {
                    &m.sheen.color.x,      &m.sheen.color.y,     &m.sheen.color.z,       &m.transmission.factor};
   };
   expect_each_is_checked(scene, others);
+  expect_each_is_checked(scene, [](Scene& s) {
+    Iridescence& i = s.materials[0].iridescence;
+    Anisotropy& a = s.materials[0].anisotropy;
+    Volume& v = s.materials[0].volume;
+    return Numbers{&i.factor,
+                   &i.ior,
+                   &i.thinnest_nm,
+                   &i.thickest_nm,
+                   &a.strength,
+                   &a.rotation_rad,
+                   &v.thickness_m,
+                   &v.attenuation_distance_m,
+                   &v.attenuation_color.x,
+                   &v.attenuation_color.y,
+                   &v.attenuation_color.z};
+  });
 }
 
 TEST(asset_checks, each_number_of_a_place_of_a_texture_has_to_be_finite) {

@@ -103,10 +103,30 @@ glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& directio
   return from(light, direction, known->second);
 }
 
+namespace {
+
+/// Reflectance along the normal with the film, which ambient light meets at the angle of the viewer.
+glm::dvec3 filmed_f0(const ShadedPoint& s, const glm::dvec3& f0) {
+  if (s.film.share == 0.0) return f0;
+  const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
+  return f0 * (1.0 - s.film.share) + normal_reflectance(film_reflectance(s.film, f0, n_v), n_v) * s.film.share;
+}
+
+/// The normal about which a stretched highlight mirrors ambient light.
+glm::dvec3 mirror_normal(const ShadedPoint& s) {
+  if (s.anisotropy == 0.0) return s.normal;
+  const glm::dvec3 across = glm::cross(s.normal, s.along), bent = glm::cross(glm::cross(across, s.to_viewer), across);
+  const double left = std::pow(1.0 - s.anisotropy * (1.0 - s.roughness), 4.0);
+  return glm::normalize(bent * (1.0 - left) + s.normal * left);
+}
+
+}  // namespace
+
 glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, const Openness& open) {
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
-  const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
+  const Layer metal = layer(filmed_f0(s, s.base_color), 1.0, sums),
+              coat = layer(filmed_f0(s, s.dielectric_f0), s.dielectric_f90, sums);
   const glm::dvec3 returned = coat.once + coat.again;
   const glm::dvec3 ground =
       s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b})) * (1.0 - s.transmission);
@@ -116,13 +136,13 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, const Ope
   const double around = mirrored_visibility(open, s.normal, s.to_viewer, s.roughness);
   return half_sphere * scattered *
              scattered_visibility(open.visibility * open.baked, s.base_color * (1.0 - s.metallic)) +
-         reflected * (mirrored(light, s.normal, s.to_viewer, s.roughness) * around +
+         reflected * (mirrored(light, mirror_normal(s), s.to_viewer, s.roughness) * around +
                       half_sphere * mirrored_surroundings(open, around, s.base_color));
 }
 
 glm::dvec3 passed_through(const ShadedPoint& s) {
   const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0), s.roughness);
-  const Layer surface = layer(s.dielectric_f0, s.dielectric_f90, sums);
+  const Layer surface = layer(filmed_f0(s, s.dielectric_f0), s.dielectric_f90, sums);
   const glm::dvec3 returned = surface.once + surface.again;
   return s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b})) * (1.0 - s.metallic) * s.transmission;
 }

@@ -65,12 +65,21 @@ Layered Blurred::smooth(const Copy& copy, double x, double y) const {
   return sum;
 }
 
-Layered Blurred::at(double x, double y, double roughness) const {
+Layered Blurred::bilinear(double x, double y) const {
+  const int left = static_cast<int>(std::floor(x - 0.5)), top = static_cast<int>(std::floor(y - 0.5));
+  const double across = x - 0.5 - left, down = y - 0.5 - top;
+  const auto row = [&](int r) {
+    return (1.0 - across) * copies_[0].texel(left, r) + across * copies_[0].texel(left + 1, r);
+  };
+  return (1.0 - down) * row(top) + down * row(top + 1);
+}
+
+Layered Blurred::at(double x, double y, double roughness, bool between) const {
   const auto last = static_cast<double>(copies_.size() - 1);
   const double level = std::min(roughness * std::log2(copies_[0].height), last);
   const auto below = static_cast<std::size_t>(level), above = std::min(below + 1, copies_.size() - 1);
-  const Layered fine =
-      below == 0 ? copies_[0].texel(static_cast<int>(x), static_cast<int>(y)) : smooth(copies_[below], x, y);
+  const Layered exact = between ? bilinear(x, y) : copies_[0].texel(static_cast<int>(x), static_cast<int>(y));
+  const Layered fine = below == 0 ? exact : smooth(copies_[below], x, y);
   const double part = level - static_cast<double>(below);
   return (1.0 - part) * fine + part * smooth(copies_[above], x, y);
 }

@@ -26,8 +26,8 @@ class Blurred {
   /// The picture blurred for this roughness.
   /// eq   level = log2(height) * roughness, at most the last one; linear between two levels. A level from 1 on is read as
   ///      the mean of 4 x 4 texels with the weights of a cubic B-spline, level 0 as the pixel itself.
-  /// in   x, y  pixels from the upper left corner
-  Layered at(double x, double y, double roughness) const;
+  /// in   x, y  pixels from the upper left corner;   between  true = level 0 is bilinear between pixels
+  Layered at(double x, double y, double roughness, bool between = false) const;
 
  private:
   struct Copy {
@@ -38,6 +38,7 @@ class Blurred {
   };
   static Copy half_of(const Copy& larger);
   Layered smooth(const Copy& copy, double x, double y) const;
+  Layered bilinear(double x, double y) const;  ///< of the picture itself
 
   std::vector<Copy> copies_;
 };

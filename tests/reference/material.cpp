@@ -2,7 +2,9 @@
 #include "tests/reference/material.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "tests/reference/shade.h"
@@ -64,13 +66,39 @@ Coat coat_at(const Scene& scene, const SurfacePoint& point) {
           mapped_normal(scene, point, coat.normal_texture, coat.normal_scale)};
 }
 
+/// Sets the direction and strength of a stretched highlight. A mesh without tangents and texture coordinates has none.
+void stretch(const Scene& scene, const SurfacePoint& point, ShadedPoint& shaded) {
+  const Anisotropy& anisotropy = point.material.anisotropy;
+  if (anisotropy.strength == 0.0f) return;
+  const glm::dvec3 texel = anisotropy.texture.used() ? glm::dvec3(looked_up(scene, point, anisotropy.texture, false))
+                                                     : glm::dvec3(1.0, 0.5, 1.0);
+  const std::uint32_t set =
+      anisotropy.texture.used() ? anisotropy.texture.texcoord : point.material.normal_texture.texcoord;
+  const double turn =
+      static_cast<double>(anisotropy.rotation_rad) + std::atan2(2.0 * texel.y - 1.0, 2.0 * texel.x - 1.0);
+  const TangentFrame& frame = point.frames[set];
+  if (frame.tangent == glm::dvec3(0.0)) return;
+  const glm::dvec3 along = frame.tangent * std::cos(turn) + frame.bitangent * std::sin(turn);
+  shaded.along = glm::normalize(along - shaded.normal * glm::dot(shaded.normal, along));
+  shaded.anisotropy = static_cast<double>(anisotropy.strength) * texel.z;
+}
+
+ThinFilm film_at(const Scene& scene, const SurfacePoint& point) {
+  const Iridescence& film = point.material.iridescence;
+  const double green = looked_up(scene, point, film.thickness_texture, false).g;
+  const double thickness_nm =
+      static_cast<double>(film.thinnest_nm) * (1.0 - green) + static_cast<double>(film.thickest_nm) * green;
+  const double share = static_cast<double>(film.factor) * looked_up(scene, point, film.texture, false).r;
+  return {thickness_nm > 0.0 ? share : 0.0, static_cast<double>(film.ior), thickness_nm};
+}
+
 ShadedPoint shaded_point(const Scene& scene, const SurfacePoint& point) {
   const Material& material = point.material;
   const glm::dvec4 texel = looked_up(scene, point, material.metallic_roughness_texture, false);
   ShadedPoint shaded;
   shaded.base_color = glm::dvec3(base_color(scene, point));
   shaded.metallic = static_cast<double>(material.metallic) * texel.b;
-  shaded.roughness = std::clamp(static_cast<double>(material.roughness) * texel.g, kLeastRoughness, 1.0);
+  shaded.roughness = std::max(roughness_at(scene, point), kLeastRoughness);
   shaded.dielectric_f90 =
       static_cast<double>(material.specular.factor) * looked_up(scene, point, material.specular.texture, false).a;
   shaded.dielectric_f0 = dielectric_f0(scene, point) * shaded.dielectric_f90;
@@ -78,6 +106,8 @@ ShadedPoint shaded_point(const Scene& scene, const SurfacePoint& point) {
   shaded.to_viewer = point.to_viewer;
   shaded.transmission = static_cast<double>(material.transmission.factor) *
                         looked_up(scene, point, material.transmission.texture, false).r;
+  shaded.film = film_at(scene, point);
+  stretch(scene, point, shaded);
   return shaded;
 }
 
@@ -129,14 +159,34 @@ bool transmits(const SurfacePoint& point) { return !point.material.unlit && poin
 double roughness_at(const Scene& scene, const SurfacePoint& point) {
   const Material& material = point.material;
   const double texel = looked_up(scene, point, material.metallic_roughness_texture, false).g;
-  return std::clamp(static_cast<double>(material.roughness) * texel, 0.0, 1.0);
+  const double roughness = static_cast<double>(material.roughness) * texel;
+  if (!material.specular.has_glossiness) return std::clamp(roughness, 0.0, 1.0);
+  const double alpha = looked_up(scene, point, material.specular.color_texture, true).a;
+  return std::clamp(1.0 - (1.0 - roughness) * alpha, 0.0, 1.0);
 }
 
 glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point) {
   if (!transmits(point) || point.normal == glm::dvec3(0.0)) return glm::dvec3(0.0);
   const ShadedPoint shaded = shaded_point(scene, point);
   const double sheen = sheen_of_ambient(sheen_at(scene, point), shaded.normal, point.to_viewer).left;
-  return passed_through(shaded) * sheen * (1.0 - coat_share(coat_at(scene, point), point.to_viewer));
+  const glm::dvec3 passed = passed_through(shaded) * sheen * (1.0 - coat_share(coat_at(scene, point), point.to_viewer));
+  const Volume& volume = point.material.volume;
+  if (volume.attenuation_distance_m == 0.0f) return passed;
+  return passed *
+         glm::pow(glm::dvec3(volume.attenuation_color),
+                  glm::dvec3(path_in_volume(scene, point) / static_cast<double>(volume.attenuation_distance_m)));
+}
+
+double path_in_volume(const Scene& scene, const SurfacePoint& point) {
+  const Volume& volume = point.material.volume;
+  return static_cast<double>(volume.thickness_m) * looked_up(scene, point, volume.texture, false).g * point.scale;
+}
+
+glm::dvec3 exit_of(const Scene& scene, const SurfacePoint& point) {
+  const glm::dvec3 in = -point.to_viewer, n = shaded_point(scene, point).normal;
+  const double eta = 1.0 / std::max(static_cast<double>(point.material.specular.ior), 1.0), cosine = -glm::dot(in, n);
+  const glm::dvec3 refracted = eta * in + (eta * cosine - std::sqrt(1.0 - eta * eta * (1.0 - cosine * cosine))) * n;
+  return point.position + refracted * path_in_volume(scene, point);
 }
 
 }  // namespace sinew::reference

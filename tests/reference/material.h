@@ -40,7 +40,14 @@ bool transmits(const SurfacePoint& point);
 /// Roughness of the material times its texture, 0 to 1.
 double roughness_at(const Scene& scene, const SurfacePoint& point);
 
-/// Share of the light behind the surface that reaches the viewer, after the losses in sheen and coat.
+/// Length of the way of light through the volume: thickness * green of its texture * scale of the mesh.
+double path_in_volume(const Scene& scene, const SurfacePoint& point);
+
+/// Where the viewer's ray leaves the volume.   (Snell's law)
+glm::dvec3 exit_of(const Scene& scene, const SurfacePoint& point);
+
+/// Share of the light behind the surface that reaches the viewer, after the losses in sheen, coat and volume.
+/// eq   KHR_materials_volume: attenuation color^(path / attenuation distance)
 glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point);
 
 }  // namespace sinew::reference

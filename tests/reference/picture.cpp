@@ -167,17 +167,32 @@ void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, do
   behind.lit = behind.coverage - unlit;
 }
 
-/// Puts a rough transmitting surface before what is already in `behind`: it shows the blurred opaque surfaces behind
-/// it.
+/// True if the surface shows the blurred or refracted opaque picture.
+bool is_frosted(const SurfacePoint& point) {
+  return point.material.roughness > 0.0f || point.material.volume.thickness_m > 0.0f;
+}
+
+/// The point of the picture where the viewer sees a point of the world, in pixels.
+glm::dvec2 seen_at(const PictureOf& picture, const glm::dvec3& p) {
+  const View& view = picture.view;
+  const glm::dvec3 v = transform_point(view.view_from_world, p);
+  const double half = view.half_height_m > 0.0 ? view.half_height_m : -v.z * std::tan(0.5 * view.fov_y_rad);
+  return {0.5 * picture.width + 0.5 * picture.height * v.x / half, 0.5 * picture.height * (1.0 - v.y / half)};
+}
+
+/// Puts a rough or thick transmitting surface before what is already in `behind`. It shows the blurred opaque surfaces
+/// behind it, seen where the refracted ray leaves it.
 /// in   passed  share of the light behind that passes through
 void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3& passed, double alpha, double x,
            double y, Layered& behind) {
   const double roughness = roughness_at(picture.scene, point), most = std::max({passed.r, passed.g, passed.b});
-  Layered seen = picture.blurred->at(x, y, roughness);
+  const bool thick = point.material.volume.thickness_m > 0.0f;
+  const glm::dvec2 from = thick ? seen_at(picture, exit_of(picture.scene, point)) : glm::dvec2(x, y);
+  Layered seen = picture.blurred->at(from.x, from.y, roughness, thick);
   const double unlit_share = most * seen.unlit_share();
   if (environment_is_seen(picture.options) && !picture.options.transparent_background) {
     const AmbientGradient around{{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky), glm::dvec3(picture.ambient.ground)};
-    const glm::dvec3 direction = glm::normalize(sight_line(picture, x, y).direction);
+    const glm::dvec3 direction = glm::normalize(sight_line(picture, from.x, from.y).direction);
     seen.light += (1.0 - seen.coverage) * backdrop_intensity(picture.options.lighting) *
                   light_around(around, direction, roughness);
     seen.coverage = 1.0;
@@ -250,7 +265,7 @@ Layered layered(const PictureOf& picture, double x, double y) {
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
     if (transmits(*point) && picture.options.shading != viewer::Shading::gooch) {
       const glm::dvec3 passed = transmitted(picture.scene, *point);
-      if (point->material.roughness > 0.0f)
+      if (is_frosted(*point))
         frost(picture, *point, passed, alpha, x, y, sum);
       else
         filter(picture, passed, alpha, x, y, sum);

@@ -22,16 +22,39 @@ double ggx(const glm::dvec3& normal, const glm::dvec3& to_viewer, const glm::dve
          (n_l * std::sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
 }
 
+double stretched_ggx(const ShadedPoint& s, const glm::dvec3& to_light) {
+  const glm::dvec3 across = glm::cross(s.normal, s.along), half = glm::normalize(to_light + s.to_viewer);
+  const double b = s.roughness * s.roughness, a = b + (1.0 - b) * s.anisotropy * s.anisotropy;
+  const auto length_of = [&](const glm::dvec3& v, double n_v) {
+    return std::sqrt(std::pow(a * glm::dot(s.along, v), 2.0) + std::pow(b * glm::dot(across, v), 2.0) + n_v * n_v);
+  };
+  const double n_l = glm::dot(s.normal, to_light), n_v = std::max(glm::dot(s.normal, s.to_viewer), 1e-4);
+  if (n_l <= 0.0) return 0.0;
+  const double spread = std::pow(glm::dot(s.along, half) / a, 2.0) + std::pow(glm::dot(across, half) / b, 2.0) +
+                        std::pow(glm::dot(s.normal, half), 2.0);
+  return n_l / (std::numbers::pi * a * b * spread * spread) /
+         (2.0 * (n_l * length_of(s.to_viewer, n_v) + n_v * length_of(to_light, n_l)));
+}
+
 glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::dvec3& irradiance) {
   const double n_l = glm::dot(s.normal, to_light);
   if (n_l <= 0.0) return glm::dvec3(0.0);
   const double v_h = glm::dot(s.to_viewer, glm::normalize(to_light + s.to_viewer)), edge = std::pow(1.0 - v_h, 5.0);
   const glm::dvec3 diffuse = s.base_color * ((1.0 - s.transmission) * n_l / std::numbers::pi);
-  const double specular = ggx(s.normal, s.to_viewer, to_light, s.roughness);
+  const double specular =
+      s.anisotropy > 0.0 ? stretched_ggx(s, to_light) : ggx(s.normal, s.to_viewer, to_light, s.roughness);
   const glm::dvec3 fresnel = s.dielectric_f0 * (1.0 - edge) + glm::dvec3(s.dielectric_f90 * edge);
   const glm::dvec3 dielectric = diffuse * (1.0 - std::max({fresnel.r, fresnel.g, fresnel.b})) + specular * fresnel;
   const glm::dvec3 metal = specular * (s.base_color + (glm::dvec3(1.0) - s.base_color) * edge);
-  return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * irradiance;
+  if (s.film.share == 0.0) return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * irradiance;
+  const glm::dvec3 film = film_reflectance(s.film, s.dielectric_f0, v_h);
+  const double below = 1.0 - std::min(std::max({film.r, film.g, film.b}), 1.0);
+  const glm::dvec3 filmed_dielectric = diffuse * below + specular * film,
+                   filmed_metal = specular * film_reflectance(s.film, s.base_color, v_h);
+  const double f = s.film.share;
+  return ((dielectric * (1.0 - f) + filmed_dielectric * f) * (1.0 - s.metallic) +
+          (metal * (1.0 - f) + filmed_metal * f) * s.metallic) *
+         irradiance;
 }
 
 glm::dvec3 tone_mapped(const glm::dvec3& color) {

@@ -2,6 +2,7 @@
 #include "tests/reference/surface_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -101,7 +102,8 @@ void add_point(const Triangle& triangle, const SightLine& line, std::vector<Surf
     point.uv[set] = mixed(triangle, share, triangle.primitive.texcoords[set], in_double);
   if (!triangle.primitive.colors.empty()) point.color = mixed(triangle, share, triangle.primitive.colors, in_double);
   point.normal = normal_at(triangle, share);
-  if (point.material.normal_texture.used() || point.material.clearcoat.normal_texture.used())
+  point.scale = std::cbrt(std::abs(determinant(triangle.world_from_mesh)));
+  if (point.material.reads_tangents())
     for (std::size_t set = 0; set < point.frames.size(); ++set)
       point.frames[set] = triangle.primitive.tangents.empty() ? derived_frame(triangle, set, point.normal)
                                                               : stored_frame(triangle, share, point.normal);

@@ -30,6 +30,7 @@ struct SurfacePoint {
   std::array<TangentFrame, 2> frames{};  ///< one per set of texture coordinates; stored tangents serve all sets
   glm::dvec4 color{1.0};                 ///< vertex colour
   glm::dvec3 to_viewer{0.0};
+  double scale = 1.0;  ///< of the mesh in the world: the cube root of its volume's
 };
 
 /// All triangles of the scene that the line meets, the nearest first. Every triangle is tried. Back sides of one-sided

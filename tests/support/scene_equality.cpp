@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/scene_equality.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 namespace sinew::test {
@@ -146,12 +148,20 @@ void expect_same_layers(const Material& x, const Material& y) {
   EXPECT_EQ(x.specular.ior, y.specular.ior);
   EXPECT_EQ(x.specular.factor, y.specular.factor);
   EXPECT_EQ(x.specular.color, y.specular.color);
+  EXPECT_EQ(x.specular.has_glossiness, y.specular.has_glossiness);
   EXPECT_EQ(x.clearcoat.factor, y.clearcoat.factor);
   EXPECT_EQ(x.clearcoat.roughness, y.clearcoat.roughness);
   EXPECT_EQ(x.clearcoat.normal_scale, y.clearcoat.normal_scale);
   EXPECT_EQ(x.sheen.color, y.sheen.color);
   EXPECT_EQ(x.sheen.roughness, y.sheen.roughness);
   EXPECT_EQ(x.transmission.factor, y.transmission.factor);
+  const auto film = [](const Iridescence& i) { return std::array{i.factor, i.ior, i.thinnest_nm, i.thickest_nm}; };
+  EXPECT_EQ(film(x.iridescence), film(y.iridescence));
+  EXPECT_EQ(x.anisotropy.strength, y.anisotropy.strength);
+  EXPECT_EQ(x.anisotropy.rotation_rad, y.anisotropy.rotation_rad);
+  EXPECT_EQ(x.volume.thickness_m, y.volume.thickness_m);
+  EXPECT_EQ(x.volume.attenuation_distance_m, y.volume.attenuation_distance_m);
+  EXPECT_EQ(x.volume.attenuation_color, y.volume.attenuation_color);
 }
 
 void expect_same_materials(const Scene& a, const Scene& b) {

@@ -63,8 +63,8 @@ TEST(frame_graph, copies_what_is_opaque_only_for_rough_surfaces_that_let_light_t
     EXPECT_EQ(FrameGraph(needs).behind_image, FrameGraph(needs).has(Pass::behind));
     return describe_passes(needs, {})[static_cast<std::size_t>(Pass::behind)].reason;
   };
-  EXPECT_EQ(reason_of(frosted), "rough surfaces blur what is behind them");
-  EXPECT_EQ(reason_of({.opaque = true, .blended = true}), "nothing rough is in view that lets light through");
+  EXPECT_EQ(reason_of(frosted), "rough surfaces blur what is behind them, thick ones refract it");
+  EXPECT_EQ(reason_of({.opaque = true, .blended = true}), "nothing rough or thick is in view that lets light through");
   EXPECT_EQ(reason_of({.blended = true, .frosted = true, .gooch = true}), "Gooch shading lets no light through");
   EXPECT_EQ(reason_of({.blended = true, .frosted = true, .show = Show::depth}), "the picture shows a buffer instead");
   EXPECT_FALSE(FrameGraph({.blended = true, .frosted = true, .gooch = true}).behind_image);

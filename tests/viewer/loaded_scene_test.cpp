@@ -13,6 +13,7 @@
 
 #include "tests/geometry_cache/takes.h"
 #include "tests/scenes/hand_scenes.h"
+#include "viewer/app/camera/framed_camera.h"
 #include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
@@ -297,6 +298,33 @@ TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
       needs_of(shown, {.skinning = Skinning::dual_quaternion, .updates = Updates::interpolated, .stage_times = true});
   EXPECT_EQ(asked.skin.kind, Skinning::dual_quaternion);
   EXPECT_TRUE(asked.out.stage_times && asked.in.between_updates);
+}
+
+/// A character of VRM `version`, with the extension's member "meta".
+std::string vrm_file(const std::string& extension, const std::string& version, const std::string& meta) {
+  return R"({"asset": {"version": "2.0"}, "extensionsUsed": [")" + extension + R"("], "nodes": [{"name": "hips"}],
+      "scenes": [{"nodes": [0]}], "extensions": {")" +
+         extension + R"(": {"specVersion": ")" + version + R"(", "meta": )" + meta + "}}}";
+}
+
+TEST_F(loaded, vrm_0_is_seen_from_the_side_that_it_faces) {
+  const glm::dvec3 towards_1(0.447, 0.0, 0.894), towards_0 = -towards_1;
+  for (const bool old : {false, true}) {
+    const auto shown = load(old ? vrm_file("VRM", "0.0", "{}") : vrm_file("VRMC_vrm", "1.0", R"({"name": "A"})"));
+    ASSERT_TRUE(shown) << shown.error().message;
+    OrbitCamera camera = opening_camera(shown->front(), {});
+    camera.pitch_rad = 0.0;
+    EXPECT_LT(glm::length(camera.eye() / camera.distance_m - (old ? towards_0 : towards_1)), 1e-3) << old;
+  }
+}
+
+TEST_F(loaded, vrm_meta_is_told) {
+  const auto old = load(vrm_file("VRM", "0.0", R"({"title": "Aoi", "author": "B", "licenseName": "CC0"})"));
+  ASSERT_TRUE(old) << old.error().message;
+  EXPECT_EQ(old->front().note, R"(VRM 0.0: "Aoi" by B, licence CC0)");
+  const auto now = load(vrm_file("VRMC_vrm", "1.0", R"({"name": "Aoi", "authors": ["B", "C"], "licenseUrl": "l"})"));
+  ASSERT_TRUE(now) << now.error().message;
+  EXPECT_EQ(now->front().note, R"(VRM 1.0: "Aoi" by B, C, licence l)");
 }
 
 }  // namespace

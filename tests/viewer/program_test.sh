@@ -79,9 +79,9 @@ printf '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"nod
 printf '"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}}}' >> lights.gltf
 ends 0 '17 lights; the viewer uses the first 16' lights.gltf --headless a.png --size 64x64
 
-used='"extensionsUsed":["KHR_materials_volume","KHR_materials_unlit","KHR_materials_iridescence","KHR_xmp"]'
+used='"extensionsUsed":["KHR_materials_dispersion","KHR_materials_unlit","KHR_materials_diffuse_transmission","KHR_xmp"]'
 printf '{"asset":{"version":"2.0"},%s}' "$used" > looks.gltf
-ends 0 'warning: not shown: KHR_materials_volume, KHR_materials_iridescence' looks.gltf --headless a.png --size 64x64
+ends 0 'warning: not shown: KHR_materials_dispersion, KHR_materials_diffuse_transmission' looks.gltf --headless a.png --size 64x64
 
 ends 1 'no/sky.hdr: there is no such file' --environment no/sky.hdr --headless a.png
 ends 1 'broken.gltf: neither Radiance' --environment broken.gltf --headless a.png

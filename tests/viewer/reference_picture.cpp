@@ -33,7 +33,9 @@ PixelRange range_at(const reference::PictureOf& picture, int x, int y) {
   return range;
 }
 
-bool blurs_behind(const Material& material) { return material.transmission.factor > 0.0f && material.roughness > 0.0f; }
+bool blurs_behind(const Material& material) {
+  return material.transmission.factor > 0.0f && (material.roughness > 0.0f || material.volume.thickness_m > 0.0f);
+}
 
 std::string text_of(const glm::dvec4& v) { return testing::PrintToString(std::to_array<double>({v.x, v.y, v.z, v.w})); }
 

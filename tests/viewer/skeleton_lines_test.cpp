@@ -140,19 +140,25 @@ TEST(skeleton_lines, axes_have_the_asked_length_whatever_the_scale_and_vanish_wh
 TEST(skeleton_lines, axes_are_in_proportion_to_what_is_shown_and_longer_where_joints_are_alone) {
   Scene scene = chain();
   const Aabb box{{-1, 0, 0}, {1, 2, 1}};  // the diagonal is 3
-  const float alone = SkeletonLines(scene).axis_length_m(box);
-  EXPECT_FLOAT_EQ(alone, 0.15f);
+  scene.skeleton.parents.assign(36, 0);
+  scene.skeleton.parents[0] = kNone;
+  EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m(box), 0.15f);
   EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m({}), 0.05f) << "as of a diagonal of 1";
+  scene.skeleton.parents.resize(4);
+  EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m(box), 0.45f) << "few joints have room for long axes";
   scene.instances.emplace_back();
   EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m(box), 0.036f) << "bones are seen through the mesh";
 }
 
-TEST(skeleton_lines, bounds_of_joints_hold_every_joint) {
+TEST(skeleton_lines, nodes_on_their_own_are_no_part_of_a_skeleton) {
+  Scene scene = chain();
+  scene.skeleton.parents.push_back(kNone);
+  EXPECT_EQ(joints_of_skeleton(scene), (std::vector<bool>{true, true, true, true, true, false}));
+  scene.skeleton.parents = {kNone, kNone};
+  const std::vector<bool> alone = joints_of_skeleton(scene);
+  EXPECT_EQ(alone, (std::vector<bool>{true, true})) << "but they are all that there is";
   const Affine model[] = {at(1, 2, 3), at(-1, 5, 0)};
-  const Aabb box = bounds_of_joints(model);
-  EXPECT_EQ(box.lower, glm::vec3(-1, 2, 0));
-  EXPECT_EQ(box.upper, glm::vec3(1, 5, 3));
-  EXPECT_TRUE(bounds_of_joints({}).empty());
+  EXPECT_EQ(places_of({false, true}, model), (std::vector<glm::vec3>{{-1, 5, 0}}));
 }
 
 }  // namespace

@@ -42,15 +42,17 @@ Aabb bounds_of(const Scene& scene, const FrameResult& frame) {
 
 ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache, const MovedBy* moved) {
   ClipExtent bounds;
+  const std::vector<bool> joints = joints_of_skeleton(scene);
   for_each_pose(
       scene, clip, cache, pose_times(scene, clip, cache, moved),
       [&](const FrameResult& pose) {
         Aabb box = bounds_of(scene, pose);
         bounds.outline.add(scene, pose, box);
-        if (box.empty()) {
-          box = bounds_of_joints(pose.model);
-          for (const auto& m : pose.model) bounds.outline.add(translation_of(m));
-        }
+        if (box.empty())
+          for (const glm::vec3& place : places_of(joints, pose.model)) {
+            box.add(place);
+            bounds.outline.add(place);
+          }
         if (box.empty()) return;
         if (diagonal(box) > diagonal(bounds.largest)) bounds.largest = box;
         bounds.reached.add(box.lower);
@@ -58,7 +60,13 @@ ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScen
       },
       moved);
   if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // every pose is a single point, but it moves
-  give_extent(bounds.reached);
+  if (diagonal(bounds.reached) == 0.0f) {
+    give_extent(bounds.reached);
+    const glm::vec3 &low = bounds.reached.lower, &high = bounds.reached.upper;
+    for (const float x : {low.x, high.x})
+      for (const float y : {low.y, high.y})
+        for (const float z : {low.z, high.z}) bounds.outline.add({x, y, z});
+  }
   give_extent(bounds.largest);
   return bounds;
 }

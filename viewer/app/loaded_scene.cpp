@@ -12,6 +12,7 @@
 #include "runtime/model/scene.h"
 #include "viewer/app/bake_visibility.h"
 #include "viewer/app/open/asset_file_scene.h"
+#include "viewer/app/open/vrm_facts.h"
 #include "viewer/passes/frame_uniforms.h"
 #include "viewer/upload/upload_materials.h"
 
@@ -112,6 +113,10 @@ tl::expected<LoadedScene, LoadError> from_gltf(const std::string& file, const Op
   loaded.scene = std::move(imported->scene);
   loaded.files = std::move(imported->facts.files);
   loaded.vrm = std::move(imported->vrm);
+  if (loaded.vrm) {
+    loaded.facing_yaw_rad = facing_yaw_rad(*loaded.vrm);
+    loaded.note = describe_meta(*loaded.vrm);
+  }
   return loaded;
 }
 

@@ -39,6 +39,7 @@ struct LoadedScene {
   std::shared_ptr<const VertexVisibility> visibility;  ///< baked per-vertex ambient visibility; null = none
   std::optional<PlacedCamera> camera;                  ///< unset = the camera frames the whole scene
   double fov_y_rad = 0.785398163397448;
+  double facing_yaw_rad = 0.0;  ///< from +z to the side that the model faces, about +y; framing looks at that side
 };
 
 /// User settings that decide how the poses of a scene are evaluated.

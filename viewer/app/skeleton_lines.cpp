@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/skeleton_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,9 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr float kAxisPerDiagonal = 0.012f, kLoneAxisPerDiagonal = 0.05f;
+constexpr float kAxisPerDiagonal = 0.012f;
+// Without meshes: the fewer joints, the longer their axes.
+constexpr float kLeastLoneAxis = 0.05f, kMostLoneAxis = 0.3f;
 constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                  // yellow
 constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                              // relative to the length of the bone
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};  // x red, y green, z blue
@@ -49,11 +52,25 @@ std::vector<bool> skin_joints(const Scene& scene) {
   return named;
 }
 
+// True for joints with a parent or a child; for all joints if none has.
+std::vector<bool> chained_joints(const Scene& scene) {
+  const auto& parents = scene.skeleton.parents;
+  std::vector<bool> chained(parents.size(), false);
+  for (std::size_t j = 0; j < parents.size(); ++j)
+    if (parents[j] != kNone) chained[j] = chained[parents[j]] = true;
+  const bool none = std::find(chained.begin(), chained.end(), true) == chained.end();
+  return none ? std::vector<bool>(parents.size(), true) : chained;
+}
+
 }  // namespace
+
+std::vector<bool> joints_of_skeleton(const Scene& scene) {
+  return scene.skins.empty() ? chained_joints(scene) : skin_joints(scene);
+}
 
 SkeletonLines::SkeletonLines(const Scene& scene) : alone_(scene.instances.empty()) {
   const auto& parents = scene.skeleton.parents;
-  const auto shown = scene.skins.empty() ? std::vector<bool>(parents.size(), true) : skin_joints(scene);
+  const auto shown = joints_of_skeleton(scene);
   for (std::uint32_t j = 0; j < parents.size(); ++j) {
     if (!shown[j]) continue;
     joints_.push_back(j);
@@ -88,14 +105,16 @@ std::array<LineVertex, 6> SkeletonLines::axes_of(const Affine& joint, float axis
 }
 
 float SkeletonLines::axis_length_m(const Aabb& shown) const noexcept {
-  return (alone_ ? kLoneAxisPerDiagonal : kAxisPerDiagonal) *
-         (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
+  const auto count = static_cast<float>(std::max<std::size_t>(joints_.size(), 1));
+  const float lone = std::max(kLeastLoneAxis, kMostLoneAxis / std::sqrt(count));
+  return (alone_ ? lone : kAxisPerDiagonal) * (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
 }
 
-Aabb bounds_of_joints(std::span<const Affine> model) noexcept {
-  Aabb box;
-  for (const auto& m : model) box.add(translation_of(m));
-  return box;
+std::vector<glm::vec3> places_of(const std::vector<bool>& joints, std::span<const Affine> model) {
+  std::vector<glm::vec3> places;
+  for (std::size_t j = 0; j < model.size(); ++j)
+    if (joints[j]) places.push_back(translation_of(model[j]));
+  return places;
 }
 
 }  // namespace sinew::viewer

@@ -10,6 +10,11 @@
 
 namespace sinew::viewer {
 
+/// Marks the joints that are drawn and framed: those of skins and between them; without skins those with a parent or a
+/// child, else all. So a value of a clip on a node of its own (as in .vrma files) is no part of a skeleton.
+/// out  [J]
+std::vector<bool> joints_of_skeleton(const Scene& scene);
+
 /// Draws the skeleton as lines: the joints of all skins and every joint between two of them. If the scene has no skin,
 /// all joints.
 class SkeletonLines {
@@ -27,8 +32,8 @@ class SkeletonLines {
   /// x, y and z axes of a joint in red, green and blue. An axis that the joint scales to zero is a point.
   static std::array<LineVertex, 6> axes_of(const Affine& joint, float axis_m) noexcept;
 
-  /// Axis length relative to the size of the shown scene: short, so that axes do not hide bones; longer if the scene
-  /// has only joints.
+  /// Axis length relative to the size of the shown scene: short, so that axes do not hide bones. Without meshes axes are
+  /// longer, and the more so the fewer joints there are.
   float axis_length_m(const Aabb& shown) const noexcept;
 
   std::size_t bone_count() const noexcept { return bones_.size(); }
@@ -43,7 +48,8 @@ class SkeletonLines {
   std::vector<LineVertex> lines_;  ///< reused, so that frames do not allocate
 };
 
-/// Box of all joint positions, for scenes without meshes.
-Aabb bounds_of_joints(std::span<const Affine> model) noexcept;
+/// Positions of the marked joints.
+/// in   joints[J], model[J]
+std::vector<glm::vec3> places_of(const std::vector<bool>& joints, std::span<const Affine> model);
 
 }  // namespace sinew::viewer

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 #include <utility>
 
 #include "viewer/app/headless_run.h"
 #include "viewer/app/inspect/pick.h"
 #include "viewer/app/log_line.h"
+#include "viewer/app/panel/joint_labels.h"
 #include "viewer/app/panel/scene_facts.h"
 #include "viewer/app/pictures/screenshot.h"
 #include "viewer/app/validation_outcome.h"
@@ -70,7 +70,7 @@ void WindowLoop::place_camera() {
   const LoadedScene& loaded = loaded_scenes_[scene_index_];
   const auto placed = options_.camera ? options_.camera : loaded.camera;
   camera_ = FramedCamera();
-  camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
+  camera_.orbit = opening_camera(loaded, options_);
   camera_is_framed_ = false;
   if (placed && settings_.framing == Framing::clip)
     camera_.orbit.place(placed->eye, placed->target);
@@ -173,6 +173,7 @@ void WindowLoop::draw() {
   const View view = this->view();
   const RenderOptions look = render_options(settings_, shown_->loaded().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
+    if (settings_.skeleton) lay_out_joint_labels(shown_->loaded().scene, shown_->newest().model, view);
     const PanelRequests requests = lay_out_panel(facts(), settings_, shown_->playback());
     const bool room_changed = requests.free != free_;
     free_ = requests.free;

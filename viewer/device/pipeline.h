@@ -8,7 +8,7 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kShaderConstants = 40;
+inline constexpr std::size_t kShaderConstants = 52;
 inline constexpr std::size_t kMostColors = 3;  ///< color attachments of a pass
 
 /// How a source colour s is combined with the stored colour d. Notes after "second" and "third" apply to those

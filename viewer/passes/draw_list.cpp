@@ -150,7 +150,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
     draw.blended = alpha == AlphaMode::blend;
     draw.transmits = draw.surface.material.layers.transmission && draw.surface.normals != NormalSource::none;
-    draw.frosted = draw.transmits && material && material->roughness > 0.0f;
+    draw.frosted = draw.transmits && material && (material->roughness > 0.0f || draw.surface.material.layers.volume);
     const bool sorted = material && shows_behind(*material);
     const bool casts = frame.casters && !sorted && primitive.topology == Topology::triangles;
     const Affined& world_from_bounds = moved ? Affined{} : world_from_mesh;

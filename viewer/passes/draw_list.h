@@ -56,7 +56,7 @@ struct Draw {
   bool masked = false, mirrored = false;
   bool blended = false;    ///< alpha is coverage
   bool transmits = false;  ///< KHR_materials_transmission: light passes through, even at alpha 1
-  bool frosted = false;    ///< transmits, and roughness blurs what is behind
+  bool frosted = false;    ///< transmits, and roughness blurs what is behind, or a volume refracts it
   float distance = 0.0f;   ///< metres from the eye plane to the primitive's center
 };
 

@@ -53,11 +53,15 @@ enum ConstantId : std::size_t {
   id_clearcoat = 25,
   id_sheen = 26,
   id_through = 27,
-  id_layer_textures = 28,
+  id_iridescence = 28,
+  id_anisotropy = 29,
+  id_volume = 30,
+  id_glossiness = 31,
   id_wraps = 36,
   id_show_level = 37,
   id_quaternions = 38,
-  id_weighted = 39  // full-screen shaders: the frame has weighted sums
+  id_weighted = 39,  // full-screen shaders: the frame has weighted sums
+  id_layer_textures = 40
 };
 
 bool reads_textures(const MaterialFeatures& material) noexcept {
@@ -126,6 +130,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     surface.material.layers = {};
   }
   if (key.through == Through::nothing) surface.material.layers.transmission = false;
+  if (!is_frosted(key.through)) surface.material.layers.volume = false;
   if (!adds_light(key.through)) {
     key.frame.ambient = false;
     key.frame.light_count = 0;
@@ -133,7 +138,8 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     key.frame.vertex_visibility = false;
     sets[3] = sets[4] = 0;
   }
-  if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
+  const LayerFeatures& layers = surface.material.layers;
+  if (sets[2] == 0 && layers.textures[kClearcoatNormal] == 0 && !layers.anisotropy) surface.tangents = false;
   key.frame.quaternion_normals = key.frame.quaternion_normals && surface.normals == NormalSource::vertices;
   surface.double_sided = surface.double_sided && key.frame.quaternion_normals;
   if (!reads_textures(surface.material)) {
@@ -201,6 +207,10 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_specular] = layers.specular;
   shape.constants[id_clearcoat] = layers.clearcoat;
   shape.constants[id_sheen] = layers.sheen;
+  shape.constants[id_iridescence] = layers.iridescence;
+  shape.constants[id_anisotropy] = layers.anisotropy;
+  shape.constants[id_volume] = layers.volume;
+  shape.constants[id_glossiness] = layers.glossiness;
   for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
   shape.constants[id_wraps] = key.surface.material.wraps;
   shape.constants[id_quaternions] = key.frame.quaternion_normals ? key.surface.double_sided ? 2 : 1 : 0;

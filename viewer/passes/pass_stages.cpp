@@ -82,9 +82,10 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
       return picture ? needs.gooch ? "the grid alone" : "darkens what is behind, by shadows and contact"
                      : "the picture shows a buffer instead";
     case Pass::behind:
-      if (!needs.frosted) return "nothing rough is in view that lets light through";
+      if (!needs.frosted) return "nothing rough or thick is in view that lets light through";
       if (needs.gooch) return "Gooch shading lets no light through";
-      return picture ? "rough surfaces blur what is behind them" : "the picture shows a buffer instead";
+      return picture ? "rough surfaces blur what is behind them, thick ones refract it"
+                     : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
     case Pass::backdrop: return why_backdrop(needs);

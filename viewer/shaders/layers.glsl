@@ -21,6 +21,53 @@ void set_transmission(inout Surface s) {
   if (kTransmissionTexture != 0) s.transmission *= layer_texel(kTransmissionTexture, 12, texcoords).r;
 }
 
+// eq   KHR_materials_iridescence: factor * R; thickness = mix(thinnest, thickest, G). Ambient light meets the film at the
+//      angle of the viewer.
+void set_film(inout Surface s) {
+  s.film = Film(0.0, 1.0, 0.0);
+  s.metal_f0 = s.base_color;
+  if (!kIridescence) return;
+  s.film = Film(material.iridescence, material.film_ior, material.film_thinnest_m);
+  if (kIridescenceTexture != 0) s.film.share *= layer_texel(kIridescenceTexture, 13, texcoords).r;
+  if (kFilmThicknessTexture != 0)
+    s.film.thickness_m = mix(material.film_thinnest_m, material.film_thickest_m,
+                             layer_texel(kFilmThicknessTexture, 14, texcoords).g);
+  s.film.share *= step(1e-12, s.film.thickness_m);
+}
+
+// The surface as ambient light sees it: the film changes its reflectance at normal incidence.
+Surface with_film(Surface s) {
+  if (!kIridescence) return s;
+  float n_v = clamp(dot(s.n, s.to_viewer), 0.0, 1.0);
+  vec3 dielectric = normal_reflectance(film_reflectance(s.film, s.dielectric_f0, n_v), n_v);
+  s.metal_f0 = mix(s.metal_f0, normal_reflectance(film_reflectance(s.film, s.base_color, n_v), n_v), s.film.share);
+  s.dielectric_f0 = mix(s.dielectric_f0, dielectric, s.film.share);
+  return s;
+}
+
+// eq   KHR_materials_anisotropy: direction = turned by the rotation (2 RG - 1), strength * B
+void set_anisotropy(inout Surface s, vec3 geometry_normal) {
+  s.along = vec3(0.0);
+  s.anisotropy = 0.0;
+  if (!kAnisotropy) return;
+  s.anisotropy = material.anisotropy;
+  vec2 direction = vec2(1.0, 0.0);
+  if (kAnisotropyTexture != 0) {
+    vec3 texel = layer_texel(kAnisotropyTexture, 15, texcoords).xyz;
+    direction = texel.xy * 2.0 - 1.0;
+    s.anisotropy *= texel.z;
+  }
+  vec2 turn = material.anisotropy_turn;
+  direction = vec2(turn.x * direction.x - turn.y * direction.y, turn.y * direction.x + turn.x * direction.y);
+  int set = kAnisotropyTexture != 0 ? 1 + (kAnisotropyTexture - 1) % 2 : max(kNormalSet, 1);
+  vec3 n = geometry_normal, t, b;
+  bool found = map_frame(n, set, t, b) && perpendicular(s.n, t * direction.x + b * direction.y, s.along);
+  if (!found) {
+    s.along = normalize(cross(s.n, abs(s.n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    s.anisotropy = 0.0;
+  }
+}
+
 struct Sheen {
   vec3 color;
   float roughness;

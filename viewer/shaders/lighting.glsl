@@ -7,6 +7,8 @@
 const float kPi = 3.14159265358979;
 const float kLeastRoughness = 0.045;   // keeps the highlight of a mirror visible and finite
 
+#include "thin_film.glsl"
+
 struct Surface {
   vec3 base_color;
   float metallic, roughness;
@@ -14,6 +16,10 @@ struct Surface {
   vec3 dielectric_f0;     // reflectance at normal incidence,
   float dielectric_f90;   // and at grazing angles
   float transmission;     // fraction of refracted light that passes through instead of being scattered
+  Film film;
+  vec3 metal_f0;          // reflectance of the metal at normal incidence
+  vec3 along;             // direction of a stretched highlight, unit,
+  float anisotropy;       // and how far it is stretched, 0 to 1
 };
 
 float greatest(vec3 v) { return max(v.r, max(v.g, v.b)); }
@@ -31,15 +37,24 @@ float ggx(vec3 n, vec3 to_viewer, vec3 to_light, float roughness) {
   return distribution * 0.5 / smith * n_l;
 }
 
+#include "anisotropy.glsl"
+
 vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   float n_l = dot(s.n, to_light);
   if (n_l <= 0.0) return vec3(0.0);
   float v_h = clamp(dot(s.to_viewer, normalize(to_light + s.to_viewer)), 0.0, 1.0);
   float away = 1.0 - v_h, edge = away * away * away * away * away;
   vec3 dielectric = s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * edge;
-  vec3 fresnel = mix(dielectric, s.base_color + (1.0 - s.base_color) * edge, s.metallic);
-  vec3 diffuse = (1.0 - greatest(dielectric)) * (1.0 - s.metallic) * (1.0 - s.transmission) * s.base_color / kPi;
-  return (diffuse * n_l + fresnel * ggx(s.n, s.to_viewer, to_light, s.roughness)) * irradiance;
+  vec3 metal = s.base_color + (1.0 - s.base_color) * edge;
+  float below = 1.0 - greatest(dielectric);
+  if (kIridescence) {
+    vec3 film = film_reflectance(s.film, s.dielectric_f0, v_h);
+    below = mix(below, 1.0 - greatest(min(film, vec3(1.0))), s.film.share);
+    dielectric = mix(dielectric, film, s.film.share);
+    metal = mix(metal, film_reflectance(s.film, s.base_color, v_h), s.film.share);
+  }
+  vec3 diffuse = below * (1.0 - s.metallic) * (1.0 - s.transmission) * s.base_color / kPi;
+  return (diffuse * n_l + mix(dielectric, metal, s.metallic) * lobe(s, to_light)) * irradiance;
 }
 
 // eq   KHR_lights_punctual: inverse square with a smooth end at the range, and a smooth edge of the cone of a spot light
@@ -108,10 +123,10 @@ vec3 scattered_visibility(float visibility, vec3 albedo) {
 vec3 ambient(Surface s, vec3 scattered, float mirrored, vec3 surroundings) {
   vec2 sums = split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness);
   vec3 metal_once, metal_again, once, again;
-  layer(s.base_color, 1.0, sums, metal_once, metal_again);
+  layer(s.metal_f0, 1.0, sums, metal_once, metal_again);
   layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);
   vec3 below = s.base_color * (1.0 - greatest(once + again)) * (1.0 - s.transmission);
-  vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
+  vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, mirror_normal(s));
   vec3 around = diffuse_light(frame.environment_from_view * s.n), reflectance = mix(once, metal_once, s.metallic);
   return around * mix(again + below, metal_again, s.metallic) * scattered +
          mirrored_light(direction, s.roughness) * reflectance * mirrored + around * reflectance * surroundings;

@@ -24,7 +24,16 @@ layout(set = 1, binding = 0, std140) uniform Material {
   float transmission;
   vec3 sheen_color;
   float sheen_roughness;
-  TextureTransform transforms[13];  // of the five textures below in this order, then of the layer textures
+  float iridescence;
+  float film_ior;
+  float film_thinnest_m;
+  float film_thickest_m;
+  vec2 anisotropy_turn;             // cosine and sine
+  float anisotropy;
+  float thickness_m;                // in the space of the mesh
+  vec3 absorption_per_m;
+  float inverse_ior;
+  TextureTransform transforms[17];  // of the five textures below in this order, then of the layer textures
 } material;
 
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;

@@ -53,15 +53,19 @@ bool derived_frame(vec3 n, int set, out vec3 t, out vec3 b) {
   return true;
 }
 
+// Tangent and bitangent of a texture coordinate set, 1 or 2; false if they are degenerate.
+// in   n  normal on the visible side; quaternions replace it
+bool map_frame(inout vec3 n, int set, out vec3 t, out vec3 b) {
+  if (kTangents && kQuaternions != 0) return quaternion_frame(n, t, b);
+  if (kTangents) return stored_frame(n, t, b);
+  return derived_frame(n, set, t, b);
+}
+
 // in   n  normal on the visible side;   texel  of the map;   set  texture coordinate set, 1 or 2
 vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
   vec3 relief = texel * 2.0 - 1.0;
   vec3 t, b;
-  bool found;
-  if (kTangents && kQuaternions != 0) found = quaternion_frame(n, t, b);
-  else if (kTangents) found = stored_frame(n, t, b);
-  else found = derived_frame(n, set, t, b);
-  if (!found) return n;
+  if (!map_frame(n, set, t, b)) return n;
   if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is already reversed; a bump on the front is a dent on the back
   return normalize(t * relief.x * scale + b * relief.y * scale + n * relief.z);
 }

@@ -35,6 +35,7 @@ const bool kShowsFrosted = kThrough == kFrosted || kThrough == kFrostedBlurred |
 const bool kOwnLight = kThrough == kOpaque || kThrough == kLightAlone || kShowsFrosted;
 
 #include "layers.glsl"
+#include "volume.glsl"
 
 layout(constant_id = 0) const bool kMasked = false;      // do the alpha test, if no prepass did it
 layout(constant_id = 1) const bool kBlended = false;  // coverage from alpha; no ambient visibility image covers these
@@ -54,8 +55,7 @@ layout(location = 1) out vec4 unlit;   // display colours and coverage of unlit 
 #include "weighted_output.glsl"
 
 // out  through  fraction of emitted light that the coat transmits
-//      behind   fraction of the light behind that is transmitted;   frost  roughness, 0 to 1
-vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behind, out float frost) {
+vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out Passed behind) {
   Surface s;
   s.base_color = base_color;
   s.metallic = material.metallic;
@@ -65,12 +65,16 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
     s.metallic *= texel.b;
     s.roughness *= texel.g;
   }
-  frost = clamp(s.roughness, 0.0, 1.0);
-  s.roughness = max(frost, kLeastRoughness);
+  if (kGlossiness) s.roughness = 1.0 - (1.0 - s.roughness) * layer_texel(kSpecularColorTexture, 6, texcoords).a;
+  behind = Passed(vec3(0.0), clamp(s.roughness, 0.0, 1.0), view_position);
+  s.roughness = max(behind.frost, kLeastRoughness);
   set_specular(s);
   set_transmission(s);
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
+  set_film(s);
+  set_anisotropy(s, geometry_normal);
+  Surface around = with_film(s);
   vec2 bend;
   float open = ambient_visibility(ivec2(gl_FragCoord.xy), view_position, s.n, bend);
   if (kVertexVisibility) open = vertex_visibility;
@@ -83,15 +87,17 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   Sheen sheen = sheen_at(s);
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
-  behind = vec3(0.0);
   vec3 sum = vec3(0.0);
-  if (kThrough != kOpaque && kThrough != kLightAlone) behind = transmitted(s) * left_by_sheen(sheen) * through;
+  if (kThrough != kOpaque && kThrough != kLightAlone) {
+    behind.share = transmitted(around) * left_by_sheen(sheen) * through;
+    pass_volume(s.n, s.to_viewer, behind);
+  }
   if (!kOwnLight) return sum;
   if (kAmbient) {
     vec3 scattered = kHidden ? scattered_visibility(visibility, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
     float mirrored = mirrored_visibility(open, bend, s.n, s.to_viewer, s.roughness);
     vec3 surroundings = mirrored_surroundings(visibility, mirrored, s.base_color);
-    vec3 below = under_sheen(sheen, s, ambient(s, scattered, mirrored * baked, surroundings), visibility);
+    vec3 below = under_sheen(sheen, s, ambient(around, scattered, mirrored * baked, surroundings), visibility);
     float on_coat = kClearcoat ? mirrored_visibility(open, bend, coat.n, s.to_viewer, coat.roughness) : 1.0;
     surroundings = mirrored_surroundings(visibility, on_coat, s.base_color);
     sum += coated(coat, below, s.to_viewer, on_coat * baked, surroundings);
@@ -107,15 +113,16 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
 }
 
 // Outputs one step of a transmissive surface. viewer/device/pipeline.h has the blending of each step.
-// in   behind  transmitted fraction;   frost  from lit();   light  of the surface itself;   coverage  from alpha
-void show_through(vec3 behind, float frost, vec3 light, float coverage) {
+// in   behind  from lit();   light  of the surface itself;   coverage  from alpha
+void show_through(Passed passed, vec3 light, float coverage) {
+  vec3 behind = passed.share;
   unlit = vec4(0.0);
   if (kThrough == kLightAlone) {
     color = vec4(min(light, vec3(kMostLight)) * coverage, 0.0);
   } else if (kThrough == kErase) {
     color = unlit = vec4(vec3(0.0), coverage);
   } else if (kShowsFrosted) {
-    vec4 seen = frosted_light(frost), seen_unlit = frosted_unlit(frost);
+    vec4 seen = frosted_light(passed), seen_unlit = frosted_unlit(passed);
     float most = greatest(behind);
     color = vec4(min(light + behind * seen.rgb, vec3(kMostLight)), 1.0 - most * (1.0 - seen.a)) * coverage;
     unlit = vec4(behind * seen_unlit.rgb, most * seen_unlit.a) * coverage;
@@ -135,13 +142,15 @@ void show_through(vec3 behind, float frost, vec3 light, float coverage) {
 void main() {
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
-  vec3 light = base.rgb, behind = vec3(0.0);
-  float frost = 0.0;
+  vec3 light = base.rgb;
+  Passed behind = Passed(vec3(0.0), 0.0, view_position);
   if (!kUnlit) {
     float through = 1.0;
     if (kNormals != 0) {
       float share;
-      vec3 passed, shaded = lit(base.rgb, n, share, passed, frost);
+      Passed passed;
+      vec3 shaded = lit(base.rgb, n, share, passed);
+      behind.frost = passed.frost;
       if (n != vec3(0.0)) {
         light = shaded;
         through = share;
@@ -155,7 +164,7 @@ void main() {
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
   if (kThrough != kOpaque) {
-    show_through(behind, frost, light, coverage);
+    show_through(behind, light, coverage);
   } else if (kUnlit) {
     unlit = vec4(clamp(light, 0.0, 1.0) * coverage, coverage);
     color = vec4(vec3(0.0), coverage);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <glm/exponential.hpp>
+
 namespace sinew::viewer {
 
 namespace {
@@ -24,19 +26,28 @@ glm::vec3 dielectric_f0(const Specular& s) noexcept {
   return root * root * s.color;
 }
 
+/// eq   KHR_materials_volume: color^(path / distance) = exp(-absorption * path)
+glm::vec3 absorption_per_m(const Volume& v) noexcept {
+  constexpr float kDarkest = 1e-30f;  // black keeps a finite logarithm
+  if (v.attenuation_distance_m <= 0.0f) return glm::vec3(0.0f);
+  return -glm::log(glm::max(v.attenuation_color, kDarkest)) / v.attenuation_distance_m;
+}
+
 /// How the shader uses a layer's texture.
 enum class Reading : std::uint8_t { data, color, alpha };  ///< alpha: not affected by sRGB decoding
 
-constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Reading::color, Reading::data,
-                                                           Reading::data,  Reading::data,  Reading::color,
-                                                           Reading::alpha, Reading::data};
+constexpr std::array<Reading, kLayerTextures> kReadings = {
+    Reading::alpha, Reading::color, Reading::data, Reading::data, Reading::data, Reading::color,
+    Reading::alpha, Reading::data,  Reading::data, Reading::data, Reading::data, Reading::data};
 
 /// For each layer texture: true if its layer has an effect.
 std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
   const bool specular = !m.unlit && m.specular.has_effect(), coat = !m.unlit && m.clearcoat.factor > 0.0f;
   const bool sheen = !m.unlit && m.sheen.color != glm::vec3(0.0f);
   const bool transmission = !m.unlit && m.transmission.factor > 0.0f;
-  return {specular, specular, coat, coat, coat, sheen, sheen, transmission};
+  const bool film = !m.unlit && m.iridescence.factor > 0.0f, anisotropy = !m.unlit && m.anisotropy.strength > 0.0f;
+  const bool volume = transmission && m.volume.thickness_m > 0.0f;
+  return {specular, specular, coat, coat, coat, sheen, sheen, transmission, film, film, anisotropy, volume};
 }
 
 /// The descriptor place of each layer texture, and the content of the places.
@@ -84,7 +95,17 @@ MaterialUniforms material_uniforms(const Material& m) noexcept {
                        m.specular.factor,     m.clearcoat.factor,
                        m.clearcoat.roughness, m.clearcoat.normal_scale,
                        m.transmission.factor, m.sheen.color,
-                       m.sheen.roughness,     {}};
+                       m.sheen.roughness};
+  const Iridescence& film = m.iridescence;
+  out.iridescence = film.factor;
+  out.film_ior = film.ior;
+  out.film_thinnest_m = 1e-9f * (film.thickness_texture.used() ? film.thinnest_nm : film.thickest_nm);
+  out.film_thickest_m = 1e-9f * film.thickest_nm;
+  out.anisotropy_turn = {std::cos(m.anisotropy.rotation_rad), std::sin(m.anisotropy.rotation_rad)};
+  out.anisotropy = m.anisotropy.strength;
+  out.thickness_m = m.volume.thickness_m;
+  out.absorption_per_m = absorption_per_m(m.volume);
+  out.inverse_ior = 1.0f / std::max(m.specular.ior, 1.0f);
   const auto uses = texture_uses(m);
   for (std::size_t i = 0; i < uses.size(); ++i) out.transforms[i] = texture_transform(*uses[i]);
   return out;
@@ -103,10 +124,14 @@ MaterialFeatures material_features(const Material& m) noexcept {
   out.layers.clearcoat = shown[2];
   out.layers.sheen = shown[5];
   out.layers.transmission = shown[7];
+  out.layers.iridescence = shown[8];
+  out.layers.anisotropy = shown[10];
+  out.layers.volume = shown[11];
   for (std::size_t i = 0; i < kLayerTextures; ++i)
     if (const std::size_t place = places.of_layer[i]; place < kTexturePlaces)
       out.layers.textures[i] =
           static_cast<std::uint8_t>(1 + 2 * place + (uses[kMaterialTextures + i]->texcoord == 1 ? 1 : 0));
+  out.layers.glossiness = m.specular.has_glossiness && out.layers.textures[kSpecularColor] != 0;
   return out;
 }
 

@@ -17,8 +17,9 @@ struct TextureTransformUniforms {
 };
 
 inline constexpr std::size_t kMaterialTextures = 5;  ///< base colour, metallic-roughness, normal, occlusion, emissive
-inline constexpr std::size_t kLayerTextures = 8;  ///< textures of the material layers, in the order of texture_uses()
+inline constexpr std::size_t kLayerTextures = 12;  ///< textures of the material layers, in the order of texture_uses()
 
+inline constexpr std::size_t kSpecularColor = 1;    ///< index of the specular colour texture among the layer textures
 inline constexpr std::size_t kClearcoatNormal = 4;  ///< index of the clearcoat normal texture among the layer textures
 
 /// Descriptor places for material textures: Vulkan guarantees 16 images per shader stage, and a frame uses 9. Layer
@@ -35,13 +36,20 @@ struct MaterialUniforms {
   float clearcoat, clearcoat_roughness, clearcoat_normal_scale, transmission;
   glm::vec3 sheen_color;
   float sheen_roughness;
+  float iridescence, film_ior, film_thinnest_m, film_thickest_m;
+  glm::vec2 anisotropy_turn;  ///< cosine and sine of the rotation
+  float anisotropy, thickness_m;
+  glm::vec3 absorption_per_m;
+  float inverse_ior;
   std::array<TextureTransformUniforms, kMaterialTextures + kLayerTextures> transforms;
 };
-static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLayerTextures)));
+static_assert(sizeof(MaterialUniforms) == 16 * (9 + 2 * (kMaterialTextures + kLayerTextures)));
 
 /// Material layers that a shader variant is compiled for.
 struct LayerFeatures {
   bool specular = false, clearcoat = false, sheen = false, transmission = false;
+  bool iridescence = false, anisotropy = false, volume = false;
+  bool glossiness = false;  ///< Specular::has_glossiness, and its texture has a place
   /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
   std::array<std::uint8_t, kLayerTextures> textures{};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/camera/framed_camera.h"
 
+#include <numbers>
 #include <utility>
 
 namespace sinew::viewer {
@@ -13,6 +14,13 @@ Framed framed_now(Framing framing, ShownScene& shown) {
 }
 
 }  // namespace
+
+OrbitCamera opening_camera(const LoadedScene& loaded, const Options& options) noexcept {
+  OrbitCamera camera;
+  camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
+  camera.yaw_rad += loaded.facing_yaw_rad;
+  return camera;
+}
 
 void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect, const FreePart& free) {
   followed_.reset();

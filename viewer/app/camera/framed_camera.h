@@ -9,6 +9,10 @@
 
 namespace sinew::viewer {
 
+/// A camera with the field of view of the options or the scene. It looks from the right at the side that the model
+/// faces, and frames nothing yet.
+OrbitCamera opening_camera(const LoadedScene& loaded, const Options& options) noexcept;
+
 /// The user's orbit camera. It frames the chosen subject and can follow a moving character.
 class FramedCamera {
  public:

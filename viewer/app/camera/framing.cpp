@@ -24,6 +24,7 @@ Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double ti
   std::vector<double> times = pose_times(scene, clip, cache, moved);
   if (framing == Framing::pose) times = {time_s};
   const bool follow = framing == Framing::follow;
+  const std::vector<bool> joints = joints_of_skeleton(scene);
   if (follow) {
     out.duration_s = times.back();
     out.path.clear();
@@ -31,13 +32,15 @@ Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double ti
   for_each_pose(
       scene, clip, cache, times,
       [&](const FrameResult& pose) {
-        const Aabb drawn = bounds_of(scene, pose), box = drawn.empty() ? bounds_of_joints(pose.model) : drawn;
+        const Aabb drawn = bounds_of(scene, pose);
+        Aabb box = drawn;
+        const std::vector<glm::vec3> places = drawn.empty() ? places_of(joints, pose.model) : std::vector<glm::vec3>();
+        for (const glm::vec3& p : places) box.add(p);
         glm::vec3 place(0.0f);
         if (follow && !box.empty()) place = 0.5f * (box.lower + box.upper) * glm::vec3(1.0f, 0.0f, 1.0f);
         if (follow) out.path.push_back(place);
         out.outline.add(scene, pose, drawn, place);
-        if (drawn.empty())
-          for (const auto& m : pose.model) out.outline.add(translation_of(m) - place);
+        for (const glm::vec3& p : places) out.outline.add(p - place);
       },
       moved);
   if (out.path.empty()) out.path.emplace_back(0.0f);

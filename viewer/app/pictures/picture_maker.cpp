@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "viewer/app/camera/framed_camera.h"
 #include "viewer/app/headless_run.h"
 #include "viewer/upload/visibility_blend.h"
 
@@ -12,8 +12,7 @@ namespace sinew::viewer {
 namespace {
 
 OrbitCamera camera_for(const Options& options, const LoadedScene& loaded, const Outline& outline) {
-  OrbitCamera camera;
-  camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : loaded.fov_y_rad;
+  OrbitCamera camera = opening_camera(loaded, options);
   camera.frame(outline.points(), static_cast<double>(options.width) / options.height);
   return camera;
 }
