@@ -32,8 +32,8 @@ class SkeletonLines {
   /// x, y and z axes of a joint in red, green and blue. An axis that the joint scales to zero is a point.
   static std::array<LineVertex, 6> axes_of(const Affine& joint, float axis_m) noexcept;
 
-  /// Axis length relative to the size of the shown scene: short, so that axes do not hide bones. Without meshes axes are
-  /// longer, and the more so the fewer joints there are.
+  /// Axis length relative to the size of the shown scene: short, so that axes do not hide bones. Without meshes axes
+  /// are longer, and the more so the fewer joints there are.
   float axis_length_m(const Aabb& shown) const noexcept;
 
   std::size_t bone_count() const noexcept { return bones_.size(); }
