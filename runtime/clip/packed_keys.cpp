@@ -66,9 +66,13 @@ std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> v
       ranges[c] = {std::min(ranges[c].low, values[k * n + c]), std::max(ranges[c].high, values[k * n + c])};
   }
   out.numbers.assign(values.size(), 0);
+  std::size_t strictest = 0;  // test first the key that failed last: it likely fails again
   const auto holds = [&] {
-    for (std::size_t k = 0; k < keys; ++k)
-      if (!(error(out, k) <= tolerance)) return false;
+    for (std::size_t i = 0, k = strictest; i < keys; ++i, k = k + 1 == keys ? 0 : k + 1)
+      if (!(error(out, k) <= tolerance)) {
+        strictest = k;
+        return false;
+      }
     return true;
   };
   for (double step = 2.0 * tolerance; tolerance > 0.0; step *= 0.8) {

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "runtime/animation/track_sample.h"
+#include "runtime/compress/pose_errors.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
 
@@ -47,110 +48,136 @@ std::vector<float> jump_times(const Animation& truth) {
   return times;
 }
 
-/// The largest squared distance between corresponding corners.
-double farthest_apart_squared(const BoxCorners& a, const BoxCorners& b) noexcept {
-  std::array<double, 8> squares;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    const double x = a[0][i] - b[0][i], y = a[1][i] - b[1][i], z = a[2][i] - b[2][i];
-    squares[i] = x * x + y * y + z * z;
-  }
-  double largest = 0.0;
-  for (const double square : squares) largest = std::max(largest, square);
-  return largest;
-}
-
+/// Measures poses of clips, or of keys in authoring form, a block of times at once.
 class Meter {
  public:
   explicit Meter(const TruthSamples& truth)
       : truth_(truth),
         skeleton_(truth.scene().skeleton),
-        memory_(skeleton_.joint_count()),
-        local_(skeleton_.joint_count()),
-        model_(local_.size()),
-        largest_squared_(local_.size(), 0.0),
+        joint_count_(skeleton_.joint_count()),
+        memories_(PoseBlock::kPoses, PoseMemory(joint_count_)),
+        poses_(joint_count_),
+        models_(joint_count_ * PoseErrorsJob::kModelNumbers),
+        largest_squared_(joint_count_, 0.0),
         weights_(truth.truth().weights.empty() ? 0 : truth.scene().weight_count()),
         rest_weights_(weights_.empty() ? std::vector<float>{} : rest_weights_of(truth.scene())),
-        exact_weights_(weights_.size()),
         displaced_m_(weights_.empty() ? 0 : truth.scene().instances.size()) {
-    error_.of_joint_m.resize(local_.size());
+    error_.of_joint_m.resize(joint_count_);
   }
 
-  void look_at(std::size_t time, std::span<const Clip* const> forms) {
-    const TruthSample& truth = truth_.at(time, scratch_);
-    for (const Clip* clip : forms) {
-      sample(*clip, truth_.times_s()[time]);
-      compare(truth_.times_s()[time], truth);
+  /// Measures all forms at `count` times from `first` on, at most PoseBlock::kPoses.
+  void look_at(std::size_t first, std::size_t count, std::span<const Clip* const> forms) {
+    gather_truth(first, count);
+    samples_.resize(forms.size());
+    for (std::size_t f = 0; f < forms.size(); ++f) {
+      make_room(samples_[f], count);
+      for (std::size_t i = 0; i < count; ++i) sample_clip(*forms[f], truth_.times_s()[first + i], i, f);
+      for (std::size_t j = 0; j < joint_count_; ++j)
+        for (std::size_t i = 0; i < count; ++i) poses_.set(i, j, in_double(memories_[i].span().get(j)));
+      measure(samples_[f], count);
     }
+    for (std::size_t i = 0; i < count; ++i)
+      for (const BlockSample& form : samples_) compare(first + i, i, form);
   }
 
-  /// Returns the error at this time.
-  double look_at(std::size_t time, const Animation& written) {
-    const TruthSample& truth = truth_.at(time, scratch_);
-    sample(written, truth_.times_s()[time]);
-    return compare(truth_.times_s()[time], truth);
+  /// Same, for keys. Returns true if all errors at these times are within a limit.
+  bool look_at(std::size_t first, std::size_t count, const Animation& written, double limit_m) {
+    gather_truth(first, count);
+    samples_.resize(1);
+    make_room(samples_[0], count);
+    TruthCursor cursor(written, skeleton_);
+    for (std::size_t i = 0; i < count; ++i) sample_keys(written, cursor, truth_.times_s()[first + i], i);
+    measure(samples_[0], count);
+    bool is_within = true;
+    for (std::size_t i = 0; i < count; ++i) is_within &= compare(first + i, i, samples_[0]) <= limit_m;
+    return is_within;
   }
 
   std::span<const double> times_s() const noexcept { return truth_.times_s(); }
-  std::size_t joint_count() const noexcept { return local_.size(); }
+  std::size_t joint_count() const noexcept { return joint_count_; }
 
   ClipError take() noexcept {
-    for (std::size_t j = 0; j < local_.size(); ++j) error_.of_joint_m[j] = std::sqrt(largest_squared_[j]);
-    error_.truth_poses = scratch_.evaluated;
+    for (std::size_t j = 0; j < joint_count_; ++j) error_.of_joint_m[j] = std::sqrt(largest_squared_[j]);
+    for (const TruthSamples::Scratch& scratch : scratch_) error_.truth_poses += scratch.evaluated;
     return std::move(error_);
   }
 
  private:
-  struct Worst {
-    std::uint32_t joint = kNone;
-    double error_m = 0.0;
+  /// A form at the times of a block.
+  struct BlockSample {
+    std::vector<double> squared;  ///< [times][J] squared errors of joints
+    std::vector<double> worst;    ///< [times] the largest of each time
+    std::vector<double> weights;  ///< [times][W]
   };
 
-  void sample(const Clip& clip, double time_s) {
-    run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
-    for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(memory_.span().get(j));
-    std::copy(weights_.begin(), weights_.end(), exact_weights_.begin());
-    model_from_local(skeleton_, local_, model_);
-  }
-
-  void sample(const Animation& written, double time_s) {
-    evaluate_truth(written, skeleton_, time_s, pose_);
-    model_.swap(pose_.model);
-    std::copy(rest_weights_.begin(), rest_weights_.end(), exact_weights_.begin());
-    for (const WeightAnimation& animated : written.weights) {
-      if (animated.weights.empty()) continue;
-      const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
-      sample_track<double>(animated.weights, time_s,
-                           std::span(exact_weights_).subspan(first, animated.weights.target_count));
+  void gather_truth(std::size_t first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      exact_[i] = &truth_.at(first + i, scratch_[i]);
+      corners_[i] = exact_[i]->corners.data();
     }
   }
 
-  double compare(double time_s, const TruthSample& truth) {
-    const auto [joint, joints_m] = compare_joints(truth);
-    const double weights_m = weights_.empty() ? 0.0 : compare_weights(truth);
+  void make_room(BlockSample& out, std::size_t count) const {
+    out.squared.resize(PoseBlock::kPoses * joint_count_);
+    out.worst.resize(count);
+    out.weights.resize(PoseBlock::kPoses * weights_.size());
+  }
+
+  /// Measures the poses of the block.
+  void measure(BlockSample& out, std::size_t count) {
+    run_unchecked(PoseErrorsJob{.skeleton = &skeleton_,
+                                .boxes = truth_.vertices().boxes,
+                                .poses = &poses_,
+                                .truth = std::span(corners_).first(count),
+                                .models = models_,
+                                .squared = out.squared,
+                                .largest = largest_squared_,
+                                .worst = out.worst});
+  }
+
+  std::span<double> weights_of(BlockSample& sample, std::size_t i) const {
+    return std::span(sample.weights).subspan(i * weights_.size(), weights_.size());
+  }
+
+  void sample_clip(const Clip& clip, double time_s, std::size_t i, std::size_t form) {
+    run_unchecked(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memories_[i].span(), .weights = weights_});
+    std::copy(weights_.begin(), weights_.end(), weights_of(samples_[form], i).begin());
+  }
+
+  void sample_keys(const Animation& written, TruthCursor& cursor, double time_s, std::size_t i) {
+    locals_.resize(joint_count_);
+    cursor.local_at(time_s, locals_);
+    for (std::size_t j = 0; j < joint_count_; ++j) poses_.set(i, j, locals_[j]);
+    const std::span<double> weights = weights_of(samples_[0], i);
+    std::copy(rest_weights_.begin(), rest_weights_.end(), weights.begin());
+    for (const WeightAnimation& animated : written.weights) {
+      if (animated.weights.empty()) continue;
+      const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
+      sample_track<double>(animated.weights, time_s, weights.subspan(first, animated.weights.target_count));
+    }
+  }
+
+  /// Returns the error of the pose number i of the block.
+  double compare(std::size_t time, std::size_t i, const BlockSample& sample) {
+    const double joints_m = std::sqrt(sample.worst[i]);
+    const double weights_m =
+        weights_.empty() ? 0.0 : compare_weights(*exact_[i], sample.weights.data() + i * weights_.size());
     error_.weights_m = std::max(error_.weights_m, weights_m);
     if (!(joints_m + weights_m <= error_.worst_m)) {
       error_.worst_m = joints_m + weights_m;
-      error_.worst_time_s = time_s;
-      error_.worst_joint = joint;
+      error_.worst_time_s = truth_.times_s()[time];
+      error_.worst_joint = first_joint_at(joints_m, sample.squared.data() + i * joint_count_);
     }
     return joints_m + weights_m;
   }
 
-  Worst compare_joints(const TruthSample& truth) {
-    Worst worst;
-    double worst_squared = 0.0;
-    for (std::uint32_t j = 0; j < local_.size(); ++j) {
-      const double squared =
-          farthest_apart_squared(corners_in_model(model_[j], truth_.vertices().boxes[j]), truth.corners[j]);
-      largest_squared_[j] = std::max(largest_squared_[j], squared);
-      if (!(squared > worst_squared)) continue;
-      worst_squared = squared;
-      if (const double error_m = std::sqrt(squared); error_m > worst.error_m) worst = {j, error_m};
-    }
-    return worst;
+  std::uint32_t first_joint_at(double error_m, const double* squared) const {
+    for (std::uint32_t j = 0; j < joint_count_ && error_m > 0.0; ++j)
+      if (std::sqrt(squared[j]) == error_m) return j;
+    return kNone;
   }
 
-  double compare_weights(const TruthSample& truth) {
+  double compare_weights(const TruthSample& truth, const double* weights) {
     std::fill(displaced_m_.begin(), displaced_m_.end(), 0.0);
     auto value = truth.weights.begin();
     for (const WeightAnimation& animated : truth_.truth().weights) {
@@ -158,7 +185,7 @@ class Meter {
       const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
       double& sum = displaced_m_[animated.instance];
       for (std::size_t i = first; i < first + animated.weights.target_count; ++i, ++value)
-        sum += std::abs(exact_weights_[i] - *value) * static_cast<double>(truth_.vertices().metres_per_weight[i]);
+        sum += std::abs(weights[i] - *value) * static_cast<double>(truth_.vertices().metres_per_weight[i]);
     }
     double worst = 0.0;
     for (std::size_t i = 0; i < displaced_m_.size(); ++i)
@@ -168,17 +195,27 @@ class Meter {
 
   const TruthSamples& truth_;
   const Skeleton& skeleton_;
-  TruthSamples::Scratch scratch_;
-  PoseMemory memory_;
-  std::vector<Transformd> local_;
-  std::vector<Affined> model_;
+  const std::size_t joint_count_;
+  std::array<TruthSamples::Scratch, PoseBlock::kPoses> scratch_;
+  std::array<const TruthSample*, PoseBlock::kPoses> exact_{};
+  std::array<const BoxCorners*, PoseBlock::kPoses> corners_{};
+  std::vector<PoseMemory> memories_;  // [poses of a block]
+  PoseBlock poses_;
+  std::vector<double> models_;
+  std::vector<Transformd> locals_;
+  std::vector<BlockSample> samples_;     // [forms]
   std::vector<double> largest_squared_;  // [J]
-  TruthPose pose_;
   std::vector<float> weights_, rest_weights_;
-  std::vector<double> exact_weights_;
   std::vector<double> displaced_m_;  // [instances] in mesh space
   ClipError error_;
 };
+
+/// Calls `look(first, count)` for all times, block by block.
+template <class Look>
+void each_block(std::size_t times, const Look& look) {
+  for (std::size_t first = 0; first < times; first += PoseBlock::kPoses)
+    look(first, std::min(PoseBlock::kPoses, times - first));
+}
 
 }  // namespace
 
@@ -211,13 +248,14 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
 
 ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms) {
   Meter meter(truth);
-  for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, forms);
+  each_block(truth.times_s().size(), [&](std::size_t first, std::size_t count) { meter.look_at(first, count, forms); });
   return meter.take();
 }
 
 ClipError measure_animation(const TruthSamples& truth, const Animation& written) {
   Meter meter(truth);
-  for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, written);
+  each_block(truth.times_s().size(),
+             [&](std::size_t first, std::size_t count) { meter.look_at(first, count, written, 0.0); });
   return meter.take();
 }
 
@@ -231,11 +269,15 @@ PartMeter::~PartMeter() = default;
 bool PartMeter::is_within(const Animation& written, double begin_s, double end_s, double limit_m, std::uint64_t& work) {
   Meter& meter = state_->meter;
   const std::span<const double> times_s = meter.times_s();
-  const auto first = std::upper_bound(times_s.begin(), times_s.end(), begin_s) - times_s.begin();
-  const auto last = std::lower_bound(times_s.begin(), times_s.end(), end_s) - times_s.begin();
-  for (auto time = first; time < last; ++time) {
-    work += meter.joint_count();
-    if (!(meter.look_at(static_cast<std::size_t>(time), written) <= limit_m)) return false;
+  const auto first =
+      static_cast<std::size_t>(std::upper_bound(times_s.begin(), times_s.end(), begin_s) - times_s.begin());
+  const auto last = static_cast<std::size_t>(std::lower_bound(times_s.begin(), times_s.end(), end_s) - times_s.begin());
+  // Most searches that fail do so at the first times, so that the first blocks are small.
+  std::size_t count = 1;
+  for (std::size_t time = first; time < last; time += count, count = std::min(2 * count, PoseBlock::kPoses)) {
+    count = std::min(count, last - time);
+    work += count * meter.joint_count();
+    if (!meter.look_at(time, count, written, limit_m)) return false;
   }
   return true;
 }

@@ -30,6 +30,9 @@ constexpr double kOfWeights = 0.25;
 /// the clip, so each part of the search tries one split.
 constexpr std::array<double, ClipSearch::kParts> kOfRounding = {0.25, 0.97};
 
+/// Steps between keys whose deviation is remembered, of all tracks together: 32 MB.
+constexpr std::size_t kMostKnownSteps = std::size_t{1} << 21;
+
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
   ClipRest rest = clip_rest(scene.skeleton, rest_weights_of(scene), scene.properties);
   if (!scene.clips.empty()) share_rest(scene.clips.front(), rest);
@@ -174,12 +177,17 @@ struct Attempt {
   ClipError error;
 };
 
-Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
+Attempt try_shares(const Task& task, const Shares& shares, double of_rounding, std::vector<StepDeviations>& known) {
   Attempt out{{task.truth, {}}, {}};
   Animation& keys = out.within.keys;
   std::vector<LooseTrack> tracks = moving_tracks(keys, task.scene, task.vertices, task.reach, shares);
   const KeyTolerances rounding = roundings(keys, tracks, of_rounding);
-  for (LooseTrack& track : tracks) track.tolerance *= 1.0 - of_rounding;
+  if (known.empty() && !tracks.empty())  // every round has the same tracks
+    known.assign(tracks.size(), StepDeviations(kMostKnownSteps / tracks.size()));
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    tracks[i].tolerance *= 1.0 - of_rounding;
+    tracks[i].known = &known[i];
+  }
   reduce(std::move(tracks));
   Clip clip = compile(task.scene, keys, rounding);
   const Clip full = unpacked(clip);
@@ -205,8 +213,9 @@ struct Found {
 Found fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
   Found found;
+  std::vector<StepDeviations> known;
   for (int round = 0, more = 0; round < kMaxRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
-    Attempt attempt = try_shares(task, shares, of_rounding);
+    Attempt attempt = try_shares(task, shares, of_rounding, known);
     found.truth_poses += attempt.error.truth_poses;
     if (shares.tighten(attempt.error)) continue;
     if (is_smaller(attempt.within, found.smallest)) found.smallest = std::move(attempt.within);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "runtime/animation/track_sample.h"
@@ -77,16 +78,24 @@ double deviation(const WeightTrack& track, std::span<const float> metres, const 
   return sum;
 }
 
-/// True if the track may drop its keys between `first` and `last`.
+/// True if the track may drop its keys between `first` and `last`. Goes on where the last call for this step ended.
 template <class TrackType>
 bool can_skip(const TrackType& track, const LooseTrack& loose, std::size_t first, std::size_t last) {
+  StepDeviations::Step unknown, *known = loose.known != nullptr ? loose.known->find(first, last) : nullptr;
+  StepDeviations::Step& step = known != nullptr ? *known : unknown;
+  if (!(step.largest <= loose.tolerance)) return false;
   const double begin = time_of(track.times_s, first), interval_s = time_of(track.times_s, last) - begin;
+  std::size_t place_number = 0;
   return all_between(track.interpolation, first, last, [&](const Place& place) {
+    if (place_number++ < step.places) return true;
     const auto skipping = [&](const Place& at, auto... weight) {
       return between_keys<double>(track, first, last, (time_of(track.times_s, at) - begin) / interval_s, interval_s,
                                   weight...);
     };
-    return deviation(track, loose.metres_per_weight, place, skipping) <= loose.tolerance;
+    const double here = deviation(track, loose.metres_per_weight, place, skipping);
+    if (!(here <= step.largest)) step.largest = here >= 0.0 ? here : std::numeric_limits<double>::infinity();
+    ++step.places;
+    return step.largest <= loose.tolerance;
   });
 }
 
@@ -205,6 +214,19 @@ void cut_groups(std::span<const LooseTrack> tracks, int depth, std::vector<std::
 }
 
 }  // namespace
+
+StepDeviations::Step* StepDeviations::find(std::size_t first, std::size_t last) {
+  const std::size_t left_out = last - first - 1;
+  if (first >= from_.size()) from_.resize(first + 1);
+  std::vector<Step>& steps = from_[first];
+  if (left_out > steps.size()) {
+    const std::size_t more = left_out - steps.size();
+    if (count_ + more > most_) return nullptr;
+    count_ += more;
+    steps.resize(left_out);
+  }
+  return &steps[left_out - 1];
+}
 
 const std::vector<float>& LooseTrack::times_s() const {
   return std::visit([](const auto* t) -> const std::vector<float>& { return t->times_s; }, track);

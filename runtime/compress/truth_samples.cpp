@@ -51,18 +51,22 @@ TruthSamples::TruthSamples(const Scene& scene, const Animation& truth, const Vir
     : scene_(scene), truth_(truth), vertices_(vertices), times_s_(times_s) {
   kept_.resize(std::min(times_s.size(), kept_bytes / bytes_of_sample(scene, truth)));
   TruthPose pose;
-  for (std::size_t i = 0; i < kept_.size(); ++i) evaluate(times_s[i], pose, kept_[i]);
+  TruthCursor cursor(truth, scene.skeleton);
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    cursor.evaluate(times_s[i], pose);
+    fill(times_s[i], pose, kept_[i]);
+  }
 }
 
 const TruthSample& TruthSamples::at(std::size_t time, Scratch& scratch) const {
   if (time < kept_.size()) return kept_[time];
-  evaluate(times_s_[time], scratch.pose, scratch.sample);
+  evaluate_truth(truth_, scene_.skeleton, times_s_[time], scratch.pose);
+  fill(times_s_[time], scratch.pose, scratch.sample);
   ++scratch.evaluated;
   return scratch.sample;
 }
 
-void TruthSamples::evaluate(double time_s, TruthPose& pose, TruthSample& out) const {
-  evaluate_truth(truth_, scene_.skeleton, time_s, pose);
+void TruthSamples::fill(double time_s, const TruthPose& pose, TruthSample& out) const {
   out.corners.resize(pose.model.size());
   for (std::size_t j = 0; j < pose.model.size(); ++j)
     out.corners[j] = corners_in_model(pose.model[j], vertices_.boxes[j]);

@@ -57,7 +57,7 @@ class SINEW_API TruthSamples {
   std::size_t kept_count() const noexcept { return kept_.size(); }
 
  private:
-  void evaluate(double time_s, TruthPose& pose, TruthSample& out) const;
+  void fill(double time_s, const TruthPose& pose, TruthSample& out) const;
 
   const Scene& scene_;
   const Animation& truth_;

@@ -28,10 +28,11 @@ double rotation_between_m(const Quat<double>& q, const Quat<double>& r) noexcept
 
 PoseDrift::PoseDrift(const Skeleton& skeleton, const Animation& animation)
     : skeleton_(skeleton),
-      animation_(animation),
+      cursor_(animation, skeleton),
       cubic_vectors_(skeleton.joint_count()),
       bent_rotations_(skeleton.joint_count()),
       drifts_(skeleton.joint_count()) {
+  for (std::vector<Transformd>& place : places_) place.resize(skeleton.joint_count());
   const auto is_bent = [](Interpolation kind) {
     return kind == Interpolation::cubic_spline || kind == Interpolation::squad;
   };
@@ -44,8 +45,8 @@ PoseDrift::PoseDrift(const Skeleton& skeleton, const Animation& animation)
 PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
   Stray stray;
   const Transformd& middle = middle_.local[joint];
-  for (const TruthPose& place : places_) {
-    const Transformd& there = place.local[joint];
+  for (const std::vector<Transformd>& place : places_) {
+    const Transformd& there = place[joint];
     stray.translation = std::max(stray.translation, safe_length(there.translation - middle.translation));
     stray.rotation = std::max(stray.rotation, rotation_between_m(there.rotation, middle.rotation));
     stray.scale = std::max(stray.scale, largest(there.scale - middle.scale));
@@ -60,9 +61,8 @@ PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
 
 void PoseDrift::bound_interval(double begin_s, double end_s) {
   const double length_s = end_s - begin_s;
-  evaluate_truth(animation_, skeleton_, begin_s + 0.5 * length_s, middle_);
-  for (int i = 0; i < 4; ++i)
-    evaluate_truth(animation_, skeleton_, i == 3 ? end_s : begin_s + length_s * i / 3.0, places_[i]);
+  cursor_.evaluate(begin_s + 0.5 * length_s, middle_);
+  for (int i = 0; i < 4; ++i) cursor_.local_at(i == 3 ? end_s : begin_s + length_s * i / 3.0, places_[i]);
   for (std::size_t j = 0; j < drifts_.size(); ++j) {
     const std::uint32_t parent = skeleton_.parents[j], fixed = skeleton_.fixed_matrix_of[j];
     const Drift above = parent == kNone ? Drift{} : drifts_[parent];

@@ -40,10 +40,11 @@ class PoseDrift {
   Stray stray_of(std::size_t joint) const noexcept;
 
   const Skeleton& skeleton_;
-  const Animation& animation_;
+  TruthCursor cursor_;
   // [J] a translation or scale track of the joint is cubic; its rotation curve is no arc
   std::vector<bool> cubic_vectors_, bent_rotations_;
-  TruthPose middle_, places_[4];
+  TruthPose middle_;
+  std::vector<Transformd> places_[4];  // [J] local transforms at four even times
   std::vector<Drift> drifts_;
 };
 

@@ -222,5 +222,20 @@ TEST(remove_keys, only_the_first_keys_are_looked_at_for_an_estimate) {
   EXPECT_THAT(keys_needed({&loose, 1}, 1), ElementsAre(0));
 }
 
+TEST(remove_keys, remembered_deviations_change_no_key) {
+  test::FixedRandom random(21);
+  for (const Interpolation kind : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline})
+    for (const std::size_t most_steps : {0u, 40u, 100'000u}) {
+      QuatTrack track = test::random_rotations(random, kind, evenly(90));
+      for (std::size_t i = 1; i < track.values.size(); ++i)
+        track.values[i] = normalised(track.values[i - 1] + track.values[i] * 0.02f);
+      StepDeviations known(most_steps);
+      for (const double tolerance : {0.05, 0.4, 0.0, 0.1, 3.0, 0.02, 0.4}) {
+        const LooseTrack plain{&track, tolerance}, remembering{&track, tolerance, {}, &known};
+        EXPECT_EQ(keys_needed({&remembering, 1}, 90), keys_needed({&plain, 1}, 90)) << tolerance << " " << most_steps;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace sinew
