@@ -20,8 +20,8 @@ void expect_ball(const Material& material, const PictureBounds& bounds) {
 }
 
 TEST_F(optics_picture, thin_films_colour_what_dielectrics_and_metals_reflect) {
-  for (const float metallic : {0.0f, 0.5f, 1.0f})
-    for (const float thickest_nm : {0.0f, 320.0f, 700.0f}) {
+  for (const float metallic : {0.0f, 1.0f})
+    for (const float thickest_nm : {0.0f, 450.0f}) {
       Material material = plain();
       material.roughness = 0.35f;
       material.metallic = metallic;

@@ -41,7 +41,7 @@ vec3 film_reflectance(Film film, vec3 f0, float cosine) {
   vec3 amplitude = sqrt(clamp(f0, 0.0, 0.9999)), below_ior = (1.0 + amplitude) / (1.0 - amplitude);
   vec3 roots = (below_ior - ior) / (below_ior + ior), inner = fifth_power_edge(roots * roots, inside);
   // Light that meets a denser medium is shifted by half a wave.
-  vec3 shift = kPi * (mix(vec3(0.0), vec3(1.0), lessThan(below_ior, vec3(ior))) + (ior < 1.0 ? 0.0 : 1.0));
+  vec3 shift = kPi * (mix(vec3(0.0), vec3(1.0), lessThan(below_ior, vec3(ior))) + step(1.0, ior));
   float path_m = 2.0 * ior * film.thickness_m * inside;
   vec3 both = clamp(outer * inner, 1e-5, 0.9999), returned = passed * passed * inner / (1.0 - both);
   vec3 sum = outer + returned, amplitude_m = returned - passed;
