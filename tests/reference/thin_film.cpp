@@ -55,7 +55,7 @@ glm::dvec3 film_reflectance(const ThinFilm& film, const glm::dvec3& f0, double c
   const double inside2 = 1.0 - (1.0 - cosine * cosine) / (ior * ior);
   if (inside2 < 0.0) return glm::dvec3(1.0);
   const double outer = schlick(between(ior, 1.0), cosine), passed = 1.0 - outer;
-  glm::dvec3 shift, product, returned;
+  glm::dvec3 shift(0.0), product(0.0), returned(0.0);
   for (int c = 0; c < 3; ++c) {
     const double root = std::sqrt(std::clamp(f0[c], 0.0, 0.9999)), below = (1.0 + root) / (1.0 - root);
     const double inner = schlick(between(below, ior), std::sqrt(inside2));
