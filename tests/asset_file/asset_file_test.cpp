@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/write_asset_file.h"
 #include "runtime/clip/clip_file.h"
@@ -105,7 +107,9 @@ TEST(asset_file, other_versions_of_the_file_and_of_blocks_are_refused_by_name) {
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().rule, "asset-version");
   EXPECT_EQ(scene.error().block, "model");
-  EXPECT_THAT(describe(scene.error()), testing::HasSubstr("version 3, this library reads version 2"));
+  EXPECT_THAT(describe(scene.error()),
+              testing::HasSubstr("version " + std::to_string(kAssetBlockVersion + 1) + ", this library reads version " +
+                                 std::to_string(kAssetBlockVersion)));
 }
 
 TEST(asset_file, blocks_of_unknown_kinds_are_left_alone) {
