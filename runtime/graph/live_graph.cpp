@@ -115,7 +115,7 @@ std::uint16_t LiveGraph::open_space(GraphIndex node, std::byte* base) noexcept {
     const double speed = speed_of(clip), weight = static_cast<double>(weights[i]);
     if (entry.period == 0 || speed == 0.0) continue;
     sample.length = static_cast<double>(entry.period) * kTicksOfClip / std::fabs(speed);
-    length += weight * sample.length * clips_.space_beats().rounds(point);
+    length += weight * sample.length * (segments == 0 ? 1.0 : clips_.space_beats().rounds(point));
     moving += weight;
     direction += weight * speed;
   }
